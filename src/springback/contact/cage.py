@@ -1,0 +1,141 @@
+"""Cages against obstacles: where they touch, how hard, and what that does to the vehicle."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
+from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Vec, positive_part
+from springback.vehicle.state import ArmPose
+
+
+class Ring(NamedTuple):
+    """Contact at the support point of the tilted cage circle."""
+
+    rounding: float  # tilt below which the support point moves to the centre of a flat cage [rad]
+
+
+class ArmTip(NamedTuple):
+    """The paper's contact point, eq. (13): the cage tip, projected on the normal."""
+
+    unused: float
+
+
+class Support(NamedTuple):
+    """Contact point of a cage, seen from the end of its arm; all in world axes [m]."""
+
+    point: Vec  # whose distance to the obstacle counts
+    normal_lever: Vec  # where the normal force acts
+    friction_lever: Vec  # where friction acts
+    inset: float  # added to the gap
+
+
+@generic
+def support(model: Any, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
+    """Contact point of a cage circle of some radius [m] against a surface.
+
+    Args:
+        model: `Ring` or `ArmTip`.
+        inward: Unit normal into the obstacle, world.
+        arm_direction: R e_j, world.
+        axis: Axis of the circle, R e_z, world.
+        radius: r_0 [m].
+    """
+    raise TypeError(f"{type(model).__name__} is no contact point model")
+
+
+@support.register(Ring)  # type: ignore[attr-defined]
+@kernel
+def _ring(ring: Ring, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
+    """r_0 t/√(t² + ε²) with t = n − (n·b) b.
+
+    At ε = 0 this is the exact support point of the circle; ε only rounds the corner where a cage lies
+    flat on the surface and touches all around.  With the inset, the penetration n·p_j + r_0 √(t² + ε²)
+    has exactly the rate that the point's own velocity has along n, so contact work is exact.
+    """
+    b, n, eps = axis, inward, ring.rounding
+    t = n - (n @ b) * b
+    inverse = 1.0 / math.sqrt(t @ t + eps * eps)
+    lever = t * inverse * radius
+    return Support(lever, lever, lever, -eps * eps * inverse * radius)
+
+
+@support.register(ArmTip)  # type: ignore[attr-defined]
+@kernel
+def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
+    """Eq. (13): p_c = p_j + (r_0 R e_j · n) n, generalised from e_X to any normal.
+
+    Its generalised force is a normal force at the cage tip and friction at the arm's end.
+    """
+    lever = radius * arm_direction
+    return Support((lever @ inward) * inward, lever, lever * 0.0, 0.0)
+
+
+class Touch(NamedTuple):
+    """One cage against one obstacle, or the sum over obstacles."""
+
+    force: Vec  # on the cage, world [N]
+    moment: Vec  # about the main body, world [N m]
+    normal: float  # f_n [N]
+    friction: Vec  # f_f, world [N]
+    contact_loss: float  # [W]
+    friction_loss: float  # [W]
+    on_ground: float  # number of touched grounds
+
+
+class Meeting(NamedTuple):
+    """One cage against one obstacle: the geometry and the forces."""
+
+    gap: float  # positive apart, negative pressed in [m]
+    rate: float  # of the gap [m/s]
+    inward: Vec  # unit normal into the obstacle, world
+    impulsive: float  # 1 where the surface follows the impulse law
+    touch: Touch
+
+
+@kernel
+def slip_velocity(surface: Surface, velocity: Vec, normal: Vec) -> Vec:
+    """The part of a velocity along the surface that friction opposes [m/s]."""
+    return rubbing(surface.friction_axes, velocity - (velocity @ normal) * normal, normal)
+
+
+@kernel
+def meeting(
+    obstacle: Obstacle,
+    contact_point: Any,
+    radius: float,
+    arm: ArmPose,
+    position: Vec,
+    axis: Vec,
+    omega_world: Vec,
+) -> Meeting:
+    """Eqs. (13)-(15) for one cage and one obstacle of any shape and orientation.
+
+    On a curved obstacle the normal is taken once more at the first contact point.
+    """
+    shape, surface = obstacle.shape, obstacle.surface
+    end = position + arm.lever
+    first = support(contact_point, -outward_normal(shape, end), arm.direction, axis, radius)
+    n = -outward_normal(shape, end + first.point)
+    at = support(contact_point, n, arm.direction, axis, radius)
+
+    pressing, rubbing_at = arm.lever + at.normal_lever, arm.lever + at.friction_lever
+
+    gap = signed_distance(shape, end + at.point) + at.inset
+    rate = (arm.sliding + (omega_world ^ pressing)) @ n  # δ̇, positive pressing in
+    pressed = normal_force(surface, positive_part(-gap), rate)
+    slip = slip_velocity(surface, arm.sliding + (omega_world ^ rubbing_at), n)
+    rubbed = friction_force(surface, pressed.force, slip)
+
+    push = n * (-pressed.force)
+    force = push + rubbed
+    moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
+    grounded = obstacle.is_ground if gap < 0.0 else 0.0
+    touch = Touch(
+        force, moment, pressed.force, rubbed, pressed.loss, -(rubbed @ slip), grounded
+    )
+    impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
+    return Meeting(gap, -rate, n, impulsive, touch)

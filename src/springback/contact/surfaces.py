@@ -1,0 +1,145 @@
+"""Surfaces: the laws of normal force and friction.
+
+One set of numbers covers the laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and never
+adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The impulse law has no
+force at all; its velocity jump lives in `springback.contact.impulse`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Vec, positive_part
+
+
+class ThreeHalves(NamedTuple):
+    """Exponent 3/2, by a square root: the Hertzian sphere, and the paper's choice."""
+
+    value: float
+
+
+class Linear(NamedTuple):
+    """Exponent 1."""
+
+    value: float
+
+
+class AnyExponent(NamedTuple):
+    """Any exponent, by the power function: about twice the cost of a step."""
+
+    value: float
+
+
+Exponent = ThreeHalves | Linear | AnyExponent
+
+
+class BothTangents(NamedTuple):
+    """Friction opposes the slip along the surface."""
+
+    unused: float
+
+
+class VerticalTangent(NamedTuple):
+    """Friction opposes only the vertical part of the slip, as in the paper's eq. (14)."""
+
+    unused: float
+
+
+FrictionAxes = BothTangents | VerticalTangent
+
+
+class Surface(NamedTuple):
+    """Numbers of a contact surface, as one cage feels it."""
+
+    stiffness: float  # k [N/mⁿ]
+    dissipation: float  # d = 1.5 c_a [s/m]
+    viscosity: float  # b, Kelvin-Voigt only [N s/m]
+    exponent: Exponent  # n
+    friction: float  # μ
+    friction_axes: FrictionAxes  # along which friction acts
+    slip_speed: float  # below which friction is regularised [m/s]
+    restitution: float  # e of the impulse law; negative for a law of force
+
+
+@generic
+def power(exponent: Exponent, depth: float) -> float:
+    """δⁿ for δ ≥ 0."""
+    return depth**exponent.value
+
+
+@power.register(ThreeHalves)  # type: ignore[attr-defined]
+@kernel
+def _three_halves(exponent: ThreeHalves, depth: float) -> float:
+    return depth * math.sqrt(depth)
+
+
+@power.register(Linear)  # type: ignore[attr-defined]
+@kernel
+def _linear(exponent: Linear, depth: float) -> float:
+    return depth
+
+
+class NormalForce(NamedTuple):
+    """Normal force of one contact and what becomes of its work."""
+
+    force: float  # f_n ≥ 0 [N]
+    loss: float  # power turned into heat [W]
+
+
+@kernel
+def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
+    """Hunt–Crossley, Hertz or Kelvin–Voigt force, never adhesive [N].
+
+    Eq. (15) with the sign of Hunt & Crossley (1975): with δ̇ > 0 going in, the printed minus would
+    feed energy (docs/paper/errata.md).  Where the sum would pull, the force is zero and the elastic
+    energy still stored is lost.
+
+    Args:
+        surface: Stiffness k [N/mⁿ], dissipation d [s/m], viscosity b [N s/m], exponent n.
+        depth: Penetration δ [m]; not negative.
+        rate: δ̇ [m/s]; positive while pressing in.
+    """
+    k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
+    elastic = k * power(surface.exponent, depth)
+    pressed = positive_part(elastic * (1.0 + d * rate) + b * rate)
+    force = pressed if depth > 0.0 else 0.0
+    return NormalForce(force, (force - elastic) * rate)
+
+
+@generic
+def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec) -> Vec:
+    """The part of a slip velocity that friction opposes [m/s]."""
+    return slip
+
+
+@rubbing.register(VerticalTangent)  # type: ignore[attr-defined]
+@kernel
+def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec) -> Vec:
+    n = normal
+    up = Vec(-n.z * n.x, -n.z * n.y, 1.0 - n.z * n.z)  # e_Z along the surface; none on a floor
+    return up * ((slip @ up) / (up @ up + 1e-12))
+
+
+@kernel
+def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Vec:
+    """Coulomb friction against the slip velocity, regularised where the slip vanishes [N].
+
+    f = −μ f_n v / √(v² + v_s²).  The paper's v/‖v‖ is undefined at rest, which is where its own slider
+    tests are.
+
+    Args:
+        surface: Friction coefficient μ, slip speed v_s [m/s].
+        normal_force: f_n [N].
+        slip: Tangential velocity of the contact point, world [m/s].
+    """
+    v_s = surface.slip_speed
+    return slip * (-surface.friction * normal_force / math.sqrt(slip @ slip + v_s * v_s))
+
+
+@kernel
+def elastic_energy(surface: Surface, depth: float) -> float:
+    """Energy stored in a contact, k δⁿ⁺¹/(n+1) [J]."""
+    n = surface.exponent.value
+    return surface.stiffness * power(surface.exponent, depth) * depth / (n + 1.0)

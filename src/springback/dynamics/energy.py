@@ -1,0 +1,164 @@
+"""Energy and momentum of a vehicle, and the jump that locks settled arms."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.contact.cage import meeting
+from springback.contact.obstacles import Obstacle, World
+from springback.contact.surfaces import elastic_energy
+from springback.kernels.compiler import rare_kernel
+from springback.kernels.trees import column, each, total
+from springback.kernels.vectors import (
+    Mat,
+    Vec,
+    positive_part,
+    rotation,
+    solve_symmetric,
+)
+from springback.vehicle.state import Airframe, Arm, State, arm_direction, arm_pose, with_arms
+
+
+class Energy(NamedTuple):
+    """Where the mechanical energy of a vehicle is [J]."""
+
+    kinetic: float
+    gravity: float  # above Z = 0
+    springs: float  # arm springs
+    stops: float  # end stops
+    contact: float  # elastic part of the contacts
+
+    @property
+    def total(self) -> float:
+        """Sum of all parts [J]."""
+        return self.kinetic + self.gravity + self.springs + self.stops + self.contact
+
+
+@rare_kernel
+def _arm_energy(
+    arm: Arm,
+    length: float,
+    rate: float,
+    obstacles: tuple[Obstacle, ...],
+    contact_point: Any,
+    gravity: float,
+    state: State,
+    r: Mat,
+) -> Energy:
+    omega_world, axis = r @ state.angular_velocity, Vec(r.x.z, r.y.z, r.z.z)
+    pose = arm_pose(arm, length, rate, r, state.velocity)
+    velocity = pose.sliding + (omega_world ^ pose.lever)
+    stored = each(
+        _contact_energy,
+        (obstacles,),
+        (contact_point, arm.cage_radius, pose, state.position, axis, omega_world),
+    )
+    pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
+    pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
+    return Energy(
+        kinetic=0.5 * arm.mass * (velocity @ velocity),
+        gravity=arm.mass * gravity * (state.position.z + pose.lever.z),
+        springs=0.5 * arm.compliance * arm.stiffness * (arm.length - length) * (arm.length - length),
+        stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
+        contact=total(stored),
+    )
+
+
+@rare_kernel
+def _contact_energy(
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, position: Vec, axis: Vec, omega: Vec
+) -> float:
+    met = meeting(obstacle, contact_point, radius, arm, position, axis, omega)
+    return elastic_energy(obstacle.surface, positive_part(-met.gap))
+
+
+@rare_kernel
+def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
+    """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
+    r, omega = rotation(state.attitude), state.angular_velocity
+    arms = each(
+        _arm_energy,
+        (airframe.arms, state.arm_length, state.arm_rate),
+        (world.obstacles, contact_point, world.gravity, state, r),
+    )
+    a = total(arms)
+    body_mass = airframe.mass - total(column(airframe.arms, "mass"))
+    kinetic = 0.5 * body_mass * (state.velocity @ state.velocity)
+    kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
+    gravity = body_mass * world.gravity * state.position.z
+    return Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, a.contact)
+
+
+class Spread(NamedTuple):
+    """Mass moments of the arms about the main body, body axes."""
+
+    first: Vec  # Σ m_j r_j [kg m]
+    drift: Vec  # Σ m_j l̇_j e_j [kg m/s]
+    second: Vec  # Σ m_j l_j² (e_x², e_y², e_x e_y) [kg m²]
+
+
+@rare_kernel
+def spread(arm: Arm, length: float, rate: float) -> Spread:
+    e, m = arm_direction(arm), arm.mass
+    squares = Vec(e.x * e.x, e.y * e.y, e.x * e.y)
+    return Spread((m * length) * e, (m * rate) * e, (m * length * length) * squares)
+
+
+@rare_kernel
+def about_mass_centre(inertia: Mat, mass: float, centre: Vec) -> Mat:
+    """Steiner: inertia about a point taken to the centre of mass."""
+    c, square = centre, centre @ centre
+    return inertia + Mat(
+        Vec(-mass * (square - c.x * c.x), mass * c.x * c.y, mass * c.x * c.z),
+        Vec(mass * c.y * c.x, -mass * (square - c.y * c.y), mass * c.y * c.z),
+        Vec(mass * c.z * c.x, mass * c.z * c.y, -mass * (square - c.z * c.z)),
+    )
+
+
+@rare_kernel
+def angular_momentum(airframe: Airframe, state: State) -> Vec:
+    """Angular momentum about the centre of mass, world axes [kg m²/s]."""
+    now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    omega, m = state.angular_velocity, airframe.mass
+    centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
+    about_body = with_arms(airframe.inertia, now.second) @ omega
+    return rotation(state.attitude) @ (about_body - m * (centre ^ ((omega ^ centre) + drift)))
+
+
+@rare_kernel
+def _rest_length(arm: Arm, length: float) -> float:
+    return arm.length if arm.compliance > 0.0 else length
+
+
+@rare_kernel
+def _still(arm: Arm) -> float:
+    return 0.0
+
+
+@rare_kernel
+def locked(airframe: Airframe, state: State) -> State:
+    """The state after all arms have snapped to their free length and stopped there.
+
+    Keeps the place and velocity of the centre of mass and the angular momentum about it; the energy
+    that goes is the caller's to book.
+    """
+    r, omega, m = rotation(state.attitude), state.angular_velocity, airframe.mass
+    now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
+    spin = angular_momentum(airframe, state) @ r
+    velocity = state.velocity + r @ ((omega ^ centre) + drift)
+
+    length = each(_rest_length, (airframe.arms, state.arm_length), ())
+    rate = each(_still, (airframe.arms,), ())
+    then = total(each(spread, (airframe.arms, length, rate), ()))
+    new_centre = then.first * (1.0 / m)
+    inertia = about_mass_centre(with_arms(airframe.inertia, then.second), m, new_centre)
+    new_omega = solve_symmetric(inertia, spin)
+    return State(
+        state.position + r @ (centre - new_centre),
+        state.attitude,
+        velocity - r @ (new_omega ^ new_centre),
+        new_omega,
+        length,
+        rate,
+    )

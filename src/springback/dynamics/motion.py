@@ -1,0 +1,429 @@
+"""Equations of motion of the main body and its arms.
+
+Ten coordinates for four arms: position, quaternion, arm lengths.  They are the paper's Euler–Lagrange
+equations (3)-(12) in Newton–Euler form, free of the Euler angles' singularity; the equivalence is a
+test (tests/dynamics/test_lagrangian.py).  With a' = Rᵀ(v̇ + g e_Z), r_j = l_j e_j and
+c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j, each arm obeys, along its own slide,
+
+    m_j (l̈_j + e_j·a') = h_j = e_j·f_j − m_j e_j·c_j + (spring, damper, stops)
+
+so l̈_j leaves the system before it is solved, and six equations remain:
+
+    [ M   −ŝ ] [a']   [ Σ (F_j − m_j c_j − u_j h_j e_j)        ]     M = m 1 − Σ u_j m_j e_j e_jᵀ
+    [ ŝ    J ] [α ] = [ Σ r_j × (F_j − m_j c_j) + τ − ω × I ω  ]     s = Σ m_j r_j
+                                                                     J = I + Σ m_j l_j² (1 − e_j e_jᵀ)
+
+u_j is 1 for an arm that slides and 0 for one that is locked.  All locked: the rigid Newton–Euler
+equations (1), with the centre of mass wherever the arms put it.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.contact.cage import Meeting, meeting
+from springback.contact.obstacles import Obstacle, World
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import column, each, largest, least, total
+from springback.kernels.vectors import (
+    Mat,
+    Vec,
+    positive_part,
+    quaternion_rate,
+    rotation,
+    solve_symmetric,
+)
+from springback.vehicle.state import Airframe, Arm, State, arm_pose, with_arms
+
+#: A switching function closer to zero than this counts as at zero [m].
+LANDED = 1e-9
+#: Time to the next crossing when none is ahead [s].
+NEVER = 1e9
+
+
+class Work(NamedTuple):
+    """Energies and impulse exchanged since the start, integrated with the motion."""
+
+    thrust: float  # put in by the rotors [J]
+    arm: float  # taken by arm dampers [J]
+    stop: float  # taken by end stops [J]
+    contact: float  # taken by contact damping [J]
+    friction: float  # taken by friction [J]
+    settling: float  # lost when settled arms are locked again [J]
+    impulse: Vec  # of the contact forces, world [N s]
+
+
+class Motion(NamedTuple):
+    """What is integrated: the state and the ledger."""
+
+    state: State
+    work: Work
+
+
+class Free(NamedTuple):
+    """No constraint: six degrees of freedom and the arms."""
+
+    unused: float
+
+
+class Slider(NamedTuple):
+    """The vehicle moves along one world axis only and does not turn, as on the paper's testbed."""
+
+    axis: Vec  # unit vector, world
+
+
+class ArmView(NamedTuple):
+    """What one arm does and feels, as seen from outside."""
+
+    gap: float  # to the nearest obstacle [m]
+    depth: float  # deepest penetration [m]
+    normal: float  # f_n [N]
+    friction: Vec  # f_f, world [N]
+    compression: float  # L − l [m]
+    landing: float  # time to the next crossing of a gap or a stop through zero [s]
+    touching: float  # 1 while the cage touches
+    impulsive: float  # 1 where it touches a surface of the impulse law
+    bottomed: float  # 1 at the end of the stroke
+    on_stop: float  # 1 while an end stop is pressed
+    inward: Vec  # normal of the most deeply touched obstacle
+
+
+class View(NamedTuple):
+    """What an instant looks like from outside."""
+
+    acceleration: Vec  # v̇ of the main body, world [m/s²]
+    specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z): what an accelerometer at the main body feels [m/s²]
+    mass_centre_velocity: Vec  # world [m/s]
+    contact_force: Vec  # sum over cages, world [N]
+    arms: tuple[ArmView, ...]
+    on_ground: float  # number of grounds touched
+
+
+class ArmShare(NamedTuple):
+    """What one arm adds to the six equations."""
+
+    force: Vec  # contact force, world
+    moment: Vec  # contact moment about the main body, world
+    push: Vec  # −m_j c_j − u_j h_j e_j, body
+    moment_body: Vec  # r_j × (T_j e_z − m_j c_j) and rotor torque, body
+    thrust: float
+    carried: Vec  # m_j r_j, body
+    sliding: Vec  # u_j m_j (e_x², e_y², e_x e_y)
+    inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
+    momentum: Vec  # m_j (v_j − v), body
+    thrust_power: float
+    arm_loss: float
+    stop_loss: float
+    contact_loss: float
+    friction_loss: float
+    on_ground: float
+
+
+class ArmPull(NamedTuple):
+    """What an arm's own slide needs once a' is known: l̈ = drive − u e·a'."""
+
+    drive: float  # u_j h_j / m_j
+    hold: float  # u_j
+
+
+class ArmState(NamedTuple):
+    """Everything about one arm at one instant."""
+
+    share: ArmShare
+    pull: ArmPull
+    seen: ArmView
+
+
+@kernel
+def crossing_time(value: float, rate: float) -> float:
+    """Time until value reaches zero at its present rate [s]; NEVER where it does not, or is there."""
+    ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
+    return -value / rate if ahead else NEVER
+
+
+@kernel
+def _landing(met: Meeting) -> float:
+    return crossing_time(met.gap, met.rate)
+
+
+@kernel
+def _touching(met: Meeting) -> float:
+    """1 while pressed in, from the instant of landing on to that of leaving."""
+    closing = (met.gap <= LANDED) & (met.rate < 0.0)
+    pressed = (met.gap < -LANDED) & (met.impulsive == 0.0)
+    return 1.0 if closing | pressed else 0.0
+
+
+@kernel
+def _impulsive(met: Meeting) -> float:
+    return met.impulsive * _touching(met)
+
+
+@kernel
+def _nearest_normal(met: Meeting, nearest: float) -> Vec:
+    return met.inward * (1.0 if met.gap == nearest else 0.0)
+
+
+class Stop(NamedTuple):
+    """Force of an end stop along the arm, and its heat."""
+
+    force: float  # positive lengthens the arm [N]
+    loss: float  # [W]
+
+
+@kernel
+def end_stop(arm: Arm, length: float, rate: float) -> Stop:
+    """Push of the end stops, k δ (1 + d δ̇), never adhesive, and its heat.
+
+    One acts on an arm that has bottomed out, the other on one past its free length.
+    """
+    low, high = positive_part(arm.shortest - length), positive_part(length - arm.length)
+    side = 1.0 if low > 0.0 else -1.0
+    pressing = -side * rate
+    elastic = arm.stop_stiffness * (low + high)
+    force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
+    return Stop(side * force, (force - elastic) * pressing)
+
+
+@kernel
+def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
+    """Kelvin–Voigt arm, k_l (L − l) − b_l l̇: positive lengthens the arm [N].
+
+    The damper opposes l̇ (Rayleigh); the printed eq. (11) has the sign of a motor.
+    """
+    return arm.stiffness * (arm.length - length) - arm.damping * rate
+
+
+@kernel
+def arm_state(
+    arm: Arm,
+    length: float,
+    rate: float,
+    thrust: float,
+    obstacles: tuple[Obstacle, ...],
+    contact_point: Any,
+    state: State,
+    r: Mat,
+    omega_world: Vec,
+    climb: float,
+    released: float,
+) -> ArmState:
+    """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
+
+    Inertial terms are written in the arm's own axes (e, n, z): along the arm, across it, and up.
+    """
+    cosine, sine, m, u = arm.cosine, arm.sine, arm.mass, arm.compliance * released
+    omega, axis = state.angular_velocity, Vec(r.x.z, r.y.z, r.z.z)
+    pose = arm_pose(arm, length, rate, r, state.velocity)
+
+    met = each(
+        meeting,
+        (obstacles,),
+        (contact_point, arm.cage_radius, pose, state.position, axis, omega_world),
+    )
+    touch = total(column(met, "touch"))
+    gap = least(column(met, "gap"))
+    stop = end_stop(arm, length, rate)
+
+    # c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j
+    w_e, w_n = cosine * omega.x + sine * omega.y, cosine * omega.y - sine * omega.x
+    c_e = -length * (w_n * w_n + omega.z * omega.z)
+    c_n = length * w_e * w_n + 2.0 * rate * omega.z
+    c_z = length * w_e * omega.z - 2.0 * rate * w_n
+    h = pose.direction @ touch.force - m * c_e + spring_damper_force(arm, length, rate) + stop.force
+    push_e, push_n = -m * c_e - u * h, -m * c_n
+    moment_n, moment_z = length * (m * c_z - thrust), length * push_n
+
+    ml = m * length
+    squares = Vec(cosine * cosine, sine * sine, cosine * sine)
+    slide_n, slide_z = length * omega.z, -length * w_n  # ω × r_j
+    share = ArmShare(
+        force=touch.force,
+        moment=touch.moment,
+        push=Vec(cosine * push_e - sine * push_n, sine * push_e + cosine * push_n, -m * c_z),
+        moment_body=Vec(
+            -sine * moment_n, cosine * moment_n, moment_z + arm.torque_ratio * thrust
+        ),
+        thrust=thrust,
+        carried=Vec(ml * cosine, ml * sine, 0.0),
+        sliding=(u * m) * squares,
+        inertia=(ml * length) * squares,
+        momentum=m
+        * Vec(cosine * rate - sine * slide_n, sine * rate + cosine * slide_n, slide_z),
+        thrust_power=thrust * (climb + slide_z + arm.torque_ratio * omega.z),
+        arm_loss=u * arm.damping * rate * rate,
+        stop_loss=u * stop.loss,
+        contact_loss=touch.contact_loss,
+        friction_loss=touch.friction_loss,
+        on_ground=touch.on_ground,
+    )
+    has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
+    on_stop = has_stops & ((length > arm.length) | (length < arm.shortest))
+    landing = least(
+        (
+            least(each(_landing, (met,), ())),
+            crossing_time(length - arm.length, rate) if has_stops else NEVER,
+            crossing_time(length - arm.shortest, rate) if has_stops else NEVER,
+        )
+    )
+    view = ArmView(
+        gap=gap,
+        depth=positive_part(-gap),
+        normal=touch.normal,
+        friction=touch.friction,
+        compression=arm.length - length,
+        landing=landing,
+        touching=largest(each(_touching, (met,), ())),
+        impulsive=largest(each(_impulsive, (met,), ())),
+        bottomed=1.0 if (u > 0.0) & (length < arm.shortest) else 0.0,
+        on_stop=1.0 if on_stop else 0.0,
+        inward=total(each(_nearest_normal, (met,), (gap,))),
+    )
+    return ArmState(share, ArmPull(u * h * arm.inverse_mass, u), view)
+
+
+@kernel
+def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
+    return known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+
+
+class Accelerations(NamedTuple):
+    """Solution of the six equations."""
+
+    linear: Vec  # a' = Rᵀ(v̇ + g e_Z), body [m/s²]
+    angular: Vec  # α, body [rad/s²]
+
+
+class System(NamedTuple):
+    """The six equations of the module docstring."""
+
+    mass: float
+    sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
+    carried: Vec  # s, in the body plane
+    inertia: Mat  # J
+    force: Vec  # right-hand side of a', body
+    moment: Vec  # right-hand side of α, body
+
+
+class PlanarInverse(NamedTuple):
+    """M⁻¹ for M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
+
+    xx: float
+    yy: float
+    xy: float
+    zz: float
+
+
+@kernel
+def planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
+    """Inverse of the mass matrix of translation, arms' own accelerations eliminated [1/kg]."""
+    xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
+    scale = 1.0 / (xx * yy - xy * xy)
+    return PlanarInverse(yy * scale, xx * scale, -xy * scale, 1.0 / mass)
+
+
+@kernel
+def times(n: PlanarInverse, b: Vec) -> Vec:
+    """M⁻¹ b."""
+    return Vec(n.xx * b.x + n.xy * b.y, n.xy * b.x + n.yy * b.y, n.zz * b.z)
+
+
+@generic
+def solve(guide: Any, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Accelerations of the main body under a constraint."""
+    raise TypeError(f"{type(guide).__name__} is no guide")
+
+
+@solve.register(Free)  # type: ignore[attr-defined]
+@kernel
+def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Translation is eliminated first: a' = M⁻¹(b − α × s), then (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
+    n, s = planar_inverse(system.mass, system.sliding), system.carried
+    alone = times(n, system.force)
+    j = system.inertia
+    jxx, jyy = j.x.x - n.zz * s.y * s.y, j.y.y - n.zz * s.x * s.x
+    jxy = j.x.y + n.zz * s.x * s.y
+    jzz = j.z.z - (n.xx * s.y * s.y - 2.0 * n.xy * s.x * s.y + n.yy * s.x * s.x)
+    reduced = Mat(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
+    alpha = solve_symmetric(reduced, system.moment - (s ^ alone))
+    return Accelerations(alone - times(n, alpha ^ s), alpha)
+
+
+@solve.register(Slider)  # type: ignore[attr-defined]
+@kernel
+def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
+    u = guide.axis @ r
+    weight = Vec(0.0, 0.0, gravity) @ r
+    m, slide = system.mass, system.sliding
+    mu = Vec(
+        (m - slide.x) * u.x - slide.z * u.y,
+        (m - slide.y) * u.y - slide.z * u.x,
+        m * u.z,
+    )
+    along_axis = (u @ system.force - mu @ weight) / (mu @ u)
+    return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
+
+
+class Rates(NamedTuple):
+    """Rate of change of the motion, and the view of the same instant."""
+
+    motion: Motion
+    seen: View
+
+
+@kernel
+def rates(
+    airframe: Airframe,
+    world: World,
+    contact_point: Any,
+    guide: Any,
+    state: State,
+    thrust: tuple[float, ...],
+    released: float,
+) -> Rates:
+    """Rate of change of everything that is integrated.
+
+    Args:
+        airframe: Constants of the vehicle.
+        world: Obstacles and gravity.
+        contact_point: `Ring` or `ArmTip`.
+        guide: `Free` or `Slider`.
+        state: Present state.
+        thrust: Of each rotor, along body z at the end of its arm [N].
+        released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
+    """
+    r, omega = rotation(state.attitude), state.angular_velocity
+    omega_world, climb = r @ omega, Vec(r.x.z, r.y.z, r.z.z) @ state.velocity
+    arms = each(
+        arm_state,
+        (airframe.arms, state.arm_length, state.arm_rate, thrust),
+        (world.obstacles, contact_point, state, r, omega_world, climb, released),
+    )
+    a = total(column(arms, "share"))
+
+    i = airframe.inertia
+    force = a.force @ r + a.push + Vec(0.0, 0.0, a.thrust)
+    moment = a.moment @ r + a.moment_body - (omega ^ (i @ omega))
+    system = System(
+        airframe.mass, a.sliding, a.carried, with_arms(i, a.inertia), force, moment
+    )
+    solved = solve(guide, system, r, world.gravity)
+
+    acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
+    sliding = each(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
+    state_rate = State(
+        state.velocity,
+        quaternion_rate(state.attitude, omega),
+        acceleration,
+        solved.angular,
+        state.arm_rate,
+        sliding,
+    )
+    work_rate = Work(
+        a.thrust_power, a.arm_loss, a.stop_loss, a.contact_loss, a.friction_loss, 0.0, a.force
+    )
+    mass_centre_velocity = state.velocity + r @ (a.momentum * (1.0 / airframe.mass))
+    views = column(arms, "seen")
+    view = View(acceleration, solved.linear, mass_centre_velocity, a.force, views, a.on_ground)
+    return Rates(Motion(state_rate, work_rate), view)

@@ -1,0 +1,1 @@
+"""The compute core: one scalar source, several executors."""

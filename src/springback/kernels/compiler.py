@@ -1,0 +1,121 @@
+"""The compiler, named here and nowhere else.
+
+Physics is written once, for one vehicle, on floats and NamedTuples of floats.  A function marked
+`kernel` stays an ordinary Python function when Python calls it, and is compiled and inlined when an
+`executor` calls it.  So one source serves plain Python, one compiled flight and many flights abreast.
+
+The arithmetic flags let the compiler drop terms that are exactly zero (``nnan``, ``ninf``, ``nsz``)
+and nothing else: no contraction, no reassociation, no approximate division.  Every operation is
+then rounded as IEEE 754 says, and all executors return the same bits (docs/decisions/0003).
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import platformdirs
+from numba import config, njit, types
+from numba.extending import overload, register_jitable
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+#: Flags of code that may assume finite numbers; finiteness is checked outside (simulation.executor).
+FINITE = {"nnan", "ninf", "nsz"}
+_COMMON: dict[str, Any] = {"error_model": "numpy", "no_cfunc_wrapper": True}
+INLINED: dict[str, Any] = {"forceinline": True, "fastmath": FINITE, **_COMMON}
+GUARDING: dict[str, Any] = {"forceinline": True, "fastmath": False, **_COMMON}
+STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
+
+_SOURCES = ("kernels", "vehicle", "contact", "dynamics", "simulation")
+
+
+def kernel(function: F) -> F:
+    """Physics on floats: plain Python for Python, inlined machine code for an executor."""
+    registered: F = register_jitable(**INLINED)(function)
+    return registered
+
+
+def guard(function: F) -> F:
+    """A kernel that must see NaN and infinity for what they are."""
+    registered: F = register_jitable(**GUARDING)(function)
+    return registered
+
+
+def rare_kernel(function: F) -> F:
+    """A kernel for rare events: compiled once and called, never inlined, strict about NaN."""
+    registered: F = register_jitable(**STRICT)(function)
+    return registered
+
+
+def generic(function: F) -> F:
+    """A kernel that is chosen by the type of its first argument, in Python and when compiled.
+
+    Other types join with ``function.register(Type)``, exactly as for `functools.singledispatch`.
+    """
+    chosen = functools.singledispatch(function)
+
+    @overload(chosen, strict=False, jit_options=INLINED)
+    def compiled(*arguments: Any) -> Any:
+        return chosen.dispatch(arguments[0].instance_class)
+
+    return chosen  # type: ignore[return-value]  # singledispatch keeps the call signature
+
+
+def is_named(numba_type: Any, cls: type) -> bool:
+    """Whether a compiler type is the NamedTuple class ``cls``."""
+    return isinstance(numba_type, types.BaseNamedTuple) and numba_type.instance_class is cls
+
+
+@functools.cache
+def source_digest() -> str:
+    """Digest of every source file that ends up in compiled code.
+
+    The compiler's own cache looks at the file of the entry function only; an edit or an upgrade
+    elsewhere would go unseen.  So the digest names the cache folder.
+    """
+    package = Path(__file__).parents[1]
+    digest = hashlib.sha256()
+    for chapter in _SOURCES:
+        for path in sorted((package / chapter).glob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def cache_folder() -> Path:
+    """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's cache folder."""
+    root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
+    return Path(root) / "kernels" / source_digest()
+
+
+def is_writable(folder: Path) -> bool:
+    """Whether ``folder`` exists or can be made, and takes files."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return os.access(folder, os.W_OK)
+
+
+def executor(**options: Any) -> Callable[[F], F]:
+    """Compile an entry point, kept on disk between processes.
+
+    The undecorated function stays reachable as ``.py_func``: that is the plain-Python executor.
+    """
+
+    def compile_entry(function: F) -> F:
+        folder = cache_folder()
+        cached = is_writable(folder)
+        before = config.CACHE_DIR
+        try:
+            config.CACHE_DIR = str(folder) if cached else before
+            entry: F = njit(cache=cached, **{**STRICT, **options})(function)
+        finally:
+            config.CACHE_DIR = before
+        return entry
+
+    return compile_entry

@@ -1,0 +1,205 @@
+"""Vectors, matrices and quaternions with operators, in Python and in compiled code alike.
+
+``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` are what they look like; ``a @ b`` is the scalar
+product, ``a ^ b`` the vector product, ``M @ a`` a matrix times a vector and ``a @ M`` the transposed
+matrix times a vector (so ``R @ v`` takes body axes to world axes and ``v @ R`` takes them back).
+Mind Python's precedence: ``^`` binds weaker than ``+``, so vector products are put in brackets.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from typing import Any, NamedTuple, overload
+
+from numba import types
+from numba.extending import overload as compiled_overload
+
+from springback.kernels.compiler import INLINED, is_named, kernel
+
+
+class Vec(NamedTuple):
+    """Three components along x, y, z; unit and frame are those of the quantity it holds."""
+
+    x: float
+    y: float
+    z: float
+
+    def __add__(self, other: Vec) -> Vec:  # type: ignore[override]  # a tuple would concatenate
+        return _add(self, other)
+
+    def __sub__(self, other: Vec) -> Vec:
+        return _subtract(self, other)
+
+    def __neg__(self) -> Vec:
+        return _negate(self)
+
+    def __mul__(self, factor: float) -> Vec:  # type: ignore[override]  # a tuple would repeat
+        return _scale(self, factor)
+
+    def __rmul__(self, factor: float) -> Vec:  # type: ignore[override]
+        return _scale(self, factor)
+
+    @overload
+    def __matmul__(self, other: Vec) -> float: ...
+    @overload
+    def __matmul__(self, other: Mat) -> Vec: ...
+    def __matmul__(self, other: Vec | Mat) -> float | Vec:
+        return _transform_back(self, other) if isinstance(other, Mat) else _dot(self, other)
+
+    def __xor__(self, other: Vec) -> Vec:
+        return _cross(self, other)
+
+
+class Mat(NamedTuple):
+    """A 3 x 3 matrix by its rows."""
+
+    x: Vec
+    y: Vec
+    z: Vec
+
+    def __add__(self, other: Mat) -> Mat:  # type: ignore[override]
+        return _add_matrices(self, other)
+
+    def __matmul__(self, other: Vec) -> Vec:
+        return _transform(self, other)
+
+
+class Quat(NamedTuple):
+    """Hamilton quaternion, scalar first; as an attitude it takes body (FLU) to world (NWU) axes."""
+
+    w: float
+    x: float
+    y: float
+    z: float
+
+
+def _add(a: Vec, b: Vec) -> Vec:
+    return Vec(a.x + b.x, a.y + b.y, a.z + b.z)
+
+
+def _subtract(a: Vec, b: Vec) -> Vec:
+    return Vec(a.x - b.x, a.y - b.y, a.z - b.z)
+
+
+def _negate(a: Vec) -> Vec:
+    return Vec(-a.x, -a.y, -a.z)
+
+
+def _scale(a: Vec, s: float) -> Vec:
+    return Vec(a.x * s, a.y * s, a.z * s)
+
+
+def _scale_from_left(s: float, a: Vec) -> Vec:
+    return Vec(a.x * s, a.y * s, a.z * s)
+
+
+def _dot(a: Vec, b: Vec) -> float:
+    return a.x * b.x + a.y * b.y + a.z * b.z
+
+
+def _cross(a: Vec, b: Vec) -> Vec:
+    return Vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+
+
+def _add_matrices(a: Mat, b: Mat) -> Mat:
+    return Mat(a.x + b.x, a.y + b.y, a.z + b.z)
+
+
+def _transform(m: Mat, a: Vec) -> Vec:
+    return Vec(m.x @ a, m.y @ a, m.z @ a)
+
+
+def _transform_back(a: Vec, m: Mat) -> Vec:
+    return Vec(
+        m.x.x * a.x + m.y.x * a.y + m.z.x * a.z,
+        m.x.y * a.x + m.y.y * a.y + m.z.y * a.z,
+        m.x.z * a.x + m.y.z * a.y + m.z.z * a.z,
+    )
+
+
+def _teach(symbol: Callable[..., Any], cases: list[tuple[tuple[Any, ...], Callable[..., Any]]]) -> None:
+    """Give the compiler the operators above."""
+
+    def fits(numba_type: Any, wanted: Any) -> bool:
+        if wanted is float:
+            return isinstance(numba_type, types.Float)
+        return is_named(numba_type, wanted)
+
+    if symbol is operator.neg:
+
+        def typed_unary(a: Any) -> Any:
+            return next((f for (k,), f in cases if fits(a, k)), None)
+
+        compiled_overload(symbol, jit_options=INLINED, strict=False)(typed_unary)
+        return
+
+    def typed(a: Any, b: Any) -> Any:
+        return next((f for (k, m), f in cases if fits(a, k) and fits(b, m)), None)
+
+    compiled_overload(symbol, jit_options=INLINED, strict=False)(typed)
+
+
+_teach(operator.add, [((Vec, Vec), _add), ((Mat, Mat), _add_matrices)])
+_teach(operator.sub, [((Vec, Vec), _subtract)])
+_teach(operator.neg, [((Vec,), _negate)])
+_teach(operator.mul, [((Vec, float), _scale), ((float, Vec), _scale_from_left)])
+_teach(operator.matmul, [((Vec, Vec), _dot), ((Mat, Vec), _transform), ((Vec, Mat), _transform_back)])
+_teach(operator.xor, [((Vec, Vec), _cross)])
+
+
+@kernel
+def positive_part(x: float) -> float:
+    """x where it is positive, else zero."""
+    return x if x > 0.0 else 0.0
+
+
+@kernel
+def norm(a: Vec) -> float:
+    """Length of a vector."""
+    return math.sqrt(a @ a)
+
+
+@kernel
+def rotation(q: Quat) -> Mat:
+    """Rotation matrix of a unit quaternion: columns are the body axes in the world."""
+    w, x, y, z = q.w, q.x, q.y, q.z
+    return Mat(
+        Vec(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
+        Vec(2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
+        Vec(2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+    )
+
+
+@kernel
+def quaternion_rate(q: Quat, omega: Vec) -> Quat:
+    """q̇ = ½ q ⊗ (0, ω) for ω in body axes [rad/s]."""
+    return Quat(
+        0.5 * (-q.x * omega.x - q.y * omega.y - q.z * omega.z),
+        0.5 * (q.w * omega.x + q.y * omega.z - q.z * omega.y),
+        0.5 * (q.w * omega.y + q.z * omega.x - q.x * omega.z),
+        0.5 * (q.w * omega.z + q.x * omega.y - q.y * omega.x),
+    )
+
+
+@kernel
+def normalised(q: Quat) -> Quat:
+    """q scaled to unit length."""
+    scale = 1.0 / math.sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)
+    return Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
+
+
+@kernel
+def solve_symmetric(m: Mat, b: Vec) -> Vec:
+    """x with m x = b, for a symmetric positive definite m, by cofactors (only the upper half is read)."""
+    a, d, f = m.x.x, m.y.y, m.z.z
+    p, q, r = m.x.y, m.x.z, m.y.z
+    c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
+    c11, c12, c22 = a * f - q * q, p * q - a * r, a * d - p * p
+    inverse = 1.0 / (a * c00 + p * c01 + q * c02)
+    return Vec(
+        (c00 * b.x + c01 * b.y + c02 * b.z) * inverse,
+        (c01 * b.x + c11 * b.y + c12 * b.z) * inverse,
+        (c02 * b.x + c12 * b.y + c22 * b.z) * inverse,
+    )

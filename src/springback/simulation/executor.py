@@ -1,0 +1,226 @@
+"""The loop: Runge–Kutta steps of many flights abreast, or of one.
+
+One function serves all executors.  Compiled with 16 lanes it flies 16 flights in the registers of the
+vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number of lanes
+is the length of a tuple, so the compiler knows it.
+
+A group of flights lies in one flat buffer, lane by lane within each row: model, motion, rate, weighted
+sum, view, record.  Flat, with constant offsets, because that is what compilers vectorise.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.obstacles import Forces, Impulses
+from springback.dynamics.energy import energy, locked
+from springback.dynamics.impulse import struck
+from springback.dynamics.motion import Motion, View, Work, rates
+from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
+from springback.kernels.trees import Buffer, along, along_strictly, nought, pick, read, rows, square, write
+from springback.kernels.vectors import Quat
+from springback.vehicle.state import State
+from springback.simulation.record import (
+    APPLY_IMPULSE,
+    FLYING,
+    LOCK_ARMS,
+    NOT_FINITE,
+    NOTHING,
+    Model,
+    Record,
+    observed,
+)
+
+#: A flight whose squared coordinates and speeds add up to more than this has diverged.
+DIVERGED = 1e12
+
+# Classical Runge–Kutta: stage i is taken at x + REACH[i] h k of the stage before it.
+REACH = (0.0, 0.5, 0.5, 1.0)
+WEIGHT = (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)
+
+
+class Shape(NamedTuple):
+    """Trees that tell the executor what lies in a buffer; their numbers do not matter."""
+
+    model: Model
+    motion: Motion
+    seen: View
+    record: Record
+
+
+@rare_kernel
+def settled(model: Model, motion: Motion) -> Motion:
+    """The motion with its arms locked, the energy lost booked as settling."""
+    before = energy(model.airframe, model.world, model.contact_point, motion.state)
+    state = locked(model.airframe, motion.state)
+    after = energy(model.airframe, model.world, model.contact_point, state)
+    w = motion.work
+    lost = before.kinetic + before.gravity + before.springs + before.stops
+    lost -= after.kinetic + after.gravity + after.springs + after.stops
+    work = Work(w.thrust, w.arm, w.stop, w.contact, w.friction, w.settling + lost, w.impulse)
+    return Motion(state, work)
+
+
+@generic
+def answered(laws: Forces | Impulses, model: Model, motion: Motion, request: float) -> Motion:
+    """The motion after a rare event: settled arms are locked; impulses where a surface has them."""
+    return settled(model, motion)
+
+
+@answered.register(Impulses)  # type: ignore[attr-defined]
+@rare_kernel
+def _answered_with_impulses(
+    laws: Impulses, model: Model, motion: Motion, request: float
+) -> Motion:
+    if request == APPLY_IMPULSE:
+        return struck(model.airframe, model.world, model.contact_point, motion)
+    return settled(model, motion)
+
+
+@kernel
+def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float, look: bool) -> None:
+    """One Runge–Kutta stage of every lane; ``look`` also writes the view of the instant."""
+    at_motion = rows(shape.model)
+    at_rate = at_motion + rows(shape.motion)
+    at_sum = at_rate + rows(shape.motion)
+    at_view = at_sum + rows(shape.motion)
+    at_step, at_phase = at_view + rows(shape.seen) + 1, at_view + rows(shape.seen) + 3
+    for i in range(w):
+        model = read(shape.model, b, 0, w, i)
+        motion = read(shape.motion, b, at_motion, w, i)
+        rate = read(shape.motion, b, at_rate, w, i)
+        so_far = read(shape.motion, b, at_sum, w, i)
+        h, phase = b[at_step * w + i], b[at_phase * w + i]
+        released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
+        here = along(motion, rate, reach * h)
+        known = rates(
+            model.airframe, model.world, model.contact_point, model.guide,
+            here.state, model.thrust, released,
+        )  # fmt: skip
+        write(known.motion, b, at_rate, w, i)
+        write(along(so_far, known.motion, weight), b, at_sum, w, i)
+        if look:
+            write(known.seen, b, at_view, w, i)
+
+
+@guard
+def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
+    """Take the step of one lane where it leads to finite numbers; else the last good state stays."""
+    at_motion = rows(shape.model)
+    at_rate = at_motion + rows(shape.motion)
+    at_sum = at_rate + rows(shape.motion)
+    at_time = at_sum + rows(shape.motion) + rows(shape.seen)
+    at_step, at_status = at_time + 1, at_time + 2
+    h = b[at_step * w + i]
+    old = read(shape.motion, b, at_motion, w, i)
+    rate = read(shape.motion, b, at_sum, w, i)
+    new = along_strictly(old, rate, h)
+    good = square(new) < DIVERGED
+    q = new.state.attitude
+    scale = 1.0 / math.sqrt(square(q))
+    turned = Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
+    s = new.state
+    state = State(
+        s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate
+    )
+    write(pick(good, Motion(state, new.work), old), b, at_motion, w, i)
+    write(nought(rate), b, at_rate, w, i)
+    write(nought(rate), b, at_sum, w, i)
+    b[at_time * w + i] += h if good else 0.0
+    b[at_status * w + i] = b[at_status * w + i] if good else NOT_FINITE
+
+
+@executor(nogil=True)
+def advance(
+    shape: Shape,
+    buffers: Buffer,
+    first: int,
+    last: int,
+    lanes: tuple[int, ...],
+    log: Buffer,
+    logged: Any,
+    budget: int,
+) -> int:
+    """Advance the groups ``first`` to ``last`` of flights, each by at most ``budget`` steps.
+
+    Args:
+        shape: What lies in the buffers.
+        buffers: One group a row, shape (groups, rows x lanes).
+        first: Index of the first group.
+        last: Index past the last group.
+        lanes: A tuple as long as a group is wide.
+        log: Trajectory of lane 0 of the first group, one instant a row, shape (instants, columns);
+            empty for none.  The columns are time, motion and view.
+        logged: Number of rows of the log in use, shape (1,); advanced.
+        budget: Most steps to take.
+
+    Returns:
+        Number of flights that are still flying.
+    """
+    w = len(lanes)
+    at_model = 0
+    at_motion = at_model + rows(shape.model)
+    at_rate = at_motion + rows(shape.motion)
+    at_sum = at_rate + rows(shape.motion)
+    at_view = at_sum + rows(shape.motion)
+    at_time = at_view + rows(shape.seen)  # the record begins with time, step, status, phase, request
+    at_step, at_status, at_request = at_time + 1, at_time + 2, at_time + 4
+    motion_rows, view_rows = rows(shape.motion), rows(shape.seen)
+    flying = 0
+
+    for group in range(first, last):
+        b = buffers[group]
+        for _ in range(budget):
+            if log.shape[0] > 0 and logged[0] >= log.shape[0]:
+                break
+            staged(shape, b, w, REACH[0], WEIGHT[0], True)
+            for i in range(w):
+                model = read(shape.model, b, at_model, w, i)
+                motion = read(shape.motion, b, at_motion, w, i)
+                view = read(shape.seen, b, at_view, w, i)
+                record = read(shape.record, b, at_time, w, i)
+                write(observed(model, motion, view, record), b, at_time, w, i)
+            if log.shape[0] > 0 and (b[at_step * w] > 0.0 or b[at_status * w] != FLYING):
+                line = logged[0]
+                log[line, 0] = b[at_time * w]
+                for k in range(motion_rows):
+                    log[line, 1 + k] = b[(at_motion + k) * w]
+                for k in range(view_rows):
+                    log[line, 1 + motion_rows + k] = b[(at_view + k) * w]
+                logged[0] = line + 1
+            for stage in range(1, 4):
+                staged(shape, b, w, REACH[stage], WEIGHT[stage], False)
+
+            for i in range(w):
+                taken(shape, b, w, i)
+            running = 0
+            for i in range(w):
+                running += 1 if b[at_status * w + i] == FLYING else 0
+            for i in range(w):
+                if b[at_request * w + i] != NOTHING and b[at_status * w + i] == FLYING:
+                    model = read(shape.model, b, at_model, w, i)
+                    motion = read(shape.motion, b, at_motion, w, i)
+                    motion = answered(model.world.laws, model, motion, b[at_request * w + i])
+                    write(motion, b, at_motion, w, i)
+            if running == 0:
+                break
+        for i in range(w):
+            flying += 1 if b[at_status * w + i] == FLYING else 0
+    return flying
+
+
+def buffer_rows(shape: Shape) -> int:
+    """Number of rows that one flight takes in a buffer."""
+    return rows(shape.model) + 3 * rows(shape.motion) + rows(shape.seen) + rows(shape.record)
+
+
+def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
+    """Zeroed buffers for a number of flights in groups of ``width``, aligned to cache lines."""
+    groups, size = -(-flights // width), buffer_rows(shape) * width
+    line = 64
+    raw = np.zeros(groups * size * 8 + line, dtype=np.uint8)
+    start = -raw.ctypes.data % line
+    return raw[start : start + groups * size * 8].view(np.float64).reshape(groups, size)

@@ -1,0 +1,203 @@
+"""One flight, or many: the Python side of the executor."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from springback.dynamics.energy import Energy, energy
+from springback.dynamics.motion import ArmView, Motion, View, Work
+from springback.kernels.trees import Buffer, leaves, names, rebuilt, rows
+from springback.kernels.vectors import Quat, Vec
+from springback.simulation.executor import Shape, advance, empty_groups
+from springback.simulation.record import FLYING, Model, Record, blank_record
+from springback.vehicle.state import State
+
+Executor = Literal["compiled", "python"]
+
+#: Flights abreast in one group: what fills the vector registers and still fits the first-level cache.
+LANES = 16
+#: Steps between two looks at the clock, the keyboard and the progress bar.
+SLICE = 20_000
+LOG_ROWS = 4_096
+
+
+class Trace(NamedTuple):
+    """A trajectory: one row an instant, columns named after the leaves of motion and view."""
+
+    columns: tuple[str, ...]
+    values: Buffer
+
+    def __getitem__(self, name: str) -> Buffer:  # type: ignore[override]  # by name, not by place
+        column: Buffer = self.values[:, self.columns.index(name)]
+        return column
+
+
+class Flown(NamedTuple):
+    """What the executor leaves of one flight."""
+
+    model: Model
+    start: State
+    motion: Motion
+    record: Record
+    before: Energy
+    after: Energy
+    trace: Trace | None
+
+
+def still_work() -> Work:
+    """A ledger with nothing in it."""
+    return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
+
+
+def shape_of(model: Model, state: State) -> Shape:
+    """The trees of a flight, for the executor."""
+    zero = Vec(0.0, 0.0, 0.0)
+    arm = ArmView(*(0.0,) * 3, zero, *(0.0,) * 6, zero)
+    count = len(model.airframe.arms)
+    view = View(zero, zero, zero, zero, (arm,) * count, 0.0)
+    return Shape(model, Motion(state, still_work()), view, blank_record(count))
+
+
+def still_state(arm_lengths: Sequence[float]) -> State:
+    """At the origin, level, at rest, arms as given [m]."""
+    zero, lengths = Vec(0.0, 0.0, 0.0), tuple(float(x) for x in arm_lengths)
+    return State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, (0.0,) * len(lengths))
+
+
+def _loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width: int) -> Buffer:
+    """Buffers with every flight in its lane; spare lanes repeat the last flight, already ended."""
+    buffers = empty_groups(shape, len(states), width)
+    lanes = buffers.reshape(len(buffers), -1, width)
+    record = leaves(shape.record)
+    status = names(shape.record).index("status")
+    model_rows, motion_rows = rows(shape.model), rows(shape.motion)
+    work, record_row = leaves(shape.motion.work), -len(record)
+    spare = len(buffers) * width - len(states)
+    for k in range(len(states) + spare):
+        group, lane = divmod(k, width)
+        flight = min(k, len(states) - 1)
+        lanes[group, :model_rows, lane] = leaves(models[min(flight, len(models) - 1)])
+        lanes[group, model_rows : model_rows + motion_rows, lane] = leaves(states[flight]) + work
+        lanes[group, record_row:, lane] = record
+        if k >= len(states):
+            lanes[group, record_row + status, lane] = FLYING + 1.0
+    return buffers
+
+
+def _unloaded(
+    shape: Shape, models: Sequence[Model], states: Sequence[State], buffers: Buffer, width: int
+) -> list[Flown]:
+    lanes = buffers.reshape(len(buffers), -1, width)
+    model_rows, motion_rows = rows(shape.model), rows(shape.motion)
+    record_rows = rows(shape.record)
+    flown = []
+    for k, start in enumerate(states):
+        group, lane = divmod(k, width)
+        column = lanes[group, :, lane]
+        motion = rebuilt(shape.motion, column[model_rows : model_rows + motion_rows])
+        record = rebuilt(shape.record, column[-record_rows:])
+        m = models[min(k, len(models) - 1)]
+        before = energy(m.airframe, m.world, m.contact_point, start)
+        after = energy(m.airframe, m.world, m.contact_point, motion.state)
+        flown.append(Flown(m, start, motion, record, before, after, None))
+    return flown
+
+
+def _entry(executor: Executor) -> Callable[..., int]:
+    chosen: Any = advance if executor == "compiled" else getattr(advance, "py_func", advance)
+    return chosen  # type: ignore[no-any-return]
+
+
+def fly_one(
+    model: Model,
+    start: State,
+    *,
+    trace: bool = True,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
+) -> Flown:
+    """Fly one flight to its end.
+
+    Args:
+        model: The flight's numbers.
+        start: State at time 0.
+        trace: Keep the trajectory: every step of it.
+        executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
+        progress: Called now and then with the simulated time [s].
+    """
+    shape = shape_of(model, start)
+    buffers = _loaded(shape, [model], [start], 1)
+    width = 1 + rows(shape.motion) + rows(shape.seen)
+    logs: list[Buffer] = []
+    run = _entry(executor)
+    record_row = -rows(shape.record)
+    while True:
+        log = np.zeros((LOG_ROWS if trace else 0, width))
+        logged = np.zeros(1, dtype=np.int64)
+        flying = run(shape, buffers, 0, 1, (0,), log, logged, SLICE)
+        logs.append(log[: logged[0]])
+        if progress is not None:
+            progress(float(buffers[0, record_row]))
+        if not flying:
+            break
+    flown = _unloaded(shape, [model], [start], buffers, 1)[0]
+    if not trace:
+        return flown
+    columns = ("time", *names(shape.motion), *names(shape.seen))
+    return flown._replace(trace=Trace(columns, np.concatenate(logs)))
+
+
+def fly_many(
+    models: Sequence[Model],
+    starts: Sequence[State],
+    *,
+    threads: int | None = None,
+    width: int = LANES,
+    progress: Callable[[float], None] | None = None,
+) -> list[Flown]:
+    """Fly many flights of equally shaped models, abreast in lanes, on several threads.
+
+    Args:
+        models: One for each flight, or a single one for all.
+        starts: One state for each flight.
+        threads: Defaults to the number of processors.
+        width: Lanes in a group.
+        progress: Called now and then with the share of groups done.
+    """
+    shape = shape_of(models[0], starts[0])
+    buffers = _loaded(shape, models, starts, width)
+    fly_buffers(shape, buffers, width, threads=threads, progress=progress)
+    return _unloaded(shape, models, starts, buffers, width)
+
+
+def fly_buffers(
+    shape: Shape,
+    buffers: Buffer,
+    width: int,
+    *,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> None:
+    """Fly every group of some buffers to the end, in place."""
+    lanes, log = (0,) * width, np.zeros((0, 1))
+    workers = threads or os.cpu_count() or 1
+    chunk = max(1, -(-len(buffers) // (8 * workers)))
+
+    def fly_chunk(first: int) -> int:
+        last = min(first + chunk, len(buffers))
+        logged = np.zeros(1, dtype=np.int64)
+        while advance(shape, buffers, first, last, lanes, log, logged, SLICE):
+            pass
+        return last - first
+
+    done = 0
+    with ThreadPoolExecutor(workers) as pool:
+        for count in pool.map(fly_chunk, range(0, len(buffers), chunk)):
+            done += count
+            if progress is not None:
+                progress(done / len(buffers))

@@ -1,0 +1,244 @@
+"""What a flight is remembered by: every measure defined once, updated step by step.
+
+A single flight, a table of the paper and a campaign read the same accumulators, so they cannot
+disagree.  Times are −1 until they happen.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.contact.obstacles import World
+from springback.dynamics.motion import LANDED, NEVER, ArmView, Motion, View, crossing_time
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import column, each, largest, least, pick, total
+from springback.kernels.vectors import Vec, norm
+from springback.vehicle.state import Airframe, Arm
+
+FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
+FREE_FLIGHT, IMPACT = 0.0, 1.0
+NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
+
+#: Steps shorter than this share of the impact step are not taken to land on a crossing.
+SHORTEST = 1e-3
+
+
+class Timing(NamedTuple):
+    """When to stop, how finely to step, and when an impact is over."""
+
+    until: float  # end of the flight [s]
+    free_step: float  # in free flight [s]
+    impact_step: float  # while something touches or a stop is pressed [s]
+    settle_step: float  # while the arms settle [s]
+    arm_tolerance: float  # an arm has settled within this distance of its free length [m] ...
+    rate_tolerance: float  # ... and this rate [m/s]
+    dwell: float  # a new touch later than this starts a new impact [s]
+    hybrid: float  # 1: one rigid body in free flight; 0: the arms are always free to slide
+
+
+class Model(NamedTuple):
+    """Everything a flight needs, as numbers."""
+
+    airframe: Airframe
+    world: World
+    contact_point: Any  # Ring or ArmTip
+    guide: Any  # Free or Slider
+    thrust: tuple[float, ...]  # of each rotor [N]
+    timing: Timing
+
+
+class Record(NamedTuple):
+    """Streaming measures of one flight.  The first five fields steer the executor."""
+
+    time: float  # [s]
+    step: float  # the step about to be taken [s]
+    status: float  # FLYING, FINISHED, NOT_FINITE
+    phase: float  # FREE_FLIGHT, IMPACT
+    request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
+
+    steps: float  # taken so far
+    touching: float  # 1 while any cage touches
+    contacts: float  # times that the vehicle came into contact, one by one
+    arm_touching: tuple[float, ...]
+    arm_contacts: tuple[float, ...]  # the same for each cage
+    impacts: float  # contacts closer than the dwell time are one impact
+    impact_open: float
+    last_touch_time: float  # [s]
+    contact_duration: float  # total time in contact [s]
+
+    inward: Vec  # normal into the obstacle at first touch, world
+    touch_time: float  # [s]
+    touch_depth: float  # n · p of the main body at first touch [m]
+    touch_speed: float  # n · v of the main body [m/s]
+    touch_mass_centre_speed: float  # n · v of the centre of mass [m/s]
+    separation_time: float  # last separation of the first impact [s]
+    separation_speed: float  # n · v of the main body [m/s]
+    separation_mass_centre_speed: float  # [m/s]
+    return_time: float  # the main body is back at n · p of first touch [s]
+    return_speed: float  # n · v of the main body [m/s]
+
+    peak_acceleration: float  # ‖v̇‖ of the main body [m/s²]
+    peak_acceleration_time: float  # [s]
+    peak_specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
+    peak_angular_rate: float  # ‖ω‖ [rad/s]
+    peak_normal_force: float  # largest f_n of one cage [N]
+    peak_penetration: float  # δ [m]
+    peak_compression: float  # L − l [m]
+    peak_extension: float  # l − L [m]
+    travel: float  # n · p past its value at first touch, first impact [m]
+    bottomed_time: float  # an arm reached the end of its stroke [s]
+    ground_time: float  # a cage touched the ground [s]
+
+
+def blank_record(arm_count: int) -> Record:
+    """The record of a flight that has not begun."""
+    never, none = -1.0, (0.0,) * arm_count
+    return Record(
+        time=0.0, step=0.0, status=FLYING, phase=FREE_FLIGHT, request=NOTHING,
+        steps=0.0, touching=0.0, contacts=0.0, arm_touching=none, arm_contacts=none,
+        impacts=0.0, impact_open=0.0, last_touch_time=never, contact_duration=0.0,
+        inward=Vec(0.0, 0.0, 0.0), touch_time=never, touch_depth=0.0, touch_speed=0.0,
+        touch_mass_centre_speed=0.0, separation_time=never, separation_speed=0.0,
+        separation_mass_centre_speed=0.0, return_time=never, return_speed=0.0,
+        peak_acceleration=0.0, peak_acceleration_time=0.0, peak_specific_force=0.0,
+        peak_angular_rate=0.0, peak_normal_force=0.0, peak_penetration=0.0,
+        peak_compression=0.0, peak_extension=0.0, travel=0.0,
+        bottomed_time=never, ground_time=never,
+    )  # fmt: skip
+
+
+@kernel
+def _extension(arm: ArmView) -> float:
+    return -arm.compression
+
+
+@kernel
+def _touched_normal(arm: ArmView) -> Vec:
+    return arm.inward * arm.touching
+
+
+@kernel
+def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
+    """1 while a sliding arm is away from its free length, or moves."""
+    away = view.compression * view.compression > timing.arm_tolerance * timing.arm_tolerance
+    moving = rate * rate > timing.rate_tolerance * timing.rate_tolerance
+    return arm.compliance if away | moving else 0.0
+
+
+@kernel
+def _rises(now: float, before: float) -> float:
+    return 1.0 if now > before else 0.0
+
+
+@kernel
+def _count(so_far: float, now: float, before: float) -> float:
+    return so_far + _rises(now, before)
+
+
+@kernel
+def larger(a: float, b: float) -> float:
+    """The larger of two floats."""
+    return a if a > b else b
+
+
+@kernel
+def smaller(a: float, b: float) -> float:
+    """The smaller of two floats."""
+    return a if a < b else b
+
+
+@kernel
+def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
+    """The record after one more instant, with the next step and phase decided.
+
+    No branches: every line is an arithmetic selection, so that lanes of flights stay abreast.
+    """
+    timing, state = model.timing, motion.state
+    arm_touching = column(view.arms, "touching")
+    touching = largest(arm_touching)
+    began, ended = touching > m.touching, touching < m.touching
+
+    # The first touch fixes the direction along which speeds are measured.
+    never_touched = m.contacts == 0.0
+    first = began & never_touched
+    met = total(each(_touched_normal, (view.arms,), ()))
+    length = norm(met)
+    inward = pick(first, met * (1.0 / pick(length > 0.0, length, 1.0)), m.inward)
+    depth, speed = inward @ state.position, inward @ state.velocity
+    centre_speed = inward @ view.mass_centre_velocity
+    touch_depth = pick(first, depth, m.touch_depth)
+
+    # Phases: locked or not, and how finely to step.
+    unsettled = largest(
+        each(_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
+    )
+    still_busy = pick(unsettled > 0.0, m.phase, FREE_FLIGHT)
+    phase = pick(touching > 0.0, IMPACT, still_busy)
+    settles = phase < m.phase
+    lock = settles & (timing.hybrid > 0.0)
+    strike = largest(column(view.arms, "impulsive")) > 0.0
+
+    # Impacts: contacts closer together than the dwell time belong to one.
+    last_touch = pick(touching > 0.0, m.time, m.last_touch_time)
+    over = (phase == FREE_FLIGHT) & (m.time - last_touch > timing.dwell)
+    impact_open = pick(touching > 0.0, 1.0, pick(over, 0.0, m.impact_open))
+    impacts = m.impacts + _rises(impact_open, m.impact_open)
+    of_first = (impacts == 1.0) & (impact_open > 0.0)
+    leaves = ended & of_first
+    ahead = of_first & (m.return_time < 0.0) & (m.touch_time >= 0.0)
+    returns = ahead & (depth - touch_depth <= LANDED) & (speed < 0.0)
+
+    # The next step lands on the next crossing: touch, separation, stop, return.
+    landing = least(column(view.arms, "landing"))
+    landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
+    fine = (touching > 0.0) | (largest(column(view.arms, "on_stop")) > 0.0)
+    step = pick(
+        phase > 0.0, pick(fine, timing.impact_step, timing.settle_step), timing.free_step
+    )
+    step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
+    left = timing.until - m.time
+    finished = left <= 1e-12
+    changed = (phase != m.phase) | strike
+    halted = finished | changed | (m.status != FLYING)
+    step = pick(halted, 0.0, smaller(step, left))
+
+    a = norm(view.acceleration)
+    grew = a > m.peak_acceleration
+    bottomed = largest(column(view.arms, "bottomed")) > 0.0
+    return Record(
+        time=m.time,
+        step=step,
+        status=pick((m.status == FLYING) & finished, FINISHED, m.status),
+        phase=phase,
+        request=pick(strike, APPLY_IMPULSE, pick(lock, LOCK_ARMS, NOTHING)),
+        steps=m.steps + pick(step > 0.0, 1.0, 0.0),
+        touching=touching,
+        contacts=m.contacts + pick(began, 1.0, 0.0),
+        arm_touching=arm_touching,
+        arm_contacts=each(_count, (m.arm_contacts, arm_touching, m.arm_touching), ()),
+        impacts=impacts,
+        impact_open=impact_open,
+        last_touch_time=last_touch,
+        contact_duration=m.contact_duration + pick(touching > 0.0, step, 0.0),
+        inward=inward,
+        touch_time=pick(first, m.time, m.touch_time),
+        touch_depth=touch_depth,
+        touch_speed=pick(first, speed, m.touch_speed),
+        touch_mass_centre_speed=pick(first, centre_speed, m.touch_mass_centre_speed),
+        separation_time=pick(leaves, m.time, m.separation_time),
+        separation_speed=pick(leaves, speed, m.separation_speed),
+        separation_mass_centre_speed=pick(leaves, centre_speed, m.separation_mass_centre_speed),
+        return_time=pick(returns, m.time, m.return_time),
+        return_speed=pick(returns, speed, m.return_speed),
+        peak_acceleration=larger(a, m.peak_acceleration),
+        peak_acceleration_time=pick(grew, m.time, m.peak_acceleration_time),
+        peak_specific_force=larger(norm(view.specific_force), m.peak_specific_force),
+        peak_angular_rate=larger(norm(state.angular_velocity), m.peak_angular_rate),
+        peak_normal_force=larger(largest(column(view.arms, "normal")), m.peak_normal_force),
+        peak_penetration=larger(largest(column(view.arms, "depth")), m.peak_penetration),
+        peak_compression=larger(largest(column(view.arms, "compression")), m.peak_compression),
+        peak_extension=larger(largest(each(_extension, (view.arms,), ())), m.peak_extension),
+        travel=pick(of_first, larger(depth - touch_depth, m.travel), m.travel),
+        bottomed_time=pick(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
+        ground_time=pick((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
+    )

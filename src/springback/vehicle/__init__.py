@@ -1,0 +1,1 @@
+"""What flies: parameters, state, and the vehicles of the literature."""

@@ -1,0 +1,92 @@
+"""State of a vehicle and the kinematics of its arms.
+
+Frames: NWU world (X north, Y west, Z up), FLU body (x forward, y left, z up).  The reference point
+is the centre of mass of the main body, not of the whole vehicle.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.vectors import Mat, Quat, Vec
+
+
+class Arm(NamedTuple):
+    """Constants of one arm: a point mass that slides along a straight line in the body plane.
+
+    The cage and the rotor sit at the arm's end.  `compliance` is 1 for a sliding arm and 0 for a
+    fixed one: rigid and compliant vehicles differ in this number only.
+    """
+
+    cosine: float  # e_j = (cosine, sine, 0), unit vector in body axes
+    sine: float
+    mass: float  # m_a [kg]
+    inverse_mass: float  # 1/m_a [1/kg]; 0 for an arm that cannot slide
+    stiffness: float  # k_l [N/m]
+    damping: float  # b_l [N s/m]
+    length: float  # L, free length [m]
+    shortest: float  # length at which the arm bottoms out [m]
+    stop_stiffness: float  # of both end stops [N/m]; 0 switches them off
+    stop_dissipation: float  # d of the end stops, force k δ (1 + d δ̇) [s/m]
+    compliance: float  # 1 slides, 0 fixed
+    cage_radius: float  # r_0 [m]
+    torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
+
+
+class Airframe(NamedTuple):
+    """Constants of a vehicle for the equations of motion."""
+
+    mass: float  # m, everything [kg]
+    inertia: Mat  # of the main body alone, about its centre of mass, body axes [kg m²]
+    arms: tuple[Arm, ...]
+
+
+class State(NamedTuple):
+    """Where a vehicle is and how it moves; also, field by field, the rate of change of a state."""
+
+    position: Vec  # p, world [m]
+    attitude: Quat  # q, body to world
+    velocity: Vec  # v = ṗ, world [m/s]
+    angular_velocity: Vec  # ω, body axes [rad/s]
+    arm_length: tuple[float, ...]  # l_j [m]
+    arm_rate: tuple[float, ...]  # l̇_j [m/s]
+
+
+class ArmPose(NamedTuple):
+    """An arm seen from the main body, in world axes."""
+
+    direction: Vec  # R e_j
+    lever: Vec  # l_j R e_j, from the main body to the arm's end [m]
+    sliding: Vec  # v + l̇_j R e_j: velocity of the arm's end less the part due to rotation [m/s]
+
+
+@kernel
+def arm_direction(arm: Arm) -> Vec:
+    """e_j in body axes."""
+    return Vec(arm.cosine, arm.sine, 0.0)
+
+
+@kernel
+def arm_pose(arm: Arm, length: float, rate: float, r: Mat, velocity: Vec) -> ArmPose:
+    """Eq. (5): p_j = p + l_j R e_j and v_j = v + l̇_j R e_j + ω × l_j R e_j.
+
+    The paper prints the last term as l_j R ω̂ e_j, the same vector in body axes.
+    """
+    e = r @ arm_direction(arm)
+    return ArmPose(e, length * e, velocity + rate * e)
+
+
+@kernel
+def with_arms(inertia: Mat, second: Vec) -> Mat:
+    """J = I + Σ m_j l_j² (1 − e_j e_jᵀ) about the main body, body axes [kg m²].
+
+    Args:
+        inertia: I, of the main body alone.
+        second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane.
+    """
+    return inertia + Mat(
+        Vec(second.y, -second.z, 0.0),
+        Vec(-second.z, second.x, 0.0),
+        Vec(0.0, 0.0, second.x + second.y),
+    )
