@@ -1,0 +1,181 @@
+"""Surfaces and obstacles as a user writes them down, checked once, and turned into numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from springback.contact.obstacles import Obstacle, Plane
+from springback.contact.restitution import dissipation_for
+from springback.contact.surfaces import (
+    AnyExponent,
+    BothTangents,
+    Exponent,
+    Linear,
+    Surface,
+    ThreeHalves,
+    VerticalTangent,
+)
+from springback.kernels.vectors import Vec
+from springback.quantities import Factor, Length, Speed, quantity, triple
+from springback.settings import Settings, problem
+
+Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
+
+
+class SurfaceSettings(Settings):
+    """What a surface is made of.
+
+    `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz` has no
+    damping; `kelvin-voigt` has ``viscosity``; `impulse` has ``restitution`` and no force.
+    """
+
+    law: Law = "hunt-crossley"
+    stiffness: quantity("", above=0.0) = 2e5  # type: ignore[valid-type]
+    """k_c [N/mⁿ] of the whole front; see ``shared_by``."""
+    shared_by: Annotated[int, Field(ge=1)] = 1
+    """Number of cages that share the stiffness (2: a front of two cages, k_c/2 each)."""
+    exponent: quantity("", least=1.0, most=4.0) = 1.5  # type: ignore[valid-type]
+    dissipation: quantity("s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    """c_a of b_c = 1.5 c_a k_c."""
+    restitution: quantity("", least=0.0, most=1.0) | None = None  # type: ignore[valid-type]
+    restitution_speed: Speed | None = None
+    viscosity: quantity("N s/m", least=0.0) = 0.0  # type: ignore[valid-type]
+    """b of the Kelvin–Voigt law, of the whole front."""
+    friction: Factor = 0.0
+    friction_axes: Literal["both", "vertical"] = "both"
+    """`vertical` is the paper's friction, along the vertical tangent only."""
+    slip_speed: Speed = 0.1
+    """Below it friction fades to zero."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> SurfaceSettings:
+        if self.law == "impulse" and self.restitution is None:
+            raise problem("is missing; law impulse needs it", "restitution")
+        if self.law == "hunt-crossley" and self.restitution is not None:
+            if self.dissipation is not None:
+                raise problem("stands beside restitution; give one of them", "dissipation")
+            if self.restitution_speed is None:
+                raise problem("is missing; restitution falls with speed", "restitution_speed")
+            if self.restitution < 0.01:
+                raise problem(
+                    f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})", "restitution"
+                )
+        return self
+
+    def dissipation_value(self) -> float:
+        """c_a [s/m], given or solved from the restitution."""
+        if self.law != "hunt-crossley":
+            return 0.0
+        if self.restitution is not None and self.restitution_speed is not None:
+            return dissipation_for(self.restitution, self.restitution_speed)
+        return self.dissipation or 0.0
+
+    def exponent_value(self) -> float:
+        """n of the law."""
+        return 1.0 if self.law == "kelvin-voigt" else float(self.exponent)
+
+    def surface(self, exponent: type[ThreeHalves | Linear | AnyExponent]) -> Surface:
+        """The numbers as one cage feels them; the exponent's type is the world's to choose."""
+        impulse = self.law == "impulse"
+        n: Exponent = exponent(self.exponent_value())
+        axes = BothTangents(0.0) if self.friction_axes == "both" else VerticalTangent(0.0)
+        return Surface(
+            stiffness=0.0 if impulse else self.stiffness / self.shared_by,
+            dissipation=1.5 * self.dissipation_value(),
+            viscosity=self.viscosity / self.shared_by if self.law == "kelvin-voigt" else 0.0,
+            exponent=n,
+            friction=self.friction,
+            friction_axes=axes,
+            slip_speed=self.slip_speed,
+            restitution=float(self.restitution or 0.0) if impulse else -1.0,
+        )
+
+
+class Facing(Settings):
+    """A plane obstacle: a point of its face and the direction it faces."""
+
+    distance: quantity("m") | None = None  # type: ignore[valid-type]
+    """Short for a wall across the X axis at this distance from the origin, facing back to it."""
+    position: triple("m") | None = None  # type: ignore[valid-type]
+    normal: triple("") | None = None  # type: ignore[valid-type]
+    """Out of the obstacle, towards the vehicle; of any length."""
+    surface: SurfaceSettings
+
+    @model_validator(mode="after")
+    def _placed(self) -> Facing:
+        placed = self.position is not None and self.normal is not None
+        if placed == (self.distance is not None):
+            raise problem("needs either distance, or position and normal")
+        if self.normal is not None and not math.hypot(*self.normal) > 0.0:
+            raise problem("must not be zero", "normal")
+        return self
+
+    def plane(self, raised: float = 0.0) -> Plane:
+        """The face, moved out by some thickness [m]."""
+        if self.distance is not None:
+            return Plane(Vec(-1.0, 0.0, 0.0), -self.distance + raised)
+        assert self.position is not None
+        assert self.normal is not None
+        n = Vec(*self.normal)
+        n = n * (1.0 / math.sqrt(n @ n))
+        return Plane(n, n @ Vec(*self.position) + raised)
+
+
+class Wall(Facing):
+    """A wall of any place and orientation."""
+
+    type: Literal["wall"]
+
+
+class Ground(Settings):
+    """The ground, level at some height; touching it is an outcome."""
+
+    type: Literal["ground"]
+    height: quantity("m") = 0.0  # type: ignore[valid-type]
+    surface: SurfaceSettings
+
+
+class Mat(Facing):
+    """A mat on a wall: its own surface in front, and the wall behind once it is pressed through."""
+
+    type: Literal["mat"]
+    thickness: Length = 0.05
+    backing: SurfaceSettings
+    """Surface of the wall behind the mat; `distance` and `position` are those of the wall."""
+
+
+ObstacleSettings = Annotated[Wall | Ground | Mat, Field(discriminator="type")]
+
+
+def faces(obstacle: Wall | Ground | Mat) -> list[tuple[Plane, SurfaceSettings, float]]:
+    """Planes, surfaces and whether they are ground, front to back."""
+    if isinstance(obstacle, Ground):
+        return [(Plane(Vec(0.0, 0.0, 1.0), obstacle.height), obstacle.surface, 1.0)]
+    if isinstance(obstacle, Mat):
+        front = (obstacle.plane(obstacle.thickness), obstacle.surface, 0.0)
+        return [front, (obstacle.plane(), obstacle.backing, 0.0)]
+    return [(obstacle.plane(), obstacle.surface, 0.0)]
+
+
+def _exponent_type(values: list[float]) -> type[Any]:
+    """One type for all faces, so that they form one compiled structure."""
+    if all(value == 1.5 for value in values):
+        return ThreeHalves
+    if all(value == 1.0 for value in values):
+        return Linear
+    return AnyExponent
+
+
+def obstacles(settings: tuple[Wall | Ground | Mat, ...]) -> tuple[Obstacle, ...]:
+    """The numbers of all obstacles; with none, a face that nothing can reach."""
+    all_faces = [face for entry in settings for face in faces(entry)]
+    exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
+    if not all_faces:
+        nowhere = SurfaceSettings().surface(ThreeHalves)
+        return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
+    return tuple(
+        Obstacle(plane, surface.surface(exponent), ground) for plane, surface, ground in all_faces
+    )

@@ -1,0 +1,1 @@
+"""Ask a question: scenarios, their results, and the experiments of the paper."""

@@ -1,0 +1,195 @@
+"""Flying a scenario, and the result of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.experiments.scenario import Scenario, scenario_from
+from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
+from springback.simulation.flight import Executor, Flown, fly_one
+from springback.simulation.measures import MEASURES, Outcome, measures_of, outcome_of
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Flight:
+    """Result of a flight.  Every measure is an attribute, too: ``flight.peak_acceleration``."""
+
+    scenario: Scenario
+    outcome: Outcome
+    measures: dict[str, float | None]
+    """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
+    columns: dict[str, Array]
+    """Trajectory by column, each of shape (instants,); empty if none was kept."""
+    units: dict[str, str]
+    """Unit of each column."""
+
+    def __getattr__(self, name: str) -> float | None:
+        measures: dict[str, float | None] = self.__dict__.get("measures", {})
+        if name in measures:
+            return measures[name]
+        raise AttributeError(f"a flight has no {name!r}; measures: {', '.join(measures)}")
+
+    @property
+    def success(self) -> bool:
+        """Whether the simulation stayed finite."""
+        return self.outcome is not Outcome.NOT_FINITE
+
+    @property
+    def message(self) -> str:
+        """The outcome in a sentence."""
+        return self.outcome.value
+
+    @property
+    def t(self) -> Array:
+        """Instants of the trajectory [s], shape (instants,)."""
+        return self.columns["t"]
+
+    def __repr__(self) -> str:
+        shown = [
+            ("touch_speed", "m/s"), ("restitution_at_separation", ""), ("peak_acceleration", "m/s²"),
+            ("contact_time", "s"), ("travel", "m"), ("arm_stroke", "m"), ("contacts", ""),
+        ]  # fmt: skip
+        lines = [f"Flight {self.scenario.name!r}: {self.message}"]
+        for name, unit in shown:
+            value = self.measures[name]
+            lines.append(f"  {name:<26} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}")
+        return "\n".join(lines)
+
+    def plot(self) -> Figure:
+        """Figure of position, velocity, acceleration, arms and forces over time.
+
+        Raises:
+            InputError: If matplotlib is not installed.
+        """
+        from springback.experiments.extras import needs
+
+        needs("matplotlib", "plot")
+        import importlib
+
+        plots = importlib.import_module("springback.interfaces.plots")  # plots come last in the story
+        figure: Figure = plots.flight_figure(self)
+        return figure
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``."""
+        from springback.experiments.extras import needs
+
+        pd = needs("pandas", "dataframe")
+        frame: pandas.DataFrame = pd.DataFrame(self.columns)
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``."""
+        from springback.experiments.extras import needs
+
+        xr = needs("xarray", "xarray")
+        data = {
+            name: ("t", values, {"units": self.units[name]})
+            for name, values in self.columns.items()
+            if name != "t"
+        }
+        known = {name: value for name, value in self.measures.items() if value is not None}
+        dataset: xarray.Dataset = xr.Dataset(
+            data,
+            coords={"t": ("t", self.t, {"units": "s"})},
+            attrs={"name": self.scenario.name, "outcome": self.outcome.word, **known},
+        )
+        return dataset
+
+    def summary(self) -> dict[str, Any]:
+        """All there is to say in plain data: outcome, measures, units, scenario, versions."""
+        from springback.version import __version__
+
+        return {
+            "springback": __version__,
+            "name": self.scenario.name,
+            "outcome": self.outcome.word,
+            "message": self.message,
+            "measures": self.measures,
+            "units": {name: unit for name, (unit, _) in MEASURES.items()},
+            "scenario": self.scenario.model_dump(mode="json"),
+        }
+
+
+def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
+    """Trajectory columns under their file names, with units."""
+    trace = flown.trace
+    if trace is None:
+        return {}, {}
+    state, view = "state", "acceleration"
+    names: dict[str, tuple[str, str]] = {"t": ("time", "s")}
+    names |= {axis: (f"{state}.position.{axis}", "m") for axis in "xyz"}
+    names |= {f"q{part}": (f"{state}.attitude.{part}", "") for part in "wxyz"}
+    names |= {f"v{axis}": (f"{state}.velocity.{axis}", "m/s") for axis in "xyz"}
+    names |= {f"w{axis}": (f"{state}.angular_velocity.{axis}", "rad/s") for axis in "xyz"}
+    count = range(1, len(flown.start.arm_length) + 1)
+    names |= {f"l{j}": (f"{state}.arm_length.{j}", "m") for j in count}
+    names |= {f"dl{j}": (f"{state}.arm_rate.{j}", "m/s") for j in count}
+    names |= {f"a{axis}": (f"{view}.{axis}", "m/s^2") for axis in "xyz"}
+    names |= {f"fn{j}": (f"arms.{j}.normal", "N") for j in count}
+    columns = {name: np.ascontiguousarray(trace[source]) for name, (source, _) in names.items()}
+    units = {name: unit for name, (_, unit) in names.items()}
+    for j in count:
+        parts = np.stack([trace[f"arms.{j}.friction.{axis}"] for axis in "xyz"])
+        columns[f"ff{j}"], units[f"ff{j}"] = np.linalg.norm(parts, axis=0), "N"
+    return columns, units
+
+
+def fly(
+    scenario: Scenario | Mapping[str, Any] | str | Path,
+    *overrides: str,
+    trajectory: bool = True,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
+) -> Flight:
+    """Fly a scenario.
+
+    Args:
+        scenario: A `Scenario`, plain tables, or the path of a TOML file.
+        *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a ready `Scenario`.
+        trajectory: Keep the trajectory.
+        executor: ``compiled``, or ``python`` for the same source run by the interpreter.
+        progress: Called now and then with the simulated time [s].
+
+    Raises:
+        InputError: If the scenario cannot be flown; one line for each problem.
+    """
+    ready = as_scenario(scenario, overrides)
+    flown = fly_one(
+        ready.flight_model(),
+        ready.start_state(),
+        trace=trajectory,
+        executor=executor,
+        progress=progress,
+    )
+    columns, units = _columns(flown)
+    return Flight(ready, outcome_of(flown.record), measures_of(flown), columns, units)
+
+
+def as_scenario(
+    scenario: Scenario | Mapping[str, Any] | str | Path, overrides: tuple[str, ...] = ()
+) -> Scenario:
+    """A checked scenario from whatever describes one."""
+    if isinstance(scenario, Scenario):
+        if overrides:
+            raise InputError("overrides need a file or tables; a ready Scenario has .model_copy")
+        return scenario
+    if isinstance(scenario, Mapping):
+        if not overrides:
+            return scenario_from(scenario)
+        return checked_scenario(overridden(dict(scenario), overrides), "scenario", "", overrides)
+    return read_scenario(scenario, overrides)

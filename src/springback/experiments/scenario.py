@@ -1,0 +1,322 @@
+"""A scenario: everything one flight needs, as a user writes it down, checked and made ready to fly."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from pydantic import ValidationError, model_validator
+
+from springback.contact.cage import ArmTip, Ring, meeting
+from springback.contact.library import SURFACES
+from springback.contact.obstacles import Forces, Impulses, World
+from springback.contact.parameters import ObstacleSettings, faces, obstacles
+from springback.dynamics.motion import Free, Slider
+from springback.errors import InputError
+from springback.frames import attitude_from_euler
+from springback.kernels.vectors import Quat, Vec, rotation
+from springback.quantities import Angle, Duration, checked, quantity, triple
+from springback.settings import Settings, problem
+from springback.simulation.record import Model, Timing
+from springback.vehicle.library import VEHICLES
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import State, arm_pose
+
+#: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
+RING_ROUNDING = 1e-3
+#: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
+STABLE = 2.5
+
+
+class WorldSettings(Settings):
+    """What is there to hit, and gravity."""
+
+    gravity: quantity("m/s^2", least=0.0) = 9.81  # type: ignore[valid-type]
+    obstacles: tuple[ObstacleSettings, ...] = ()
+
+
+class Start(Settings):
+    """State at time 0.  Euler angles are ZYX; positive pitch is nose down."""
+
+    position: triple("m") = (0.0, 0.0, 1.0)  # type: ignore[valid-type]
+    velocity: triple("m/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    roll: Angle = 0.0
+    pitch: Angle = 0.0
+    yaw: Angle = 0.0
+    angular_velocity: triple("rad/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+
+
+class ModelSettings(Settings):
+    """Which of the models of the paper, and beyond."""
+
+    contact_point: Literal["ring", "paper"] = "ring"
+    """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
+    arms: Literal["hybrid", "always-free"] = "hybrid"
+    """`hybrid`: one rigid body in free flight, assumption 5.  `always-free`: arms may always slide."""
+    slider: triple("") | None = None  # type: ignore[valid-type]
+    """World axis of a slider that guides the vehicle, as on the paper's testbed; none: free flight."""
+
+
+class SimulationSettings(Settings):
+    """Duration and steps.  The defaults come from studies/convergence.py."""
+
+    duration: Duration = 0.5
+    free_step: Duration = 1e-3
+    impact_step: Duration = 1e-4
+    settle_step: Duration | None = None
+    """While arms settle and nothing touches; by default as fine as their damping needs."""
+    arm_tolerance: quantity("m", above=0.0) = 1e-5  # type: ignore[valid-type]
+    """An arm has settled within this distance of its free length ..."""
+    rate_tolerance: quantity("m/s", above=0.0) = 1e-3  # type: ignore[valid-type]
+    """... moving slower than this."""
+    dwell: Duration = 0.02
+    """Contacts closer together than this are one impact."""
+
+
+class Scenario(Settings):
+    """Everything one flight needs."""
+
+    name: str = "flight"
+    vehicle: Vehicle
+    world: WorldSettings = WorldSettings()
+    start: Start = Start()
+    thrust: Any = 0.0
+    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all rotors."""
+    model: ModelSettings = ModelSettings()
+    simulation: SimulationSettings = SimulationSettings()
+
+    @model_validator(mode="after")
+    def _can_be_flown(self) -> Scenario:
+        self.thrusts()
+        self._check_slider()
+        self._check_steps()
+        self._check_start()
+        return self
+
+    # -- made ready -------------------------------------------------------------------------------
+
+    def thrusts(self) -> tuple[float, ...]:
+        """Thrust of each rotor [N]."""
+        count = self.vehicle.arm_count
+        if self.thrust == "hover":
+            return (self.vehicle.mass * self.world.gravity / count,) * count
+        if isinstance(self.thrust, list | tuple):
+            if len(self.thrust) != count:
+                raise problem(f"has {len(self.thrust)} entries for {count} rotors", "thrust")
+            return tuple(checked(entry, "N", least=0.0) for entry in self.thrust)
+        return (checked(self.thrust, "N", least=0.0),) * count
+
+    def world_numbers(self) -> World:
+        """Obstacles and gravity for the equations."""
+        built = obstacles(self.world.obstacles)
+        impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
+        return World(built, Impulses(0.0) if impulsive else Forces(0.0), self.world.gravity)
+
+    def flight_model(self) -> Model:
+        """All numbers of the flight."""
+        s, m = self.simulation, self.model
+        hybrid = m.arms == "hybrid"
+        settle = self.settle_step()
+        timing = Timing(
+            until=s.duration,
+            free_step=s.free_step if hybrid else min(s.free_step, settle),
+            impact_step=s.impact_step,
+            settle_step=settle,
+            arm_tolerance=s.arm_tolerance,
+            rate_tolerance=s.rate_tolerance,
+            dwell=s.dwell,
+            hybrid=1.0 if hybrid else 0.0,
+        )
+        guide = Free(0.0) if m.slider is None else Slider(_unit(Vec(*m.slider)))
+        point = Ring(RING_ROUNDING) if m.contact_point == "ring" else ArmTip(0.0)
+        airframe = self.vehicle.airframe()
+        return Model(airframe, self.world_numbers(), point, guide, self.thrusts(), timing)
+
+    def settle_step(self) -> float:
+        """Step while the arms settle [s]."""
+        s = self.simulation
+        if s.settle_step is not None:
+            return float(s.settle_step)
+        rate = self.vehicle.fastest_arm_rate()
+        return max(s.impact_step, min(4.0 * s.impact_step, 0.5 / rate)) if rate else s.free_step
+
+    def start_state(self) -> State:
+        """State at time 0, arms at their free length."""
+        s = self.start
+        attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
+        lengths = self.vehicle.lengths()
+        return State(
+            Vec(*s.position), attitude, Vec(*s.velocity), Vec(*s.angular_velocity),
+            lengths, (0.0,) * len(lengths),
+        )  # fmt: skip
+
+    # -- checks across tables ---------------------------------------------------------------------
+
+    def _check_slider(self) -> None:
+        axis = self.model.slider
+        if axis is None:
+            return
+        if not math.hypot(*axis) > 0.0:
+            raise problem("must not be zero", "model.slider")
+        unit, velocity = _unit(Vec(*axis)), Vec(*self.start.velocity)
+        across = velocity - (velocity @ unit) * unit
+        if math.sqrt(across @ across) > 1e-9:
+            raise problem("must lie along model.slider", "start.velocity")
+        if any(self.start.angular_velocity):
+            raise problem("must be zero on a slider", "start.angular_velocity")
+
+    def _check_steps(self) -> None:
+        rate = self.vehicle.fastest_arm_rate()
+        steps = {"impact_step": self.simulation.impact_step, "settle_step": self.settle_step()}
+        for name, step in steps.items():
+            if step * rate > STABLE:
+                raise problem(
+                    f"must be at most {STABLE / rate:.3g} s for arms this stiff, damped and light "
+                    f"(got {step:g} s)",
+                    f"simulation.{name}",
+                )
+
+    def _check_start(self) -> None:
+        model, state = self.flight_model(), self.start_state()
+        r = rotation(state.attitude)
+        axis, omega = Vec(r.x.z, r.y.z, r.z.z), r @ state.angular_velocity
+        owners = [k for k, entry in enumerate(self.world.obstacles) for _ in faces(entry)]
+        for j, arm in enumerate(model.airframe.arms):
+            pose = arm_pose(arm, state.arm_length[j], 0.0, r, state.velocity)
+            for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
+                met = meeting(
+                    obstacle, model.contact_point, arm.cage_radius, pose, state.position, axis, omega
+                )
+                if met.gap < 0.0:
+                    kind = self.world.obstacles[owner].type
+                    raise problem(
+                        f"puts the cage of arm {j + 1} {-met.gap:.3g} m inside world.obstacles[{owner}], "
+                        f"a {kind} (got {list(self.start.position)} m)",
+                        "start.position",
+                    )
+
+
+def _unit(v: Vec) -> Vec:
+    return v * (1.0 / math.sqrt(v @ v))
+
+
+# -- presets and merging --------------------------------------------------------------------------
+
+
+def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
+    """A preset by name.
+
+    Raises:
+        InputError: With the nearest known name.
+    """
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
+    hint = f"did you mean {near[0]}?" if near else ""
+    raise InputError(
+        " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
+    )
+
+
+def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
+    """``base`` with the values of ``over``, table by table."""
+    result = dict(base)
+    for key, value in over.items():
+        inner = result.get(key)
+        if isinstance(value, Mapping) and isinstance(inner, Mapping):
+            result[key] = merged(inner, value)
+        else:
+            result[key] = value
+    return result
+
+
+def _vehicle(given: Any) -> Any:
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("vehicle", str(table["preset"]), {k: v.vehicle for k, v in VEHICLES.items()})
+    own = {key: value for key, value in table.items() if key != "preset"}
+    return merged(base.model_dump(), own)
+
+
+def _surface(given: Any) -> Any:
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
+    own = {key: value for key, value in table.items() if key != "preset"}
+    if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
+        base.pop("restitution", None)
+        base.pop("restitution_speed", None)
+    if "restitution" in own and "restitution_speed" not in own:
+        base.pop("restitution_speed", None)
+    return merged(base, own)
+
+
+def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A raw scenario with every preset replaced by what it stands for."""
+    result = dict(given)
+    if "vehicle" in result:
+        result["vehicle"] = _vehicle(result["vehicle"])
+    world = result.get("world")
+    if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
+        entries = []
+        for entry in world["obstacles"]:
+            if isinstance(entry, Mapping):
+                entry = dict(entry)
+                for key in ("surface", "backing"):
+                    if key in entry:
+                        entry[key] = _surface(entry[key])
+            entries.append(entry)
+        result["world"] = {**world, "obstacles": entries}
+    return result
+
+
+def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
+    """Where and what each problem is; the names of obstacle types are left out of the paths."""
+    found = []
+    for detail in error.errors(include_url=False):
+        path = tuple(
+            part
+            for k, part in enumerate(detail["loc"])
+            if not (k and isinstance(detail["loc"][k - 1], int) and part in ("wall", "ground", "mat"))
+        )
+        message = detail["msg"]
+        if detail["type"] == "problem":
+            path = (*path, *key_path(str(detail["ctx"]["field"])))
+        elif detail["type"] == "missing":
+            message = "is missing"
+        elif isinstance(detail.get("input"), str | int | float | bool):
+            message = f"{message} (got {detail['input']!r})"
+        found.append((path, message))
+    return found
+
+
+def key_path(text: str) -> tuple[str | int, ...]:
+    """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
+    words = [word for word in re.split(r"[.\[\]]+", text) if word]
+    return tuple(int(word) if word.isdigit() else word for word in words)
+
+
+def scenario_from(given: Mapping[str, Any]) -> Scenario:
+    """A scenario from plain tables, presets included.
+
+    Raises:
+        InputError: One line for each problem: its path, and what is wrong.
+    """
+    try:
+        return Scenario.model_validate(expanded(given))
+    except ValidationError as error:
+        lines = [f"{dotted(path)}: {what}" if path else what for path, what in problem_paths(error)]
+        raise InputError(*lines) from None
+
+
+def dotted(path: tuple[str | int, ...]) -> str:
+    """``world.obstacles[0].distance`` of a path."""
+    text = ""
+    for part in path:
+        text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
+    return text

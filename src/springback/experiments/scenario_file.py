@@ -1,0 +1,142 @@
+"""Scenario files: TOML with presets and overrides, and errors that name file, line and field."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from springback.errors import InputError
+from springback.experiments.scenario import Scenario, dotted, expanded, key_path, problem_paths
+
+Key = str | int
+
+
+def _value(text: str) -> Any:
+    """The value of an override: TOML where it is TOML, else the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """A raw scenario with ``key=value`` words applied, in order.
+
+    Raises:
+        InputError: For a word that is no ``key=value``, or that points into something that is no table.
+    """
+    result: Any = given
+    for word in overrides:
+        key, sign, text = word.partition("=")
+        parts = list(key_path(key.strip()))
+        if not sign or not parts:
+            raise InputError(f"{word!r} is no override; write key=value, such as vehicle.arms.stiffness=6000")
+        result = _with(result, parts, _value(text.strip()), word)
+    return dict(result)
+
+
+def _with(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
+    """``node`` with one value replaced, copied on the way."""
+    head, *rest = parts
+    if isinstance(node, str):  # a preset's name, about to be adjusted
+        node = {"preset": node}
+    if isinstance(head, int):
+        if not isinstance(node, list) or head >= len(node):
+            raise InputError(f"{word!r}: there is no entry {head}")
+        entry = _with(node[head], rest, value, word) if rest else value
+        return [*node[:head], entry, *node[head + 1 :]]
+    if not isinstance(node, dict):
+        raise InputError(f"{word!r}: {head!r} is not inside a table")
+    if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
+        value = {"preset": value}
+    return {**node, head: _with(node.get(head, {}), rest, value, word) if rest else value}
+
+
+def line_of(text: str, path: Sequence[Key]) -> int:
+    """Line of the most exact mention of a key path in a TOML text; 1 if there is none.
+
+    TOML parsers keep no positions, so this follows table headers and keys; inline tables and dotted
+    keys count as their first line.
+    """
+    counts: dict[str, int] = {}
+    table: list[Key] = []
+    best, best_length = 1, 0
+    for number, line in enumerate(text.splitlines(), start=1):
+        header = re.match(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$", line)
+        key = re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line)
+        if header:
+            name = header.group(2)
+            table = list(key_path(name))
+            if header.group(1) == "[[":
+                counts[name] = counts.get(name, -1) + 1
+                table = [*table, counts[name]]
+            else:
+                for owner, index in counts.items():
+                    stem = list(key_path(owner))
+                    if table[: len(stem)] == stem:
+                        table = [*stem, index, *table[len(stem) :]]
+            here = table
+        elif key:
+            here = [*table, *key_path(key.group(1).replace('"', "").replace("'", ""))]
+        else:
+            continue
+        if list(path[: len(here)]) == here and len(here) > best_length:
+            best, best_length = number, len(here)
+    return best
+
+
+def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]) -> str:
+    """Where a problem comes from: the override that set it, else file and line."""
+    for word in reversed(overrides):
+        parts = key_path(word.partition("=")[0])
+        if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
+            return f"override {word}"
+    return f"{name}:{line_of(text, path)}"
+
+
+def read_scenario(path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
+    """Read a scenario file, apply overrides, and check it.
+
+    Args:
+        path: TOML file.
+        overrides: Words such as ``vehicle.arms.stiffness=6000`` or ``start.pitch="15 deg"``.
+
+    Raises:
+        InputError: One line for each problem: file and line or override, field, value, unit, range.
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: is not text in UTF-8") from None
+    try:
+        given = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path}: is not TOML: {error}") from None
+    return checked_scenario(overridden(given, overrides), str(path), text, overrides)
+
+
+def checked_scenario(
+    given: dict[str, Any], name: str, text: str, overrides: Sequence[str]
+) -> Scenario:
+    """A scenario from raw tables; problems are blamed on lines of ``text`` or on overrides."""
+    try:
+        return Scenario.model_validate(expanded(given))
+    except InputError as error:
+        quoted = re.search(r"'([^']+)'", str(error))
+        lines = [n for n, line in enumerate(text.splitlines(), 1) if quoted and quoted[1] in line]
+        where = next((f"override {w}" for w in overrides if quoted and quoted[1] in w), None)
+        raise InputError(f"{where or f'{name}:{lines[0] if lines else 1}'}: {error}") from None
+    except ValidationError as error:
+        problems = []
+        for path, what in problem_paths(error):
+            where = _blame(path, name, text, overrides)
+            problems.append(f"{where}: {dotted(path)}: {what}" if path else f"{where}: {what}")
+        raise InputError(*problems) from None

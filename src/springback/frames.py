@@ -1,0 +1,26 @@
+"""Conventions, in one place.
+
+World: NWU, X north, Y west, Z up.  Body: FLU, x forward, y left, z up.  Quaternions: Hamilton,
+scalar first, body to world.  Euler angles: ZYX, R = R_z(yaw) R_y(pitch) R_x(roll); positive pitch is nose
+down.  SI units and radians.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+
+def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
+    """Quaternion (w, x, y, z), body to world, of ZYX Euler angles [rad]."""
+    w, x, y, z = Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_quat(scalar_first=True)
+    return float(w), float(x), float(y), float(z)
+
+
+def euler_from_attitude(attitude: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Roll, pitch and yaw [rad] of quaternions (w, x, y, z), shape (..., 4) to (..., 3)."""
+    flat = np.asarray(attitude, dtype=float).reshape(-1, 4)
+    angles = Rotation.from_quat(flat, scalar_first=True).as_euler("ZYX")
+    return np.asarray(angles[:, ::-1]).reshape(*np.shape(attitude)[:-1], 3)

@@ -1,0 +1,32 @@
+"""The base of everything a user writes down: strict, frozen, and helpful about unknown keys."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic_core import PydanticCustomError
+
+
+def problem(message: str, field: str = "") -> PydanticCustomError:
+    """What is wrong, in words, and with which key of the table at hand (dotted for inner tables)."""
+    return PydanticCustomError("problem", "{message}", {"message": message, "field": field})
+
+
+class Settings(BaseModel):
+    """A table of a scenario file."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, given: Any) -> Any:
+        if isinstance(given, dict):
+            for key in given:
+                if key not in cls.model_fields:
+                    near = difflib.get_close_matches(str(key), cls.model_fields, n=1, cutoff=0.5)
+                    known = "known keys: " + ", ".join(cls.model_fields)
+                    hint = f"did you mean {near[0]}?" if near else known
+                    raise problem(f"unknown key; {hint}", str(key))
+        return given

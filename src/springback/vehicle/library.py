@@ -1,0 +1,153 @@
+"""Vehicles of the literature, each number with its table and row.
+
+``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is ours where the source
+is silent.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+from springback.vehicle.parameters import Arms, Body, Vehicle
+
+#: Directions of the X layout of the paper: front left, front right, rear right, rear left.
+X_LAYOUT = (pi / 4, -pi / 4, -3 * pi / 4, 3 * pi / 4)
+LENGTH, CAGE_RADIUS = 0.19, 0.11
+BATTERY = 0.37  # [kg] from the printed hover times, notes on masses in docs/paper/parameters.md
+ARM_MASS = 0.05  # four arms make the printed 0.2 kg
+C_TAU = 0.016  # [m]
+
+
+class Entry(NamedTuple):
+    """A vehicle of the library."""
+
+    vehicle: Vehicle
+    summary: str
+    sources: dict[str, str]
+
+
+def _arms(*, compliant: bool, mass: float, end_stops: bool) -> Arms:
+    return Arms(
+        directions=X_LAYOUT,
+        length=LENGTH,
+        mass=mass,
+        cage_radius=CAGE_RADIUS,
+        compliant=compliant,
+        stiffness=5e3,
+        damping=90.0,
+        stroke=0.05,
+        end_stops=end_stops,
+        torque_ratio=C_TAU,
+    )
+
+
+def _principal(xx: float, yy: float, zz: float) -> tuple[tuple[float, ...], ...]:
+    return ((xx, 0.0, 0.0), (0.0, yy, 0.0), (0.0, 0.0, zz))
+
+
+# Table I prints the inertia of the whole vehicle; four point masses at L in the X layout add
+# 2 m_a L² about x and y and 4 m_a L² about z.
+_ARM_SHARE = 2.0 * ARM_MASS * LENGTH**2
+ARQ_BODY_INERTIA = _principal(0.0100 - _ARM_SHARE, 0.0116 - _ARM_SHARE, 0.0197 - 2.0 * _ARM_SHARE)
+QUAD_INERTIA = _principal(0.0092, 0.0107, 0.0179)
+
+_ARM_SOURCES = {
+    "arms.directions": "given: section III, e_1 and e_2, X configuration; e_3, e_4 from eq. (2)",
+    "arms.length": "given: Table I, row Arm length",
+    "arms.cage_radius": "given: section II, radius of the protective cages",
+    "arms.torque_ratio": "chosen: typical of 5 inch propellers; the paper prints no c_tau",
+}
+_COMPLIANT_SOURCES = {
+    "arms.mass": "derived: Table II, m_a = 0.2 kg read as all four arms (docs/paper/errata.md)",
+    "arms.stiffness": "given: Table II, k_l",
+    "arms.damping": "given: Table II, b_l",
+    "arms.stroke": "chosen: 50 mm; the paper prints none, its runs need about 15 to 40 mm",
+    "arms.stop_stiffness": "chosen: stiff against k_l; the paper has no end stops",
+    "arms.stop_dissipation": "chosen: end stops rebound softly; the paper has none",
+}
+
+ARQ = Entry(
+    Vehicle(
+        name="arq",
+        body=Body(mass=1.034 + BATTERY - 4.0 * ARM_MASS, inertia=ARQ_BODY_INERTIA),
+        arms=_arms(compliant=True, mass=ARM_MASS, end_stops=True),
+    ),
+    "ARQ as flown: compliant arms, with battery",
+    {
+        "body.mass": "derived: Table I, 1.034 kg without battery, + 0.37 kg battery from the hover time, "
+        "- 0.2 kg of arms",
+        "body.inertia": "derived: Table I, rows Moments of inertia, less the arms' m_a L^2",
+        **_ARM_SOURCES,
+        **_COMPLIANT_SOURCES,
+    },
+)
+
+QUAD = Entry(
+    Vehicle(
+        name="quad",
+        body=Body(mass=0.844 + BATTERY, inertia=QUAD_INERTIA),
+        arms=_arms(compliant=False, mass=0.0, end_stops=True),
+    ),
+    "Quad as flown: the rigid twin, with battery",
+    {
+        "body.mass": "derived: Table I, 0.844 kg without battery, + 0.37 kg battery from the hover time",
+        "body.inertia": "given: Table I, rows Moments of inertia",
+        "arms.mass": "derived: rigid arms are part of the body",
+        **_ARM_SOURCES,
+    },
+)
+
+ARQ_ON_SLIDER = Entry(
+    Vehicle(
+        name="arq-slider",
+        body=Body(mass=1.882, inertia=ARQ_BODY_INERTIA),
+        arms=_arms(compliant=True, mass=ARM_MASS, end_stops=False),
+    ),
+    "ARQ on the slider of section IV-A, sliding bar included; no end stops, as in the paper's equations",
+    {
+        "body.mass": "given: Table II, m_b",
+        "body.inertia": "as flown; without effect on a slider",
+        "arms.end_stops": "given: the paper's equations have none",
+        **_ARM_SOURCES,
+        **_COMPLIANT_SOURCES,
+    },
+)
+
+QUAD_ON_SLIDER = Entry(
+    Vehicle(
+        name="quad-slider",
+        body=Body(mass=1.892, inertia=QUAD_INERTIA),
+        arms=_arms(compliant=False, mass=0.0, end_stops=False),
+    ),
+    "Quad on the slider of section IV-A, sliding bar included",
+    {
+        "body.mass": "given: Table II, m_rigid",
+        "body.inertia": "as flown; without effect on a slider",
+        "arms.mass": "derived: rigid arms are part of the body",
+        **_ARM_SOURCES,
+    },
+)
+
+ARQ_LUMPED = Entry(
+    Vehicle(
+        name="arq-lumped",
+        body=Body(mass=1.882, inertia=ARQ_BODY_INERTIA),
+        arms=Arms(
+            directions=(0.0,), length=LENGTH, mass=0.2, cage_radius=CAGE_RADIUS, compliant=True,
+            stiffness=5e3, damping=90.0, stroke=0.05, end_stops=False,
+        ),
+    ),
+    "Reading A of the slider tests: one mass of 0.2 kg and one spring in series along X",
+    {
+        "body.mass": "given: Table II, m_b",
+        "arms.directions": "chosen: reading A, the spring lies along the motion",
+        "arms.mass": "given: Table II, m_a, read as one lumped mass",
+        "arms.stiffness": "given: Table II, k_l",
+        "arms.damping": "given: Table II, b_l",
+        "arms.end_stops": "given: the paper's equations have none",
+    },
+)  # fmt: skip
+
+_ALL = (ARQ, QUAD, ARQ_ON_SLIDER, QUAD_ON_SLIDER, ARQ_LUMPED)
+VEHICLES = {entry.vehicle.name: entry for entry in _ALL}

@@ -1,0 +1,190 @@
+"""A vehicle as its designer writes it down, checked once, and turned into numbers for the equations."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import BeforeValidator, model_validator
+
+from springback.kernels.vectors import Mat, Vec
+from springback.quantities import Mass, checked, quantity, spread
+from springback.settings import Settings, problem
+from springback.vehicle.state import Airframe, Arm
+
+
+def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
+    """Three principal moments or a full matrix [kg m²], checked to be an inertia."""
+    unit = "kg m^2"
+    if not isinstance(value, list | tuple) or len(value) != 3:
+        raise problem(f"must be three moments or a 3 x 3 matrix in kg m² (got {value!r})")
+    if not any(isinstance(row, list | tuple) for row in value):
+        moments = [checked(entry, unit, above=0.0) for entry in value]
+        return tuple(tuple(m if i == j else 0.0 for j in range(3)) for i, m in enumerate(moments))
+    if not all(isinstance(row, list | tuple) and len(row) == 3 for row in value):
+        raise problem(f"must be a 3 x 3 matrix in kg m² (got {value!r})")
+    rows = [[checked(entry, unit) for entry in row] for row in value]
+    matrix = np.array(rows)
+    if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
+        raise problem(f"must be symmetric (got {rows} kg m²)")
+    if np.linalg.eigvalsh(matrix)[0] <= 0.0:
+        raise problem(f"must have positive principal moments (got {rows} kg m²)")
+    return tuple(tuple(row) for row in rows)
+
+
+class Body(Settings):
+    """The main body: everything but the arms."""
+
+    mass: Mass
+    inertia: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_inertia)]
+    """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
+
+
+class Arms(Settings):
+    """The arms.  Each number is one for all arms, or a list with one for each.
+
+    An arm is a point mass at the end of a slide in the body plane, with its cage and rotor.
+    """
+
+    directions: tuple[Any, ...]
+    """Angle of each arm from body x towards body y [rad]; their number is the number of arms."""
+    length: spread("m", above=0.0)  # type: ignore[valid-type]
+    """Free length L, from the centre of the main body to the arm's end."""
+    mass: spread("kg", least=0.0)  # type: ignore[valid-type]
+    cage_radius: spread("m", above=0.0)  # type: ignore[valid-type]
+    compliant: bool | tuple[bool, ...] = True
+    """True: the arm slides against its spring.  False: it is fixed, and the vehicle rigid there."""
+    stiffness: spread("N/m", above=0.0) = 5e3  # type: ignore[valid-type]
+    damping: spread("N s/m", least=0.0) = 0.0  # type: ignore[valid-type]
+    stroke: spread("m", above=0.0) = 0.05  # type: ignore[valid-type]
+    """How far an arm can be pressed in before it bottoms out."""
+    end_stops: bool = True
+    """Stops at the free length and at the end of the stroke; without them the slide is endless."""
+    stop_stiffness: spread("N/m", above=0.0) = 2e5  # type: ignore[valid-type]
+    stop_dissipation: spread("s/m", least=0.0) = 0.5  # type: ignore[valid-type]
+    """d of the stops' force k δ (1 + d δ̇)."""
+    torque_ratio: spread("m", least=0.0) = 0.0  # type: ignore[valid-type]
+    """c_τ, rotor torque per thrust."""
+    spin: tuple[int, ...] | None = None
+    """Sign of each rotor's torque about body z; alternating −, + by default, as in eq. (2)."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Arms:
+        count = len(self.directions)
+        if count < 1:
+            raise problem("must name at least one arm", "directions")
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, tuple) and len(value) != count:
+                raise problem(f"has {len(value)} entries for {count} arms", name)
+        for j in range(count):
+            mass, stroke, length = self.at("mass", j), self.at("stroke", j), self.at("length", j)
+            if self.at("compliant", j) and not mass > 0.0:
+                raise problem(f"of compliant arm {j + 1} must be more than 0 kg (got {mass:g} kg)", "mass")
+            if self.at("compliant", j) and not stroke < length:
+                raise problem(
+                    f"must be less than the length of arm {j + 1}, {length:g} m (got {stroke:g} m)", "stroke"
+                )
+        return self
+
+    @model_validator(mode="before")
+    @classmethod
+    def _angles(cls, given: Any) -> Any:
+        if isinstance(given, dict) and isinstance(given.get("directions"), list | tuple):
+            angles = tuple(checked(angle, "rad") for angle in given["directions"])
+            return {**given, "directions": angles}
+        return given
+
+    def at(self, name: str, j: int) -> Any:
+        """The value of a field for arm ``j``, counted from 0."""
+        value = getattr(self, name)
+        return value[j] if isinstance(value, tuple) else value
+
+
+class Vehicle(Settings):
+    """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
+
+    name: str = "vehicle"
+    body: Body
+    arms: Arms
+
+    @property
+    def arm_count(self) -> int:
+        """Number of arms."""
+        return len(self.arms.directions)
+
+    @property
+    def mass(self) -> float:
+        """Total mass m [kg]."""
+        return float(self.body.mass + sum(self.arms.at("mass", j) for j in range(self.arm_count)))
+
+    @property
+    def is_compliant(self) -> bool:
+        """Whether any arm slides."""
+        return any(self.arms.at("compliant", j) for j in range(self.arm_count))
+
+    def inertia(self, lengths: tuple[float, ...] | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Inertia about the main body's centre of mass for given arm lengths [kg m²], shape (3, 3).
+
+        The arms count as point masses; the free lengths are the default.
+        """
+        matrix = np.array(self.body.inertia)
+        for j, angle in enumerate(self.arms.directions):
+            l_j = self.arms.at("length", j) if lengths is None else lengths[j]
+            e = np.array([math.cos(angle), math.sin(angle), 0.0])
+            matrix += self.arms.at("mass", j) * l_j**2 * (np.eye(3) - np.outer(e, e))
+        return matrix
+
+    def fastest_arm_rate(self) -> float:
+        """Largest eigenvalue of a free arm, damper, spring and stops [1/s]: what steps must resolve."""
+        rates = [0.0]
+        for j in range(self.arm_count):
+            if self.arms.at("compliant", j):
+                m, b = self.arms.at("mass", j), self.arms.at("damping", j)
+                k = self.arms.at("stiffness", j)
+                root = math.sqrt(max(b * b - 4.0 * k * m, 0.0))
+                rates.append(max((b + root) / (2.0 * m), math.sqrt(k / m)))
+                if self.arms.end_stops:
+                    rates.append(math.sqrt(self.arms.at("stop_stiffness", j) / m))
+        return max(rates)
+
+    def airframe(self) -> Airframe:
+        """The numbers for the equations of motion."""
+        arms = self.arms
+        built = []
+        for j, angle in enumerate(arms.directions):
+            slides = bool(arms.at("compliant", j))
+            spin = arms.spin[j] if arms.spin else (-1 if j % 2 == 0 else 1)
+            mass, length = arms.at("mass", j), arms.at("length", j)
+            built.append(
+                Arm(
+                    cosine=_exact(math.cos(angle)),
+                    sine=_exact(math.sin(angle)),
+                    mass=mass,
+                    inverse_mass=1.0 / mass if slides else 0.0,
+                    stiffness=arms.at("stiffness", j),
+                    damping=arms.at("damping", j),
+                    length=length,
+                    shortest=length - arms.at("stroke", j),
+                    stop_stiffness=arms.at("stop_stiffness", j) if arms.end_stops else 0.0,
+                    stop_dissipation=arms.at("stop_dissipation", j),
+                    compliance=1.0 if slides else 0.0,
+                    cage_radius=arms.at("cage_radius", j),
+                    torque_ratio=spin * arms.at("torque_ratio", j),
+                )
+            )
+        i = self.body.inertia
+        return Airframe(self.mass, Mat(*(Vec(*row) for row in i)), tuple(built))
+
+    def lengths(self) -> tuple[float, ...]:
+        """Free arm lengths [m]."""
+        return tuple(float(self.arms.at("length", j)) for j in range(self.arm_count))
+
+
+def _exact(x: float) -> float:
+    """Cosines of right angles come out as 6e-17; they mean zero."""
+    return 0.0 if abs(x) < 1e-15 else x
+
+
+Thrust = quantity("N", least=0.0)

@@ -1,0 +1,1 @@
+"""Slow, plain and independent versions of the physics, to hold the package against."""

@@ -1,0 +1,387 @@
+"""Scenes in plain numbers, and the one place that turns them into the package's own types.
+
+The oracles read a `Scene` and a `Start`; they never see a type of the package.  When the package's
+NamedTuples change, this file is what has to follow.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from springback.contact.cage import ArmTip, Ring
+from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
+from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
+from springback.dynamics.energy import Energy, energy
+from springback.dynamics.motion import Free, Rates, rates
+from springback.kernels.vectors import Mat, Quat, Vec
+from springback.simulation.flight import Flown, fly_one
+from springback.simulation.record import Model, Timing
+from springback.vehicle.state import Airframe, Arm, State
+
+Array = NDArray[np.float64]
+
+#: Wall that nothing reaches [m].
+FAR = 1e3
+
+
+# -- plain numbers ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ArmSpec:
+    """One arm in SI units."""
+
+    azimuth: float  # of e_j from body x [rad]
+    mass: float = 0.05
+    stiffness: float = 5e3
+    damping: float = 90.0
+    length: float = 0.19
+    shortest: float = 0.15
+    stop_stiffness: float = 0.0
+    stop_dissipation: float = 0.0
+    slides: bool = True
+    cage_radius: float = 0.11
+    torque_ratio: float = 0.016  # with its sign
+
+
+@dataclass(frozen=True)
+class Craft:
+    """A main body and its arms."""
+
+    body_mass: float
+    inertia: Array  # of the main body alone, shape (3, 3)
+    arms: tuple[ArmSpec, ...]
+
+    @property
+    def mass(self) -> float:
+        """Everything [kg]."""
+        return self.body_mass + sum(arm.mass for arm in self.arms)
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A plane with the Hunt-Crossley law, exponent 3/2, and Coulomb friction."""
+
+    normal: Array  # out of the wall, shape (3,)
+    offset: float  # normal · x on the face [m]
+    stiffness: float = 1e5
+    dissipation: float = 0.65
+    friction: float = 0.8
+    slip_speed: float = 0.1
+    restitution: float = -1.0  # not negative: the impulse law
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything but the state."""
+
+    craft: Craft
+    wall: Wall
+    thrust: tuple[float, ...]
+    contact: Literal["ring", "tip"] = "ring"
+    rounding: float = 0.0
+    friction_axes: Literal["both", "vertical"] = "both"
+    gravity: float = 9.81
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where it is and how it moves."""
+
+    position: Array  # world
+    attitude: Array  # (w, x, y, z), body to world
+    velocity: Array  # world
+    omega: Array  # body
+    lengths: Array
+    rates: Array
+
+    @property
+    def rotation(self) -> Array:
+        """Rotation matrix, body to world."""
+        return np.asarray(Rotation.from_quat(self.attitude, scalar_first=True).as_matrix())
+
+
+# -- the package's types ---------------------------------------------------------------------------
+
+
+def vec(a: Any) -> Vec:
+    """A `Vec` of three numbers."""
+    return Vec(*(float(x) for x in a))
+
+
+def airframe_of(craft: Craft) -> Airframe:
+    """The package's constants of a craft."""
+    arms = tuple(
+        Arm(
+            cosine=math.cos(arm.azimuth),
+            sine=math.sin(arm.azimuth),
+            mass=arm.mass,
+            inverse_mass=1.0 / arm.mass if arm.slides else 0.0,
+            stiffness=arm.stiffness,
+            damping=arm.damping,
+            length=arm.length,
+            shortest=arm.shortest,
+            stop_stiffness=arm.stop_stiffness,
+            stop_dissipation=arm.stop_dissipation,
+            compliance=1.0 if arm.slides else 0.0,
+            cage_radius=arm.cage_radius,
+            torque_ratio=arm.torque_ratio,
+        )
+        for arm in craft.arms
+    )
+    return Airframe(mass=craft.mass, inertia=Mat(*(vec(row) for row in craft.inertia)), arms=arms)
+
+
+def world_of(scene: Scene) -> World:
+    """The package's world of a scene."""
+    wall = scene.wall
+    axes = BothTangents(0.0) if scene.friction_axes == "both" else VerticalTangent(0.0)
+    surface = Surface(
+        stiffness=wall.stiffness,
+        dissipation=wall.dissipation,
+        viscosity=0.0,
+        exponent=ThreeHalves(1.5),
+        friction=wall.friction,
+        friction_axes=axes,
+        slip_speed=wall.slip_speed,
+        restitution=wall.restitution,
+    )
+    obstacle = Obstacle(Plane(vec(wall.normal), wall.offset), surface, 0.0)
+    laws = Impulses(0.0) if wall.restitution >= 0.0 else Forces(0.0)
+    return World((obstacle,), laws, scene.gravity)
+
+
+def contact_point_of(scene: Scene) -> Ring | ArmTip:
+    """The package's contact point model of a scene."""
+    return Ring(scene.rounding) if scene.contact == "ring" else ArmTip(0.0)
+
+
+def state_of(start: Start) -> State:
+    """The package's state."""
+    return State(
+        position=vec(start.position),
+        attitude=Quat(*(float(x) for x in start.attitude)),
+        velocity=vec(start.velocity),
+        angular_velocity=vec(start.omega),
+        arm_length=tuple(float(x) for x in start.lengths),
+        arm_rate=tuple(float(x) for x in start.rates),
+    )
+
+
+def start_of(state: State) -> Start:
+    """Plain numbers of a state of the package."""
+    return Start(
+        position=np.array(state.position),
+        attitude=np.array(state.attitude),
+        velocity=np.array(state.velocity),
+        omega=np.array(state.angular_velocity),
+        lengths=np.array(state.arm_length),
+        rates=np.array(state.arm_rate),
+    )
+
+
+def model_of(
+    scene: Scene,
+    *,
+    until: float,
+    impact_step: float = 1e-4,
+    free_step: float | None = None,
+    hybrid: bool = False,
+) -> Model:
+    """The package's model of a flight; without ``free_step`` all steps are ``impact_step``."""
+    timing = Timing(
+        until=until,
+        free_step=impact_step if free_step is None else free_step,
+        impact_step=impact_step,
+        settle_step=impact_step,
+        arm_tolerance=1e-5,
+        rate_tolerance=1e-3,
+        dwell=0.02,
+        hybrid=1.0 if hybrid else 0.0,
+    )
+    return Model(
+        airframe_of(scene.craft),
+        world_of(scene),
+        contact_point_of(scene),
+        Free(0.0),
+        scene.thrust,
+        timing,
+    )
+
+
+# -- what the package says -------------------------------------------------------------------------
+
+
+class Accelerations(NamedTuple):
+    """Second derivatives of all coordinates."""
+
+    linear: Array  # v̇, world [m/s²]
+    angular: Array  # ω̇, body [rad/s²]
+    arms: Array  # l̈ [m/s²]
+
+
+def rates_of(scene: Scene, start: Start, *, released: bool = True) -> Rates:
+    """The package's rate of change of everything, run by Python."""
+    return rates(
+        airframe_of(scene.craft),
+        world_of(scene),
+        contact_point_of(scene),
+        Free(0.0),
+        state_of(start),
+        scene.thrust,
+        1.0 if released else 0.0,
+    )
+
+
+def accelerations_of(scene: Scene, start: Start, *, released: bool = True) -> Accelerations:
+    """The package's accelerations, run by Python."""
+    state = rates_of(scene, start, released=released).motion.state
+    return Accelerations(
+        np.array(state.velocity), np.array(state.angular_velocity), np.array(state.arm_rate)
+    )
+
+
+def energy_of(scene: Scene, start: Start) -> Energy:
+    """The package's mechanical energy, run by Python."""
+    return energy(airframe_of(scene.craft), world_of(scene), contact_point_of(scene), state_of(start))
+
+
+def fly(
+    scene: Scene,
+    start: Start,
+    *,
+    until: float,
+    impact_step: float = 1e-4,
+    free_step: float | None = None,
+    hybrid: bool = False,
+    trace: bool = False,
+) -> Flown:
+    """A whole flight by the package's compiled executor."""
+    model = model_of(
+        scene, until=until, impact_step=impact_step, free_step=free_step, hybrid=hybrid
+    )
+    return fly_one(model, state_of(start), trace=trace)
+
+
+# -- scenes ----------------------------------------------------------------------------------------
+
+
+def quaternion(roll: float, pitch: float, yaw: float) -> Array:
+    """(w, x, y, z) of ZYX Euler angles [rad]."""
+    return np.asarray(
+        Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_quat(scalar_first=True), dtype=float
+    )
+
+
+def compliant_craft(**arm: Any) -> Craft:
+    """The paper's compliant vehicle: four equal arms in X, spin signs alternating.
+
+    Args:
+        **arm: Fields of every `ArmSpec` to set.
+    """
+    quarter = math.pi / 4
+    azimuths = (quarter, -quarter, -3 * quarter, 3 * quarter)
+    signs = (-1.0, 1.0, -1.0, 1.0)
+    arms = tuple(
+        replace(ArmSpec(azimuth, torque_ratio=0.016 * sign), **arm)
+        for azimuth, sign in zip(azimuths, signs, strict=True)
+    )
+    return Craft(1.882, np.diag([0.00639, 0.00799, 0.01248]), arms)
+
+
+def random_inertia(rng: np.random.Generator) -> Array:
+    """A full inertia tensor that some body can have: a cloud of point masses."""
+    points = rng.normal(size=(6, 3)) * [0.05, 0.06, 0.03]
+    masses = rng.uniform(0.1, 0.4, size=6)
+    squares = (masses * (points**2).sum(axis=1)).sum()
+    return np.asarray(squares * np.eye(3) - np.einsum("k,ki,kj->ij", masses, points, points))
+
+
+def random_craft(rng: np.random.Generator, *, stops: bool = False, slides: bool = True) -> Craft:
+    """Four different arms in any directions of the body plane, and products of inertia."""
+    turn = rng.uniform(-math.pi, math.pi)
+    arms = tuple(
+        ArmSpec(
+            azimuth=turn + 0.5 * math.pi * j + rng.uniform(-0.6, 0.6),
+            mass=rng.uniform(0.02, 0.15),
+            stiffness=rng.uniform(2e3, 2e4),
+            damping=rng.uniform(20.0, 200.0),
+            length=rng.uniform(0.15, 0.25),
+            shortest=rng.uniform(0.10, 0.14),
+            stop_stiffness=rng.uniform(1e4, 1e5) if stops else 0.0,
+            stop_dissipation=rng.uniform(0.1, 1.0) if stops else 0.0,
+            slides=slides,
+            cage_radius=rng.uniform(0.07, 0.13),
+            torque_ratio=rng.uniform(-0.03, 0.03),
+        )
+        for j in range(4)
+    )
+    return Craft(rng.uniform(0.8, 2.0), random_inertia(rng), arms)
+
+
+def unit_vector(rng: np.random.Generator) -> Array:
+    """A direction, all equally likely."""
+    a = rng.normal(size=3)
+    return np.asarray(a / np.linalg.norm(a))
+
+
+def random_start(rng: np.random.Generator, craft: Craft, *, still_arms: bool = False) -> Start:
+    """A vigorous state: 3 m/s, 10 rad/s, arms 20 mm off either way and moving; pitch within 70°."""
+    free = np.array([arm.length for arm in craft.arms])
+    count = len(free)
+    roll, pitch, yaw = rng.uniform(-1, 1, size=3) * [math.pi, 1.2, math.pi]
+    return Start(
+        position=rng.uniform(-2.0, 2.0, size=3),
+        attitude=quaternion(roll, pitch, yaw),
+        velocity=rng.uniform(-3.0, 3.0, size=3),
+        omega=rng.uniform(-10.0, 10.0, size=3),
+        lengths=free + (0.0 if still_arms else rng.uniform(-0.02, 0.02, size=count)),
+        rates=np.zeros(count) if still_arms else rng.uniform(-2.0, 2.0, size=count),
+    )
+
+
+def cage_reach(scene: Scene, start: Start) -> Array:
+    """How far each cage reaches into the direction of the wall, along −normal [m], shape (arms,)."""
+    inward, r = -scene.wall.normal, start.rotation
+    reach = []
+    for arm, length in zip(scene.craft.arms, start.lengths, strict=True):
+        e = r @ np.array([math.cos(arm.azimuth), math.sin(arm.azimuth), 0.0])
+        circle = math.sqrt(1.0 - (inward @ r[:, 2]) ** 2 + scene.rounding**2)
+        own = circle if scene.contact == "ring" else inward @ e
+        reach.append(inward @ (start.position + length * e) + arm.cage_radius * own)
+    return np.array(reach)
+
+
+def touching(scene: Scene, start: Start, count: int, depth: float) -> Scene:
+    """The scene with its wall moved so that ``count`` cages touch, the last of them by ``depth`` [m]."""
+    reach = np.sort(cage_reach(scene, start))[::-1]
+    if count == 0:
+        face = reach[0] + depth
+    else:
+        room = reach[count - 1] - reach[count] if count < len(reach) else math.inf
+        face = reach[count - 1] - min(depth, 0.5 * room)
+    return replace(scene, wall=replace(scene.wall, offset=float(-face)))
+
+
+def path(flown: Flown, name: str) -> Array:
+    """One trajectory: ``time``, ``position``, ``velocity``, ``attitude``, ``omega``, ``acceleration``
+    or ``lengths``, with shape (instants,) or (instants, components)."""
+    assert flown.trace is not None
+    if name == "time":
+        return np.asarray(flown.trace["time"])
+    count = len(flown.start.arm_length)
+    columns = {
+        "position": [f"state.position.{c}" for c in "xyz"],
+        "velocity": [f"state.velocity.{c}" for c in "xyz"],
+        "attitude": [f"state.attitude.{c}" for c in "wxyz"],
+        "omega": [f"state.angular_velocity.{c}" for c in "xyz"],
+        "lengths": [f"state.arm_length.{j + 1}" for j in range(count)],
+        "acceleration": [f"acceleration.{c}" for c in "xyz"],
+    }
+    return np.stack([flown.trace[column] for column in columns[name]], axis=-1)
