@@ -1,0 +1,64 @@
+"""Our numbers beside printed ones, each marked for what it is."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from enum import Enum
+from typing import Any
+
+#: A predicted number agrees with a printed one within this share of it.
+AGREEMENT = 0.05
+
+
+class Mark(Enum):
+    """What a compared number is; the value is the explanation."""
+
+    GIVEN = "printed, and put in"
+    FITTED = "a free number was chosen to make it so"
+    PREDICTED = f"computed, and within {AGREEMENT:.0%} of the printed value"
+    CONTRADICTED = f"computed, and more than {AGREEMENT:.0%} off the printed value"
+
+    @property
+    def word(self) -> str:
+        """Short name, as it stands in tables."""
+        return self.name.lower()
+
+
+@dataclass(frozen=True)
+class Row:
+    """One compared number."""
+
+    experiment: str
+    robot: str
+    surface: str
+    reading: str
+    quantity: str
+    unit: str
+    ours: float | None
+    printed: float | None
+    """Of the paper's simulation, or its text."""
+    printed_test: float | None
+    """Of the paper's physical test."""
+    mark: Mark
+    dissipation: float
+    """c_a of the run [s/m]."""
+    dissipation_from: str
+    note: str = ""
+
+    @property
+    def deviation(self) -> float | None:
+        """Relative deviation from the printed value."""
+        if self.ours is None or not self.printed:
+            return None
+        return self.ours / self.printed - 1.0
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data, for JSON and CSV."""
+        return {**asdict(self), "mark": self.mark.word, "deviation": self.deviation}
+
+
+def predicted_or_contradicted(ours: float | None, printed: float) -> Mark:
+    """The mark of a number that was computed without using its printed value."""
+    if ours is None or abs(ours / printed - 1.0) > AGREEMENT:
+        return Mark.CONTRADICTED
+    return Mark.PREDICTED

@@ -1,0 +1,1 @@
+"""The experiments of Liu & Karydis, one module for each table or figure."""

@@ -1,0 +1,41 @@
+"""Numbers printed in the paper, with their places; nothing here is ours."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+PAPER = (
+    "Z. Liu and K. Karydis, Dynamic Modeling and Analysis of Impact-resilient MAVs Undergoing "
+    "High-speed and Large-angle Collisions with the Environment"
+)
+
+SLIDER_SPEED = 1.85
+"""[m/s], section IV-A, 'about 1.85 m/s right before collision'."""
+SLIDER_DISTANCE = 1.0
+"""[m], section IV-A, D."""
+FREE_MASS = {"quad": 0.844, "arq": 1.034}
+"""[kg], Table I, without battery: 'only the masses of the robots' in the sweep."""
+SWEEP_GAP = 493.0
+"""[m/s²], section IV-A, difference of the peak accelerations at 6 m/s."""
+SWEEP_SPEEDS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+"""[m/s], figure of the sweep."""
+
+
+class Impact(NamedTuple):
+    """One column of Table III with what the text adds."""
+
+    restitution: float
+    restitution_test: float
+    peak_acceleration: float  # [m/s²]
+    peak_acceleration_test: float  # [m/s²]
+    travel: float  # δ [m]
+    contact_time: float  # dt [s]
+
+
+TABLE_III = {
+    ("quad", "wall"): Impact(0.547, 0.526, 224.0, 235.0, 0.014, 0.031),
+    ("quad", "mat"): Impact(0.598, 0.603, 168.0, 177.0, 0.018, 0.037),
+    ("arq", "wall"): Impact(0.444, 0.451, 144.0, 146.0, 0.029, 0.079),
+    ("arq", "mat"): Impact(0.498, 0.504, 137.0, 142.0, 0.033, 0.083),
+}
+"""Table III and the text of section IV-A: simulation and physical test."""

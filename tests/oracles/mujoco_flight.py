@@ -1,0 +1,128 @@
+"""The vehicle in MuJoCo: a free body with four point masses on slide joints.
+
+MuJoCo gives the accelerations (`mj_forward`, its own contacts and limits off); the loads come from
+`oracles.loads` and are mapped to joints by MuJoCo's own Jacobians (`mj_applyFT`).  Flights are
+integrated by the classical Runge-Kutta method with the quaternion's components among the unknowns.
+"""
+
+from __future__ import annotations
+
+import math
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from oracles.loads import Flight, loads
+from oracles.models import Craft, Scene, Start
+
+Array = NDArray[np.float64]
+
+#: MuJoCo asks for some inertia of every moving body [kg m²]; this is nine orders below the vehicle's.
+POINT = 1e-14
+
+
+def _xml(craft: Craft, gravity: float) -> str:
+    i = craft.inertia
+    full = " ".join(repr(float(x)) for x in (*i.diagonal(), i[0, 1], i[0, 2], i[1, 2]))
+    arms = "".join(
+        f"""
+        <body name="arm{k}" pos="0 0 0">
+          <joint type="slide" axis="{math.cos(arm.azimuth)!r} {math.sin(arm.azimuth)!r} 0"
+                 limited="false" damping="0" stiffness="0" armature="0"/>
+          <inertial pos="0 0 0" mass="{arm.mass!r}" diaginertia="{POINT} {POINT} {POINT}"/>
+        </body>"""
+        for k, arm in enumerate(craft.arms)
+    )
+    return f"""
+    <mujoco>
+      <compiler angle="radian" autolimits="false" boundmass="0" boundinertia="0"
+                balanceinertia="false"/>
+      <option gravity="0 0 {-gravity!r}" density="0" viscosity="0">
+        <flag contact="disable" limit="disable" equality="disable" frictionloss="disable"/>
+      </option>
+      <worldbody>
+        <body name="main" pos="0 0 0">
+          <freejoint/>
+          <inertial pos="0 0 0" mass="{craft.body_mass!r}" fullinertia="{full}"/>
+          {arms}
+        </body>
+      </worldbody>
+    </mujoco>"""
+
+
+class Vehicle:
+    """A craft as a MuJoCo model.
+
+    Args:
+        craft: Masses, inertia and arm directions.
+        gravity: g along −Z [m/s²].
+    """
+
+    def __init__(self, craft: Craft, gravity: float) -> None:
+        """Compile the model."""
+        self.model = mujoco.MjModel.from_xml_string(_xml(craft, gravity))
+        self.data = mujoco.MjData(self.model)
+        self.arms = [self.model.body(f"arm{k}").id for k in range(len(craft.arms))]
+
+    def accelerations(self, scene: Scene, now: Start) -> tuple[Array, Array, Array]:
+        """v̇ in world axes, ω̇ in body axes and l̈ at one instant."""
+        model, data = self.model, self.data
+        unit = now.attitude / np.linalg.norm(now.attitude)
+        data.qpos[:] = np.concatenate([now.position, unit, now.lengths])
+        data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates])
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        acting = loads(scene, now)
+        applied = np.zeros(model.nv)
+        applied[6:] = acting.joint
+        for k, body in enumerate(self.arms):
+            mujoco.mj_applyFT(
+                model, data, acting.force[k], acting.moment[k], acting.point[k], body, applied
+            )
+        data.qfrc_applied[:] = applied
+        mujoco.mj_forward(model, data)
+        return data.qacc[:3].copy(), data.qacc[3:6].copy(), data.qacc[6:].copy()
+
+
+def _quaternion_rate(q: Array, omega: Array) -> Array:
+    """½ q ⊗ (0, ω)."""
+    rate = np.zeros(4)
+    mujoco.mju_mulQuat(rate, q, np.concatenate([[0.0], omega]))
+    return 0.5 * rate
+
+
+def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
+    """A flight at equal steps.
+
+    Args:
+        scene: Vehicle, wall, thrust.
+        start: State at time 0.
+        until: Duration [s]; a whole number of steps.
+        step: Of the Runge-Kutta method [s].
+    """
+    vehicle = Vehicle(scene.craft, scene.gravity)
+    count = len(scene.craft.arms)
+
+    def placed(x: Array) -> Start:
+        return Start(x[:3], x[3:7], x[7:10], x[10:13], x[13 : 13 + count], x[13 + count :])
+
+    def slope(x: Array) -> Array:
+        here = placed(x)
+        linear, angular, arms = vehicle.accelerations(scene, here)
+        turning = _quaternion_rate(here.attitude, here.omega)
+        return np.concatenate([here.velocity, turning, linear, angular, here.rates, arms])
+
+    x = np.concatenate(
+        [start.position, start.attitude, start.velocity, start.omega, start.lengths, start.rates]
+    )
+    peak = 0.0
+    for _ in range(round(until / step)):
+        k1 = slope(x)
+        k2 = slope(x + 0.5 * step * k1)
+        k3 = slope(x + 0.5 * step * k2)
+        k4 = slope(x + step * k3)
+        peak = max(peak, float(np.linalg.norm(k1[7:10])))
+        x = x + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+        x[3:7] /= np.linalg.norm(x[3:7])
+    return Flight(placed(x), peak)
