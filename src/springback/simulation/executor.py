@@ -196,10 +196,13 @@ def advance(
 
             for i in range(w):
                 taken(shape, b, w, i)
-            running = 0
+            running, asked = 0, 0
             for i in range(w):
-                running += 1 if b[at_status * w + i] == FLYING else 0
-            for i in range(w):
+                flies = b[at_status * w + i] == FLYING
+                running += 1 if flies else 0
+                asked += 1 if flies & (b[at_request * w + i] != NOTHING) else 0
+            # Behind a branch of its own: else the rare event is computed, masked, at every step.
+            for i in range(w if asked > 0 else 0):
                 if b[at_request * w + i] != NOTHING and b[at_status * w + i] == FLYING:
                     model = read(shape.model, b, at_model, w, i)
                     motion = read(shape.motion, b, at_motion, w, i)

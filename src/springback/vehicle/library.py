@@ -14,7 +14,7 @@ from springback.vehicle.parameters import Arms, Body, Vehicle
 #: Directions of the X layout of the paper: front left, front right, rear right, rear left.
 X_LAYOUT = (pi / 4, -pi / 4, -3 * pi / 4, 3 * pi / 4)
 LENGTH, CAGE_RADIUS = 0.19, 0.11
-BATTERY = 0.37  # [kg] from the printed hover times, notes on masses in docs/paper/parameters.md
+BATTERY = 0.37  # [kg] from the printed hover times, docs/paper/errata.md
 ARM_MASS = 0.05  # four arms make the printed 0.2 kg
 C_TAU = 0.016  # [m]
 

@@ -1,0 +1,38 @@
+# `make run` reproduces the paper into ./reproduction; `make test` runs all checks.
+# Both need python3 and make only: they make their own environment in .venv.
+BIN = .venv/bin
+OUT ?= reproduction
+
+.PHONY: run test lint types layers pytest bench lock clean
+
+run:
+	@tools/environment all
+	$(BIN)/springback reproduce --out $(OUT) --force
+
+test:
+	@tools/environment dev
+	@$(MAKE) --no-print-directory lint types layers pytest
+
+lint:
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+
+types:
+	$(BIN)/mypy
+
+layers:
+	$(BIN)/lint-imports
+
+pytest:
+	$(BIN)/pytest -n 2 --dist loadfile
+
+bench:
+	@tools/environment dev
+	$(BIN)/python -m benchmarks.run
+
+lock:
+	uv lock
+	uv export --quiet --all-extras --no-hashes --no-emit-project --output-file constraints.txt
+
+clean:
+	rm -rf .venv $(OUT)

@@ -1,0 +1,5 @@
+"""``python -m springback``."""
+
+from springback.interfaces.cli import main
+
+main()

@@ -1,0 +1,264 @@
+"""The command line.
+
+Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 the input is
+wrong, 130 interrupted.  Heavy modules are imported by the commands that need them.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from springback.errors import InputError
+from springback.version import __version__
+
+OUT = click.Path(file_okay=True, path_type=Path)
+PATIENCE = 1.0
+"""Seconds before a progress bar appears."""
+
+
+@contextmanager
+def _progress(label: str, quiet: bool) -> Iterator[Callable[[float], None]]:
+    """A progress bar for shares from 0 to 1, on a terminal only, once a second has passed."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    console = Console(stderr=True)
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    bar = Progress(*columns, console=console, transient=True, disable=quiet or not console.is_terminal)
+    task = bar.add_task(label, total=1.0)
+    begun = time.monotonic()
+
+    def show(share: float) -> None:
+        bar.update(task, completed=share)
+        if not bar.live.is_started and time.monotonic() - begun > PATIENCE:
+            bar.start()
+
+    try:
+        yield show
+    finally:
+        bar.stop()
+
+
+@contextmanager
+def _patience(label: str, quiet: bool) -> Iterator[None]:
+    """A spinner for work that reports no progress, such as compiling."""
+    import threading
+
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if quiet or not console.is_terminal:
+        yield
+        return
+    status = console.status(label)
+    timer = threading.Timer(PATIENCE, status.start)
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        timer.join()
+        status.stop()
+
+
+def _say(text: str, quiet: bool) -> None:
+    if not quiet:
+        click.echo(text, err=True)
+
+
+def _have_figures(quiet: bool) -> bool:
+    from importlib.util import find_spec
+
+    if find_spec("matplotlib") is not None:
+        return True
+    _say("figures are left out: pip install 'springback[plot]'", quiet)
+    return False
+
+
+json_option = click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")
+quiet_option = click.option("--quiet", "-q", is_flag=True, help="No progress, no remarks.")
+force_option = click.option("--force", is_flag=True, help="Replace results in the output folder.")
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="springback")
+def cli() -> None:
+    """Simulate micro aerial vehicles that survive hitting things."""
+
+
+@cli.command()
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.option("--out", type=OUT, required=True, help="Folder for summary.json, trajectory.parquet, figures.")
+@click.option("--no-figures", is_flag=True, help="Write no figures.")
+@force_option
+@json_option
+@quiet_option
+def fly(
+    scenario: Path, overrides: tuple[str, ...], out: Path, no_figures: bool, force: bool, as_json: bool, quiet: bool
+) -> None:
+    """Fly a SCENARIO file, with any of its values overridden.
+
+    \b
+    springback fly scenario.toml --out results
+    springback fly scenario.toml vehicle.arms.stiffness="6 N/mm" start.pitch="15 deg" --out results
+    """
+    from springback.experiments.result import fly as fly_scenario
+    from springback.experiments.scenario_file import read_scenario
+    from springback.interfaces.files import output_folder, write_flight
+
+    ready = read_scenario(scenario, overrides)
+    with output_folder(out, force=force) as folder:
+        with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+            flight = fly_scenario(ready)
+            figures = not no_figures and _have_figures(quiet)
+            written = write_flight(flight, folder, figures=figures)
+        names = [path.name for path in written]
+    _print(flight.summary() if as_json else repr(flight), as_json)
+    _say(f"written to {out}: {', '.join(names)}", quiet)
+    if not flight.success:
+        sys.exit(1)
+
+
+@cli.command()
+@click.argument("part", type=click.Choice(["all", "slider"]), default="all")
+@click.option("--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV.")
+@click.option(
+    "--reading", "readings", multiple=True, metavar="'NAME: KEY=VALUE ...'",
+    help="One more reading of the printed parameters: reading B with changes.",
+)  # fmt: skip
+@force_option
+@json_option
+@quiet_option
+def reproduce(
+    part: str, out: Path, readings: tuple[str, ...], force: bool, as_json: bool, quiet: bool
+) -> None:
+    """Reproduce the paper: its numbers beside ours, in a report.
+
+    `slider` is Table III, the deflections and contact times, and the speed sweep.
+    """
+    from springback.experiments.paper.slider import named_reading, slider_experiments
+    from springback.interfaces.files import output_folder
+
+    extra = [named_reading(text) for text in readings]
+    _needs_figures()
+    from springback.interfaces.report import write_report
+
+    with output_folder(out, force=force) as folder:
+        _say("slider tests: Table III and the sweep; the first run compiles for about a minute", quiet)
+        with _progress("slider tests", quiet) as show:
+            results = slider_experiments(extra, show)
+        write_report(results, folder, about=_about())
+    if as_json:
+        _print([row.as_dict() for row in results.rows], as_json)
+    elif not quiet:
+        _print(_table(results.rows), as_json)
+    _say(f"report: {out / 'report.html'}", quiet)
+
+
+@cli.command()
+@click.argument("preset", required=False)
+@json_option
+def show(preset: str | None, as_json: bool) -> None:
+    """Show a vehicle or surface PRESET, each number with its source; all presets without one."""
+    from springback.contact.library import SOURCES, SURFACES
+    from springback.experiments.scenario import preset as known_preset
+    from springback.vehicle.library import VEHICLES
+
+    if preset is None:
+        names = {name: entry.summary for name, entry in VEHICLES.items()}
+        names |= {name: f"surface, {entry.law}" for name, entry in SURFACES.items()}
+        _print(names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()), as_json)
+        return
+    entry = known_preset("vehicle or surface", preset, {**VEHICLES, **SURFACES})
+    if preset in VEHICLES:
+        settings, sources, summary = entry.vehicle, entry.sources, entry.summary
+        extra = {"mass": entry.vehicle.mass, "inertia": entry.vehicle.inertia().tolist()}
+    else:
+        settings, sources, summary = entry, SOURCES[preset], f"surface {preset}"
+        extra = {"dissipation": entry.dissipation_value()}
+    data = {"summary": summary, "settings": settings.model_dump(), "sources": sources, "derived": extra}
+    _print(data if as_json else _described(data), as_json)
+
+
+@cli.command()
+@json_option
+@quiet_option
+def doctor(as_json: bool, quiet: bool) -> None:
+    """Check this installation: versions, extras, compiler, agreement of the executors."""
+    from springback.interfaces.doctor import diagnosis
+
+    with _patience("compiling and checking", quiet):
+        found = diagnosis()
+    _print(found if as_json else _described(found), as_json)
+    if not found["compiled_equals_python"]:
+        _say("compiled flights differ from plain Python: please report this", False)
+        sys.exit(1)
+
+
+def _needs_figures() -> None:
+    from springback.experiments.extras import needs
+
+    needs("matplotlib", "plot")
+    needs("jinja2", "plot")
+
+
+def _about() -> dict[str, str]:
+    import platform
+    from importlib import metadata
+
+    versions = {name: metadata.version(name) for name in ("numpy", "scipy", "numba")}
+    return {"springback": __version__, "python": platform.python_version(), **versions}
+
+
+def _print(data: Any, as_json: bool) -> None:
+    import json
+
+    click.echo(json.dumps(data, indent=2, allow_nan=False, default=str) if as_json else data)
+
+
+def _described(data: dict[str, Any], indent: str = "") -> str:
+    """Nested plain data as indented lines."""
+    lines = []
+    for key, value in data.items():
+        if isinstance(value, dict):
+            lines += [f"{indent}{key}:", _described(value, indent + "  ")]
+        else:
+            lines.append(f"{indent}{key}: {value}")
+    return "\n".join(lines)
+
+
+def _table(rows: list[Any]) -> str:
+    """Compared numbers as text."""
+    lines = [f"{'':<11}{'robot':<6}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}{'':>9}  mark"]
+    for row in rows:
+        deviation = "" if row.deviation is None or row.mark.word == "given" else f"{row.deviation:+.1%}"
+        ours = "-" if row.ours is None else f"{row.ours:.4g}"
+        lines.append(
+            f"{row.experiment:<11}{row.robot[:5]:<6}{row.surface:<6}{row.reading:<9}{row.quantity:<36}"
+            f"{ours:>10}{row.printed:>10.4g}{deviation:>9}  {row.mark.word}"
+        )
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Run the command line and leave with its exit code."""
+    try:
+        cli.main(standalone_mode=False)
+    except InputError as error:
+        for line in error.problems:
+            click.echo(f"error: {line}", err=True)
+        sys.exit(2)
+    except click.ClickException as error:
+        error.show()
+        sys.exit(2)
+    except (KeyboardInterrupt, click.Abort):
+        click.echo("interrupted; nothing was written", err=True)
+        sys.exit(130)

@@ -1,0 +1,108 @@
+"""Output folders and files: written whole or not at all, and never over results without being told."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from springback.errors import InputError
+from springback.experiments.result import Flight
+
+
+def _existing_ancestor(folder: Path) -> Path:
+    return next(parent for parent in (folder, *folder.parents) if parent.exists())
+
+
+@contextmanager
+def output_folder(folder: Path, *, force: bool = False) -> Iterator[Path]:
+    """A folder to write into, which becomes ``folder`` when the block ends well.
+
+    If the block fails, nothing is left and nothing that was there is touched.  With ``force``, files of
+    the same names are replaced and all others stay.
+
+    Raises:
+        InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
+    """
+    folder = folder.absolute()
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"--out {folder}: is a file, not a folder")
+    if folder.exists() and any(folder.iterdir()) and not force:
+        raise InputError(f"--out {folder}: is not empty; give another folder, or --force to replace results")
+    anchor = _existing_ancestor(folder.parent)
+    try:
+        if folder.exists() and not os.access(folder, os.W_OK):
+            raise PermissionError(13, "Permission denied")
+        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=anchor))
+    except OSError as error:
+        raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+    try:
+        yield draft
+        _move(draft, folder)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+def _move(draft: Path, folder: Path) -> None:
+    for source in sorted(draft.rglob("*")):
+        target = folder / source.relative_to(draft)
+        if source.is_dir():
+            target.mkdir(parents=True, exist_ok=True)
+        else:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(source, target)
+
+
+def write_json(path: Path, data: Any) -> None:
+    """Plain data as JSON, without NaN or infinity."""
+    path.write_text(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def write_parquet(path: Path, columns: Mapping[str, Any], units: Mapping[str, str], about: Mapping[str, str]) -> None:
+    """Columns as Parquet, with units and ``about`` in the file's metadata.
+
+    Args:
+        path: File to write.
+        columns: Arrays of equal length by name.
+        units: Unit of each column, kept as JSON under the key ``units``.
+        about: More metadata.
+    """
+    import duckdb
+
+    table = dict(columns)
+    metadata = {"units": json.dumps(dict(units)), **about}
+    with duckdb.connect() as connection:
+        connection.register("trajectory", table)
+        pairs = ", ".join(f"{_quoted(key)}: {_quoted(value)}" for key, value in metadata.items())
+        names = ", ".join(f'"{name}"' for name in table)
+        connection.execute(
+            f"COPY (SELECT {names} FROM trajectory) TO {_quoted(str(path))} "
+            f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
+        )
+
+
+def _quoted(text: str) -> str:
+    return "'" + text.replace("'", "''") + "'"
+
+
+def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
+    """Write ``summary.json``, ``trajectory.parquet`` and, where matplotlib is installed, figures."""
+    summary = flight.summary()
+    write_json(folder / "summary.json", summary)
+    written = [folder / "summary.json"]
+    if flight.columns:
+        about = {"springback": summary["springback"], "name": flight.scenario.name, "frames": "world NWU, body FLU"}
+        write_parquet(folder / "trajectory.parquet", flight.columns, flight.units, about)
+        written.append(folder / "trajectory.parquet")
+    if figures:
+        from springback.interfaces import plots
+
+        plots.save(plots.flight_figure(flight), folder / "flight")
+        plots.save(plots.energy_figure(flight), folder / "energy")
+        written += [folder / f"{name}.{kind}" for name in ("flight", "energy") for kind in ("png", "pdf")]
+    return written
