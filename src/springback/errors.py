@@ -7,5 +7,6 @@ class InputError(ValueError):
     """Something a user gave cannot be used.  Each problem is one line that says how to mend it."""
 
     def __init__(self, *problems: str) -> None:
+        """One line for each problem."""
         super().__init__("\n".join(problems))
         self.problems = problems

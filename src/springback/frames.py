@@ -1,8 +1,8 @@
 """Conventions, in one place.
 
 World: NWU, X north, Y west, Z up.  Body: FLU, x forward, y left, z up.  Quaternions: Hamilton,
-scalar first, body to world.  Euler angles: ZYX, R = R_z(yaw) R_y(pitch) R_x(roll); positive pitch is nose
-down.  SI units and radians.
+scalar first, body to world.  Euler angles: ZYX, R = R_z(yaw) R_y(pitch) R_x(roll); positive pitch
+is nose down.  SI units and radians.
 """
 
 from __future__ import annotations

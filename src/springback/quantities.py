@@ -1,8 +1,10 @@
-"""Numbers with units, at the edge only: ``"5 N/mm"``, ``"0.19 m"``, ``"45 deg"``, or plain SI numbers.
+"""Numbers with units, at the edge only.
 
-Inside the package everything is SI and radians.  A field declared with `quantity` takes a number (SI)
-or a string with a unit of the right kind, is finite, and keeps to its range; else its error says
-what was given, in which unit, and what is allowed.
+A user writes ``"5 N/mm"``, ``"0.19 m"``, ``"45 deg"``, or plain SI numbers.
+
+Inside the package everything is SI and radians.  A field declared with `quantity` takes a number
+(SI) or a string with a unit of the right kind, is finite, and keeps to its range; else its error
+says what was given, in which unit, and what is allowed.
 """
 
 from __future__ import annotations
@@ -77,7 +79,7 @@ def _shown(number: float | None, unit: str) -> str:
 
 
 def quantity(unit: str, **bounds: float) -> Any:
-    """Type of a pydantic field: a float in an SI unit; bounds are ``above``, ``least``, ``most``."""
+    """Type of a settings field: a float in an SI unit; bounds are ``above``, ``least``, ``most``."""
     return Annotated[float, BeforeValidator(functools.partial(checked, unit=unit, **bounds))]
 
 

@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
-    """What is wrong, in words, and with which key of the table at hand (dotted for inner tables)."""
+    """What is wrong, in words, and with which key of the table (dotted for inner tables)."""
     return PydanticCustomError("problem", "{message}", {"message": message, "field": field})
 
 

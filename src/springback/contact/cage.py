@@ -47,14 +47,15 @@ def support(model: Any, inward: Vec, arm_direction: Vec, axis: Vec, radius: floa
     raise TypeError(f"{type(model).__name__} is no contact point model")
 
 
-@support.register(Ring)  # type: ignore[attr-defined]
+@support.register(Ring)
 @kernel
 def _ring(ring: Ring, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
     """r_0 t/√(t² + ε²) with t = n − (n·b) b.
 
-    At ε = 0 this is the exact support point of the circle; ε only rounds the corner where a cage lies
-    flat on the surface and touches all around.  With the inset, the penetration n·p_j + r_0 √(t² + ε²)
-    has exactly the rate that the point's own velocity has along n, so contact work is exact.
+    At ε = 0 this is the exact support point of the circle; ε only rounds the corner where a cage
+    lies flat on the surface and touches all around.  With the inset, the penetration n·p_j + r_0
+    √(t² + ε²) has exactly the rate that the point's own velocity has along n, so contact work is
+    exact.
     """
     b, n, eps = axis, inward, ring.rounding
     t = n - (n @ b) * b
@@ -63,7 +64,7 @@ def _ring(ring: Ring, inward: Vec, arm_direction: Vec, axis: Vec, radius: float)
     return Support(lever, lever, lever, -eps * eps * inverse * radius)
 
 
-@support.register(ArmTip)  # type: ignore[attr-defined]
+@support.register(ArmTip)
 @kernel
 def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
     """Eq. (13): p_c = p_j + (r_0 R e_j · n) n, generalised from e_X to any normal.
@@ -134,8 +135,6 @@ def meeting(
     force = push + rubbed
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
-    touch = Touch(
-        force, moment, pressed.force, rubbed, pressed.loss, -(rubbed @ slip), grounded
-    )
+    touch = Touch(force, moment, pressed.force, rubbed, pressed.loss, -(rubbed @ slip), grounded)
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return Meeting(gap, -rate, n, impulsive, touch)

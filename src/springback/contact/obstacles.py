@@ -70,13 +70,13 @@ def outward_normal(shape: Any, point: Vec) -> Vec:
     raise TypeError(f"{type(shape).__name__} has no outward_normal; register one")
 
 
-@signed_distance.register(Plane)  # type: ignore[attr-defined]
+@signed_distance.register(Plane)
 @kernel
 def _plane_distance(plane: Plane, point: Vec) -> float:
     return plane.normal @ point - plane.offset
 
 
-@outward_normal.register(Plane)  # type: ignore[attr-defined]
+@outward_normal.register(Plane)
 @kernel
 def _plane_normal(plane: Plane, point: Vec) -> Vec:
     return plane.normal

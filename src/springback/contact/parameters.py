@@ -28,8 +28,8 @@ Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 class SurfaceSettings(Settings):
     """What a surface is made of.
 
-    `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz` has no
-    damping; `kelvin-voigt` has ``viscosity``; `impulse` has ``restitution`` and no force.
+    `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz`
+    has no damping; `kelvin-voigt` has ``viscosity``; `impulse` has ``restitution`` and no force.
     """
 
     law: Law = "hunt-crossley"
@@ -61,7 +61,8 @@ class SurfaceSettings(Settings):
                 raise problem("is missing; restitution falls with speed", "restitution_speed")
             if self.restitution < 0.01:
                 raise problem(
-                    f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})", "restitution"
+                    f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})",
+                    "restitution",
                 )
         return self
 
@@ -74,7 +75,7 @@ class SurfaceSettings(Settings):
         return self.dissipation or 0.0
 
     def exponent_value(self) -> float:
-        """n of the law."""
+        """N of the law."""
         return 1.0 if self.law == "kelvin-voigt" else float(self.exponent)
 
     def surface(self, exponent: type[ThreeHalves | Linear | AnyExponent]) -> Surface:

@@ -1,8 +1,9 @@
 """Restitution of a Hunt–Crossley contact, exactly.
 
 For one mass against a fixed surface, with d = 1.5 c_a and v_0 the speed at touch, the restitution e
-obeys  ln[(1 + d v_0)/(1 − e d v_0)] = d v_0 (1 + e)  for any mass, stiffness and exponent (derivation:
-docs/decisions/0004).  The textbook e = 1 − c_a v_0 is far off at the restitutions of real surfaces.
+obeys  ln[(1 + d v_0)/(1 − e d v_0)] = d v_0 (1 + e)  for any mass, stiffness and exponent
+(derivation: docs/decisions/0004).  The textbook e = 1 − c_a v_0 is far off at the restitutions of
+real surfaces.
 """
 
 from __future__ import annotations

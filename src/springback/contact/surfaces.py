@@ -1,8 +1,8 @@
 """Surfaces: the laws of normal force and friction.
 
-One set of numbers covers the laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and never
-adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The impulse law has no
-force at all; its velocity jump lives in `springback.contact.impulse`.
+One set of numbers covers the laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and
+never adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The
+impulse law has no force at all; its velocity jump lives in `springback.contact.impulse`.
 """
 
 from __future__ import annotations
@@ -66,16 +66,17 @@ class Surface(NamedTuple):
 @generic
 def power(exponent: Exponent, depth: float) -> float:
     """δⁿ for δ ≥ 0."""
-    return depth**exponent.value
+    raised: float = depth**exponent.value
+    return raised
 
 
-@power.register(ThreeHalves)  # type: ignore[attr-defined]
+@power.register(ThreeHalves)
 @kernel
 def _three_halves(exponent: ThreeHalves, depth: float) -> float:
     return depth * math.sqrt(depth)
 
 
-@power.register(Linear)  # type: ignore[attr-defined]
+@power.register(Linear)
 @kernel
 def _linear(exponent: Linear, depth: float) -> float:
     return depth
@@ -114,7 +115,7 @@ def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec) -> Vec:
     return slip
 
 
-@rubbing.register(VerticalTangent)  # type: ignore[attr-defined]
+@rubbing.register(VerticalTangent)
 @kernel
 def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec) -> Vec:
     n = normal
@@ -126,8 +127,8 @@ def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec) -> Vec:
 def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Vec:
     """Coulomb friction against the slip velocity, regularised where the slip vanishes [N].
 
-    f = −μ f_n v / √(v² + v_s²).  The paper's v/‖v‖ is undefined at rest, which is where its own slider
-    tests are.
+    f = −μ f_n v / √(v² + v_s²).  The paper's v/‖v‖ is undefined at rest, which is where its own
+    slider tests are.
 
     Args:
         surface: Friction coefficient μ, slip speed v_s [m/s].

@@ -58,7 +58,11 @@ def _arm_energy(
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
         gravity=arm.mass * gravity * (state.position.z + pose.lever.z),
-        springs=0.5 * arm.compliance * arm.stiffness * (arm.length - length) * (arm.length - length),
+        springs=0.5
+        * arm.compliance
+        * arm.stiffness
+        * (arm.length - length)
+        * (arm.length - length),
         stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
         contact=total(stored),
     )
@@ -66,7 +70,13 @@ def _arm_energy(
 
 @rare_kernel
 def _contact_energy(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, position: Vec, axis: Vec, omega: Vec
+    obstacle: Obstacle,
+    contact_point: Any,
+    radius: float,
+    arm: Any,
+    position: Vec,
+    axis: Vec,
+    omega: Vec,
 ) -> float:
     met = meeting(obstacle, contact_point, radius, arm, position, axis, omega)
     return elastic_energy(obstacle.surface, positive_part(-met.gap))
@@ -99,6 +109,7 @@ class Spread(NamedTuple):
 
 @rare_kernel
 def spread(arm: Arm, length: float, rate: float) -> Spread:
+    """Mass moments of one arm."""
     e, m = arm_direction(arm), arm.mass
     squares = Vec(e.x * e.x, e.y * e.y, e.x * e.y)
     return Spread((m * length) * e, (m * rate) * e, (m * length * length) * squares)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import Meeting, meeting, slip_velocity, support
+from springback.contact.cage import meeting, slip_velocity, support
 from springback.contact.obstacles import Obstacle, World
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
@@ -35,7 +35,13 @@ class Hit(NamedTuple):
 
 @rare_kernel
 def _hit_obstacle(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, position: Vec, axis: Vec, omega: Vec
+    obstacle: Obstacle,
+    contact_point: Any,
+    radius: float,
+    arm: Any,
+    position: Vec,
+    axis: Vec,
+    omega: Vec,
 ) -> Hit:
     met = meeting(obstacle, contact_point, radius, arm, position, axis, omega)
     at = support(contact_point, met.inward, arm.direction, axis, radius)
@@ -64,9 +70,9 @@ def _hits_of_arm(
 def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
     """The motion just after the impulses of all cages that touch and close in.
 
-    Along each normal v⁺ = −e v⁻; tangentially the impulse opposes the slip and is at most μ times the
-    normal one.  A cage that has sunk in is put back on the face.  The energy lost is booked, the
-    work of the tangential impulses as friction, the rest as contact loss.
+    Along each normal v⁺ = −e v⁻; tangentially the impulse opposes the slip and is at most μ times
+    the normal one.  A cage that has sunk in is put back on the face.  The energy lost is booked,
+    the work of the tangential impulses as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
     r, m = rotation(state.attitude), airframe.mass

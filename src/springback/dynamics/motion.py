@@ -1,9 +1,9 @@
 """Equations of motion of the main body and its arms.
 
-Ten coordinates for four arms: position, quaternion, arm lengths.  They are the paper's Euler–Lagrange
-equations (3)-(12) in Newton–Euler form, free of the Euler angles' singularity; the equivalence is a
-test (tests/dynamics/test_lagrangian.py).  With a' = Rᵀ(v̇ + g e_Z), r_j = l_j e_j and
-c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j, each arm obeys, along its own slide,
+Ten coordinates for four arms: position, quaternion, arm lengths.  They are the paper's
+Euler–Lagrange equations (3)-(12) in Newton–Euler form, free of the Euler angles' singularity; the
+equivalence is a test (tests/dynamics/test_lagrangian.py).  With a' = Rᵀ(v̇ + g e_Z), r_j = l_j e_j
+and c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j, each arm obeys, along its own slide,
 
     m_j (l̈_j + e_j·a') = h_j = e_j·f_j − m_j e_j·c_j + (spring, damper, stops)
 
@@ -11,7 +11,8 @@ so l̈_j leaves the system before it is solved, and six equations remain:
 
     [ M   −ŝ ] [a']   [ Σ (F_j − m_j c_j − u_j h_j e_j)        ]     M = m 1 − Σ u_j m_j e_j e_jᵀ
     [ ŝ    J ] [α ] = [ Σ r_j × (F_j − m_j c_j) + τ − ω × I ω  ]     s = Σ m_j r_j
-                                                                     J = I + Σ m_j l_j² (1 − e_j e_jᵀ)
+                                                                     J = I + Σ m_j l_j² (1 − e_j
+                                                                     e_jᵀ)
 
 u_j is 1 for an arm that slides and 0 for one that is locked.  All locked: the rigid Newton–Euler
 equations (1), with the centre of mass wherever the arms put it.
@@ -136,7 +137,7 @@ class ArmState(NamedTuple):
 
 @kernel
 def crossing_time(value: float, rate: float) -> float:
-    """Time until value reaches zero at its present rate [s]; NEVER where it does not, or is there."""
+    """Time until a value reaches zero at its rate [s]; NEVER where it does not, or is there."""
     ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
     return -value / rate if ahead else NEVER
 
@@ -241,15 +242,12 @@ def arm_state(
         force=touch.force,
         moment=touch.moment,
         push=Vec(cosine * push_e - sine * push_n, sine * push_e + cosine * push_n, -m * c_z),
-        moment_body=Vec(
-            -sine * moment_n, cosine * moment_n, moment_z + arm.torque_ratio * thrust
-        ),
+        moment_body=Vec(-sine * moment_n, cosine * moment_n, moment_z + arm.torque_ratio * thrust),
         thrust=thrust,
         carried=Vec(ml * cosine, ml * sine, 0.0),
         sliding=(u * m) * squares,
         inertia=(ml * length) * squares,
-        momentum=m
-        * Vec(cosine * rate - sine * slide_n, sine * rate + cosine * slide_n, slide_z),
+        momentum=m * Vec(cosine * rate - sine * slide_n, sine * rate + cosine * slide_n, slide_z),
         thrust_power=thrust * (climb + slide_z + arm.torque_ratio * omega.z),
         arm_loss=u * arm.damping * rate * rate,
         stop_loss=u * stop.loss,
@@ -334,10 +332,10 @@ def solve(guide: Any, system: System, r: Mat, gravity: float) -> Accelerations:
     raise TypeError(f"{type(guide).__name__} is no guide")
 
 
-@solve.register(Free)  # type: ignore[attr-defined]
+@solve.register(Free)
 @kernel
 def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelerations:
-    """Translation is eliminated first: a' = M⁻¹(b − α × s), then (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
+    """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
     n, s = planar_inverse(system.mass, system.sliding), system.carried
     alone = times(n, system.force)
     j = system.inertia
@@ -349,7 +347,7 @@ def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelera
     return Accelerations(alone - times(n, alpha ^ s), alpha)
 
 
-@solve.register(Slider)  # type: ignore[attr-defined]
+@solve.register(Slider)
 @kernel
 def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Accelerations:
     """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
@@ -405,9 +403,7 @@ def rates(
     i = airframe.inertia
     force = a.force @ r + a.push + Vec(0.0, 0.0, a.thrust)
     moment = a.moment @ r + a.moment_body - (omega ^ (i @ omega))
-    system = System(
-        airframe.mass, a.sliding, a.carried, with_arms(i, a.inertia), force, moment
-    )
+    system = System(airframe.mass, a.sliding, a.carried, with_arms(i, a.inertia), force, moment)
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)

@@ -59,8 +59,9 @@ class Flight:
 
     def __repr__(self) -> str:
         shown = [
-            ("touch_speed", "m/s"), ("restitution_at_separation", ""), ("peak_acceleration", "m/s²"),
-            ("contact_time", "s"), ("travel", "m"), ("arm_stroke", "m"), ("contacts", ""),
+            ("touch_speed", "m/s"), ("restitution_at_separation", ""),
+            ("peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
+            ("arm_stroke", "m"), ("contacts", ""),
         ]  # fmt: skip
         lines = [f"Flight {self.scenario.name!r}: {self.message}"]
         for name, unit in shown:
@@ -79,7 +80,9 @@ class Flight:
         needs("matplotlib", "plot")
         import importlib
 
-        plots = importlib.import_module("springback.interfaces.plots")  # plots come last in the story
+        plots = importlib.import_module(
+            "springback.interfaces.plots"
+        )  # plots come last in the story
         figure: Figure = plots.flight_figure(self)
         return figure
 

@@ -1,4 +1,4 @@
-"""A scenario: everything one flight needs, as a user writes it down, checked and made ready to fly."""
+"""A scenario: all that one flight needs, as a user writes it down, checked, made ready to fly."""
 
 from __future__ import annotations
 
@@ -55,9 +55,9 @@ class ModelSettings(Settings):
     contact_point: Literal["ring", "paper"] = "ring"
     """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
     arms: Literal["hybrid", "always-free"] = "hybrid"
-    """`hybrid`: one rigid body in free flight, assumption 5.  `always-free`: arms may always slide."""
+    """`hybrid`: one rigid body in free flight (assumption 5).  `always-free`: arms always slide."""
     slider: triple("") | None = None  # type: ignore[valid-type]
-    """World axis of a slider that guides the vehicle, as on the paper's testbed; none: free flight."""
+    """World axis of a slider that guides the vehicle, as on the testbed; none: free flight."""
 
 
 class SimulationSettings(Settings):
@@ -84,7 +84,7 @@ class Scenario(Settings):
     world: WorldSettings = WorldSettings()
     start: Start = Start()
     thrust: Any = 0.0
-    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all rotors."""
+    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all."""
     model: ModelSettings = ModelSettings()
     simulation: SimulationSettings = SimulationSettings()
 
@@ -141,7 +141,9 @@ class Scenario(Settings):
         if s.settle_step is not None:
             return float(s.settle_step)
         rate = self.vehicle.fastest_arm_rate()
-        return max(s.impact_step, min(4.0 * s.impact_step, 0.5 / rate)) if rate else s.free_step
+        if rate == 0.0:
+            return float(s.free_step)
+        return max(float(s.impact_step), min(4.0 * s.impact_step, 0.5 / rate))
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
@@ -188,13 +190,19 @@ class Scenario(Settings):
             pose = arm_pose(arm, state.arm_length[j], 0.0, r, state.velocity)
             for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
                 met = meeting(
-                    obstacle, model.contact_point, arm.cage_radius, pose, state.position, axis, omega
+                    obstacle,
+                    model.contact_point,
+                    arm.cage_radius,
+                    pose,
+                    state.position,
+                    axis,
+                    omega,
                 )
                 if met.gap < 0.0:
                     kind = self.world.obstacles[owner].type
                     raise problem(
-                        f"puts the cage of arm {j + 1} {-met.gap:.3g} m inside world.obstacles[{owner}], "
-                        f"a {kind} (got {list(self.start.position)} m)",
+                        f"puts the cage of arm {j + 1} {-met.gap:.3g} m inside "
+                        f"world.obstacles[{owner}], a {kind} (got {list(self.start.position)} m)",
                         "start.position",
                     )
 
@@ -282,7 +290,9 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
         path = tuple(
             part
             for k, part in enumerate(detail["loc"])
-            if not (k and isinstance(detail["loc"][k - 1], int) and part in ("wall", "ground", "mat"))
+            if not (
+                k and isinstance(detail["loc"][k - 1], int) and part in ("wall", "ground", "mat")
+            )
         )
         message = detail["msg"]
         if detail["type"] == "problem":

@@ -28,14 +28,17 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
     """A raw scenario with ``key=value`` words applied, in order.
 
     Raises:
-        InputError: For a word that is no ``key=value``, or that points into something that is no table.
+        InputError: For a word that is no ``key=value``, or that points into something that is no
+        table.
     """
     result: Any = given
     for word in overrides:
         key, sign, text = word.partition("=")
         parts = list(key_path(key.strip()))
         if not sign or not parts:
-            raise InputError(f"{word!r} is no override; write key=value, such as vehicle.arms.stiffness=6000")
+            raise InputError(
+                f"{word!r} is no override; write key=value, such as vehicle.arms.stiffness=6000"
+            )
         result = _with(result, parts, _value(text.strip()), word)
     return dict(result)
 

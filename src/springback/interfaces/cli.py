@@ -1,7 +1,7 @@
 """The command line.
 
-Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 the input is
-wrong, 130 interrupted.  Heavy modules are imported by the commands that need them.
+Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 the input
+is wrong, 130 interrupted.  Heavy modules are imported by the commands that need them.
 """
 
 from __future__ import annotations
@@ -31,7 +31,9 @@ def _progress(label: str, quiet: bool) -> Iterator[Callable[[float], None]]:
 
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    bar = Progress(*columns, console=console, transient=True, disable=quiet or not console.is_terminal)
+    bar = Progress(
+        *columns, console=console, transient=True, disable=quiet or not console.is_terminal
+    )
     task = bar.add_task(label, total=1.0)
     begun = time.monotonic()
 
@@ -96,15 +98,23 @@ def cli() -> None:
 @cli.command()
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
-@click.option("--out", type=OUT, required=True, help="Folder for summary.json, trajectory.parquet, figures.")
+@click.option(
+    "--out", type=OUT, required=True, help="Folder for summary.json, trajectory.parquet, figures."
+)
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option
 @json_option
 @quiet_option
 def fly(
-    scenario: Path, overrides: tuple[str, ...], out: Path, no_figures: bool, force: bool, as_json: bool, quiet: bool
+    scenario: Path,
+    overrides: tuple[str, ...],
+    out: Path,
+    no_figures: bool,
+    force: bool,
+    as_json: bool,
+    quiet: bool,
 ) -> None:
-    """Fly a SCENARIO file, with any of its values overridden.
+    r"""Fly a SCENARIO file, with any of its values overridden.
 
     \b
     springback fly scenario.toml --out results
@@ -129,7 +139,9 @@ def fly(
 
 @cli.command()
 @click.argument("part", type=click.Choice(["all", "slider"]), default="all")
-@click.option("--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV.")
+@click.option(
+    "--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV."
+)
 @click.option(
     "--reading", "readings", multiple=True, metavar="'NAME: KEY=VALUE ...'",
     help="One more reading of the printed parameters: reading B with changes.",
@@ -152,7 +164,10 @@ def reproduce(
     from springback.interfaces.report import write_report
 
     with output_folder(out, force=force) as folder:
-        _say("slider tests: Table III and the sweep; the first run compiles for about a minute", quiet)
+        _say(
+            "slider tests: Table III and the sweep; the first run compiles for about a minute",
+            quiet,
+        )
         with _progress("slider tests", quiet) as show:
             results = slider_experiments(extra, show)
         write_report(results, folder, about=_about())
@@ -175,7 +190,10 @@ def show(preset: str | None, as_json: bool) -> None:
     if preset is None:
         names = {name: entry.summary for name, entry in VEHICLES.items()}
         names |= {name: f"surface, {entry.law}" for name, entry in SURFACES.items()}
-        _print(names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()), as_json)
+        _print(
+            names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()),
+            as_json,
+        )
         return
     entry = known_preset("vehicle or surface", preset, {**VEHICLES, **SURFACES})
     if preset in VEHICLES:
@@ -184,7 +202,12 @@ def show(preset: str | None, as_json: bool) -> None:
     else:
         settings, sources, summary = entry, SOURCES[preset], f"surface {preset}"
         extra = {"dissipation": entry.dissipation_value()}
-    data = {"summary": summary, "settings": settings.model_dump(), "sources": sources, "derived": extra}
+    data = {
+        "summary": summary,
+        "settings": settings.model_dump(),
+        "sources": sources,
+        "derived": extra,
+    }
     _print(data if as_json else _described(data), as_json)
 
 
@@ -237,9 +260,14 @@ def _described(data: dict[str, Any], indent: str = "") -> str:
 
 def _table(rows: list[Any]) -> str:
     """Compared numbers as text."""
-    lines = [f"{'':<11}{'robot':<6}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}{'':>9}  mark"]
+    lines = [
+        f"{'':<11}{'robot':<6}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}"
+        f"{'':>9}  mark"
+    ]
     for row in rows:
-        deviation = "" if row.deviation is None or row.mark.word == "given" else f"{row.deviation:+.1%}"
+        deviation = (
+            "" if row.deviation is None or row.mark.word == "given" else f"{row.deviation:+.1%}"
+        )
         ours = "-" if row.ours is None else f"{row.ours:.4g}"
         lines.append(
             f"{row.experiment:<11}{row.robot[:5]:<6}{row.surface:<6}{row.reading:<9}{row.quantity:<36}"

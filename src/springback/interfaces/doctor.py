@@ -7,7 +7,18 @@ import sys
 from importlib import metadata
 from typing import Any
 
-CORE = ("numpy", "scipy", "numba", "llvmlite", "pydantic", "pint", "duckdb", "click", "rich", "platformdirs")
+CORE = (
+    "numpy",
+    "scipy",
+    "numba",
+    "llvmlite",
+    "pydantic",
+    "pint",
+    "duckdb",
+    "click",
+    "rich",
+    "platformdirs",
+)
 EXTRAS = {"matplotlib": "plot", "jinja2": "plot", "pandas": "dataframe", "xarray": "xarray"}
 
 
@@ -19,7 +30,7 @@ def _version(name: str) -> str | None:
 
 
 def diagnosis() -> dict[str, Any]:
-    """Versions, the folder of compiled kernels, and a compiled flight checked against plain Python."""
+    """Versions, the folder of compiled kernels, and a compiled flight against plain Python."""
     from springback.experiments.result import as_scenario
     from springback.kernels.compiler import cache_folder, is_writable
     from springback.simulation.flight import fly_one
@@ -42,7 +53,10 @@ def diagnosis() -> dict[str, Any]:
         "platform": f"{platform.system()} {platform.machine()}",
         "executable": sys.executable,
         "core": {name: _version(name) for name in CORE},
-        "extras": {name: {"version": _version(name), "extra": extra} for name, extra in EXTRAS.items()},
+        "extras": {
+            name: {"version": _version(name), "extra": extra} for name, extra in EXTRAS.items()
+        },
         "kernels": {"folder": str(folder), "writable": is_writable(folder)},
-        "compiled_equals_python": compiled.motion == plain.motion and compiled.record == plain.record,
+        "compiled_equals_python": compiled.motion == plain.motion
+        and compiled.record == plain.record,
     }

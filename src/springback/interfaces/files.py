@@ -1,4 +1,4 @@
-"""Output folders and files: written whole or not at all, and never over results without being told."""
+"""Output folders and files: written whole or not at all, never over results unasked."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def _existing_ancestor(folder: Path) -> Path:
 def output_folder(folder: Path, *, force: bool = False) -> Iterator[Path]:
     """A folder to write into, which becomes ``folder`` when the block ends well.
 
-    If the block fails, nothing is left and nothing that was there is touched.  With ``force``, files of
-    the same names are replaced and all others stay.
+    If the block fails, nothing is left and nothing that was there is touched.  With ``force``,
+    files of the same names are replaced and all others stay.
 
     Raises:
         InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
@@ -33,7 +33,9 @@ def output_folder(folder: Path, *, force: bool = False) -> Iterator[Path]:
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--out {folder}: is a file, not a folder")
     if folder.exists() and any(folder.iterdir()) and not force:
-        raise InputError(f"--out {folder}: is not empty; give another folder, or --force to replace results")
+        raise InputError(
+            f"--out {folder}: is not empty; give another folder, or --force to replace results"
+        )
     anchor = _existing_ancestor(folder.parent)
     try:
         if folder.exists() and not os.access(folder, os.W_OK):
@@ -60,10 +62,14 @@ def _move(draft: Path, folder: Path) -> None:
 
 def write_json(path: Path, data: Any) -> None:
     """Plain data as JSON, without NaN or infinity."""
-    path.write_text(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8"
+    )
 
 
-def write_parquet(path: Path, columns: Mapping[str, Any], units: Mapping[str, str], about: Mapping[str, str]) -> None:
+def write_parquet(
+    path: Path, columns: Mapping[str, Any], units: Mapping[str, str], about: Mapping[str, str]
+) -> None:
     """Columns as Parquet, with units and ``about`` in the file's metadata.
 
     Args:
@@ -91,12 +97,16 @@ def _quoted(text: str) -> str:
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
-    """Write ``summary.json``, ``trajectory.parquet`` and, where matplotlib is installed, figures."""
+    """Write ``summary.json``, ``trajectory.parquet`` and, if wanted, figures."""
     summary = flight.summary()
     write_json(folder / "summary.json", summary)
     written = [folder / "summary.json"]
     if flight.columns:
-        about = {"springback": summary["springback"], "name": flight.scenario.name, "frames": "world NWU, body FLU"}
+        about = {
+            "springback": summary["springback"],
+            "name": flight.scenario.name,
+            "frames": "world NWU, body FLU",
+        }
         write_parquet(folder / "trajectory.parquet", flight.columns, flight.units, about)
         written.append(folder / "trajectory.parquet")
     if figures:
@@ -104,5 +114,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
 
         plots.save(plots.flight_figure(flight), folder / "flight")
         plots.save(plots.energy_figure(flight), folder / "energy")
-        written += [folder / f"{name}.{kind}" for name in ("flight", "energy") for kind in ("png", "pdf")]
+        written += [
+            folder / f"{name}.{kind}" for name in ("flight", "energy") for kind in ("png", "pdf")
+        ]
     return written

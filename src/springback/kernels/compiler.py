@@ -2,7 +2,8 @@
 
 Physics is written once, for one vehicle, on floats and NamedTuples of floats.  A function marked
 `kernel` stays an ordinary Python function when Python calls it, and is compiled and inlined when an
-`executor` calls it.  So one source serves plain Python, one compiled flight and many flights abreast.
+`executor` calls it.  So one source serves plain Python, one compiled flight and many flights
+abreast.
 
 The arithmetic flags let the compiler drop terms that are exactly zero (``nnan``, ``ninf``, ``nsz``)
 and nothing else: no contraction, no reassociation, no approximate division.  Every operation is
@@ -16,15 +17,24 @@ import hashlib
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, ParamSpec, Protocol, TypeVar, cast
 
+import numba
+import numba.extending
 import platformdirs
-from numba import config, njit, types
-from numba.extending import overload, register_jitable
+from numba import njit
+from numba.extending import register_jitable
+
+#: numba.extending.overload and numba.config, whose stubs know only some of their options.
+_overload: Any = numba.extending.overload
+_config: Any = numba.config
 
 F = TypeVar("F", bound=Callable[..., Any])
+P = ParamSpec("P")
+R = TypeVar("R", covariant=True)
 
-#: Flags of code that may assume finite numbers; finiteness is checked outside (simulation.executor).
+#: Flags of code that may assume finite numbers; finiteness is checked outside
+#: (simulation.executor).
 FINITE = {"nnan", "ninf", "nsz"}
 _COMMON: dict[str, Any] = {"error_model": "numpy", "no_cfunc_wrapper": True}
 INLINED: dict[str, Any] = {"forceinline": True, "fastmath": FINITE, **_COMMON}
@@ -52,23 +62,49 @@ def rare_kernel(function: F) -> F:
     return registered
 
 
-def generic(function: F) -> F:
+def compiled(
+    function: Callable[..., Any], options: dict[str, Any] = INLINED, *, literal: bool = False
+) -> Callable[[F], F]:
+    """Decorator for a rule that tells the compiler what a function becomes for given types.
+
+    The rule gets compiler types and returns a Python function, or None if the types do not fit.
+    ``literal`` shows it the values of constant strings.
+    """
+
+    def teach(rule: F) -> F:
+        _overload(function, jit_options=options, strict=False, prefer_literal=literal)(rule)
+        return rule
+
+    return teach
+
+
+class Generic(Protocol[P, R]):
+    """A function chosen by the type of its first argument."""
+
+    def __call__(self, *arguments: P.args, **named: P.kwargs) -> R:
+        """Call the function registered for the type of the first argument."""
+
+    def register(self, cls: type) -> Callable[[F], F]:
+        """Decorator that makes a function the one for ``cls``."""
+
+
+def generic(function: Callable[P, R]) -> Generic[P, R]:
     """A kernel that is chosen by the type of its first argument, in Python and when compiled.
 
     Other types join with ``function.register(Type)``, exactly as for `functools.singledispatch`.
     """
     chosen = functools.singledispatch(function)
 
-    @overload(chosen, strict=False, jit_options=INLINED)
-    def compiled(*arguments: Any) -> Any:
+    @compiled(chosen)
+    def by_type(*arguments: Any) -> Any:
         return chosen.dispatch(arguments[0].instance_class)
 
-    return chosen  # type: ignore[return-value]  # singledispatch keeps the call signature
+    return cast("Generic[P, R]", chosen)
 
 
 def is_named(numba_type: Any, cls: type) -> bool:
     """Whether a compiler type is the NamedTuple class ``cls``."""
-    return isinstance(numba_type, types.BaseNamedTuple) and numba_type.instance_class is cls
+    return getattr(numba_type, "instance_class", None) is cls
 
 
 @functools.cache
@@ -87,7 +123,7 @@ def source_digest() -> str:
 
 
 def cache_folder() -> Path:
-    """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's cache folder."""
+    """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's."""
     root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
     return Path(root) / "kernels" / source_digest()
 
@@ -110,12 +146,12 @@ def executor(**options: Any) -> Callable[[F], F]:
     def compile_entry(function: F) -> F:
         folder = cache_folder()
         cached = is_writable(folder)
-        before = config.CACHE_DIR
+        before = _config.CACHE_DIR
         try:
-            config.CACHE_DIR = str(folder) if cached else before
+            _config.CACHE_DIR = str(folder) if cached else before
             entry: F = njit(cache=cached, **{**STRICT, **options})(function)
         finally:
-            config.CACHE_DIR = before
+            _config.CACHE_DIR = before
         return entry
 
     return compile_entry

@@ -7,14 +7,13 @@ plain Python objects; when compiled, the tree's type is known and straight-line 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 import numpy as np
 from numba import types
-from numba.extending import overload
 
-from springback.kernels.compiler import GUARDING, INLINED
+from springback.kernels.compiler import GUARDING, compiled
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -31,7 +30,7 @@ def leaves(tree: Any) -> list[float]:
     return [tree]
 
 
-def rebuilt(like: T, values: Sequence[float]) -> T:
+def rebuilt(like: T, values: Iterable[float]) -> T:
     """A tree shaped as ``like`` with its floats replaced, in order."""
     stream = iter(values)
 
@@ -52,11 +51,15 @@ def names(tree: Any, prefix: str = "") -> list[str]:
     fields = getattr(tree, "_fields", range(1, len(tree) + 1))
     dot = f"{prefix}." if prefix else ""
     return [
-        name for field, branch in zip(fields, tree, strict=True) for name in names(branch, f"{dot}{field}")
+        name
+        for field, branch in zip(fields, tree, strict=True)
+        for name in names(branch, f"{dot}{field}")
     ]
 
 
-def each(function: Callable[..., R], zipped: tuple[Any, ...], shared: tuple[Any, ...]) -> tuple[R, ...]:
+def each(
+    function: Callable[..., R], zipped: tuple[Any, ...], shared: tuple[Any, ...]
+) -> tuple[R, ...]:
     """``function(*one of each zipped, *shared)`` for every position of the zipped tuples."""
     return tuple(function(*some, *shared) for some in zip(*zipped, strict=True))
 
@@ -92,13 +95,13 @@ def largest(values: tuple[float, ...]) -> float:
 
 
 def along(x: T, rate: T, h: float) -> T:
-    """x + h · rate, leaf by leaf."""
+    """X + h · rate, leaf by leaf."""
     pairs = zip(leaves(x), leaves(rate), strict=True)
     return rebuilt(x, [a + h * b for a, b in pairs])
 
 
 def along_strictly(x: T, rate: T, h: float) -> T:
-    """x + h · rate where a rate may be NaN or infinite; the result then is so too."""
+    """X + h · rate where a rate may be NaN or infinite; the result then is so too."""
     return along(x, rate, h)
 
 
@@ -146,7 +149,9 @@ def _branches(tree: Any) -> list[Any]:
 def _paths(tree: Any, stem: str) -> list[str]:
     """Source text that reaches every leaf."""
     if isinstance(tree, types.BaseTuple):
-        return [p for k, branch in enumerate(_branches(tree)) for p in _paths(branch, f"{stem}[{k}]")]
+        return [
+            p for k, branch in enumerate(_branches(tree)) for p in _paths(branch, f"{stem}[{k}]")
+        ]
     return [stem]
 
 
@@ -155,8 +160,8 @@ def _construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
     if not isinstance(tree, types.BaseTuple):
         return texts.pop(0)
     inner = ", ".join(_construct(branch, texts, scope) for branch in _branches(tree))
-    if isinstance(tree, types.BaseNamedTuple):
-        cls = tree.instance_class
+    cls = getattr(tree, "instance_class", None)
+    if cls is not None:
         scope[cls.__name__] = cls
         return f"{cls.__name__}({inner})"
     return f"({inner},)" if len(tree) else "()"
@@ -169,7 +174,7 @@ def _function(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callab
     return generated
 
 
-@overload(each, jit_options=INLINED, strict=False)
+@compiled(each)
 def _each(function: Any, zipped: Any, shared: Any) -> Any:
     calls = []
     for j in range(len(zipped[0])):
@@ -179,7 +184,7 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
     return _function("function, zipped, shared", [f"return ({', '.join(calls)},)"], {})
 
 
-@overload(column, prefer_literal=True, jit_options=INLINED, strict=False)
+@compiled(column, literal=True)
 def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
@@ -187,7 +192,7 @@ def _column(trees: Any, field: Any) -> Any:
     return _function("trees, field", [f"return ({', '.join(fields)},)"], {})
 
 
-@overload(total, jit_options=INLINED, strict=False)
+@compiled(total)
 def _total(trees: Any) -> Any:
     columns = zip(*(_paths(trees[j], f"trees[{j}]") for j in range(len(trees))), strict=True)
     scope: dict[str, Any] = {}
@@ -205,12 +210,12 @@ def _fold(sign: str) -> Callable[[Any], Any]:
     return typed
 
 
-overload(least, jit_options=INLINED, strict=False)(_fold("<"))
-overload(largest, jit_options=INLINED, strict=False)(_fold(">"))
+compiled(least)(_fold("<"))
+compiled(largest)(_fold(">"))
 
 
-@overload(along_strictly, jit_options=GUARDING, strict=False)
-@overload(along, jit_options=INLINED, strict=False)
+@compiled(along_strictly, GUARDING)
+@compiled(along)
 def _along(x: Any, rate: Any, h: Any) -> Any:
     texts = [f"{a} + h * {b}" for a, b in zip(_paths(x, "x"), _paths(rate, "rate"), strict=True)]
     scope: dict[str, Any] = {}
@@ -218,20 +223,20 @@ def _along(x: Any, rate: Any, h: Any) -> Any:
     return _function("x, rate, h", [f"return {text}"], scope)
 
 
-@overload(nought, jit_options=INLINED, strict=False)
+@compiled(nought)
 def _nought(like: Any) -> Any:
     scope: dict[str, Any] = {}
     text = _construct(like, ["0.0"] * len(_paths(like, "like")), scope)
     return _function("like", [f"return {text}"], scope)
 
 
-@overload(square, jit_options=GUARDING, strict=False)
+@compiled(square, GUARDING)
 def _square(tree: Any) -> Any:
     terms = " + ".join(["0.0", *(f"{leaf} * {leaf}" for leaf in _paths(tree, "tree"))])
     return _function("tree", [f"return {terms}"], {})
 
 
-@overload(pick, jit_options=INLINED, strict=False)
+@compiled(pick)
 def _pick(claim: Any, a: Any, b: Any) -> Any:
     pairs = zip(_paths(a, "a"), _paths(b, "b"), strict=True)
     texts = [f"({x} if claim else {y})" for x, y in pairs]
@@ -240,13 +245,13 @@ def _pick(claim: Any, a: Any, b: Any) -> Any:
     return _function("claim, a, b", [f"return {text}"], scope)
 
 
-@overload(rows, jit_options=INLINED, strict=False)
+@compiled(rows)
 def _rows(like: Any) -> Any:
     count = len(_paths(like, "like"))
     return _function("like", [f"return {count}"], {})
 
 
-@overload(read, jit_options=INLINED, strict=False)
+@compiled(read)
 def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     texts = [f"buffer[(row + {k}) * width + lane]" for k in range(len(_paths(like, "like")))]
     scope: dict[str, Any] = {}
@@ -254,7 +259,10 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     return _function("like, buffer, row, width, lane", [f"return {text}"], scope)
 
 
-@overload(write, jit_options=INLINED, strict=False)
+@compiled(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = [f"buffer[(row + {k}) * width + lane] = {leaf}" for k, leaf in enumerate(_paths(tree, "tree"))]
+    lines = [
+        f"buffer[(row + {k}) * width + lane] = {leaf}"
+        for k, leaf in enumerate(_paths(tree, "tree"))
+    ]
     return _function("tree, buffer, row, width, lane", [*lines, "return None"], {})

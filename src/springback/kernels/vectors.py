@@ -1,9 +1,10 @@
 """Vectors, matrices and quaternions with operators, in Python and in compiled code alike.
 
-``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` are what they look like; ``a @ b`` is the scalar
-product, ``a ^ b`` the vector product, ``M @ a`` a matrix times a vector and ``a @ M`` the transposed
-matrix times a vector (so ``R @ v`` takes body axes to world axes and ``v @ R`` takes them back).
-Mind Python's precedence: ``^`` binds weaker than ``+``, so vector products are put in brackets.
+``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` are what they look like; ``a @ b`` is the
+scalar product, ``a ^ b`` the vector product, ``M @ a`` a matrix times a vector and ``a @ M`` the
+transposed matrix times a vector (so ``R @ v`` takes body axes to world axes and ``v @ R`` takes
+them back). Mind Python's precedence: ``^`` binds weaker than ``+``, so vector products are put in
+brackets.
 """
 
 from __future__ import annotations
@@ -14,9 +15,8 @@ from collections.abc import Callable
 from typing import Any, NamedTuple, overload
 
 from numba import types
-from numba.extending import overload as compiled_overload
 
-from springback.kernels.compiler import INLINED, is_named, kernel
+from springback.kernels.compiler import compiled, is_named, kernel
 
 
 class Vec(NamedTuple):
@@ -119,7 +119,9 @@ def _transform_back(a: Vec, m: Mat) -> Vec:
     )
 
 
-def _teach(symbol: Callable[..., Any], cases: list[tuple[tuple[Any, ...], Callable[..., Any]]]) -> None:
+def _teach(
+    symbol: Callable[..., Any], cases: list[tuple[tuple[Any, ...], Callable[..., Any]]]
+) -> None:
     """Give the compiler the operators above."""
 
     def fits(numba_type: Any, wanted: Any) -> bool:
@@ -132,26 +134,28 @@ def _teach(symbol: Callable[..., Any], cases: list[tuple[tuple[Any, ...], Callab
         def typed_unary(a: Any) -> Any:
             return next((f for (k,), f in cases if fits(a, k)), None)
 
-        compiled_overload(symbol, jit_options=INLINED, strict=False)(typed_unary)
+        compiled(symbol)(typed_unary)
         return
 
     def typed(a: Any, b: Any) -> Any:
         return next((f for (k, m), f in cases if fits(a, k) and fits(b, m)), None)
 
-    compiled_overload(symbol, jit_options=INLINED, strict=False)(typed)
+    compiled(symbol)(typed)
 
 
 _teach(operator.add, [((Vec, Vec), _add), ((Mat, Mat), _add_matrices)])
 _teach(operator.sub, [((Vec, Vec), _subtract)])
 _teach(operator.neg, [((Vec,), _negate)])
 _teach(operator.mul, [((Vec, float), _scale), ((float, Vec), _scale_from_left)])
-_teach(operator.matmul, [((Vec, Vec), _dot), ((Mat, Vec), _transform), ((Vec, Mat), _transform_back)])
+_teach(
+    operator.matmul, [((Vec, Vec), _dot), ((Mat, Vec), _transform), ((Vec, Mat), _transform_back)]
+)
 _teach(operator.xor, [((Vec, Vec), _cross)])
 
 
 @kernel
 def positive_part(x: float) -> float:
-    """x where it is positive, else zero."""
+    """X where it is positive, else zero."""
     return x if x > 0.0 else 0.0
 
 
@@ -185,14 +189,14 @@ def quaternion_rate(q: Quat, omega: Vec) -> Quat:
 
 @kernel
 def normalised(q: Quat) -> Quat:
-    """q scaled to unit length."""
+    """Q scaled to unit length."""
     scale = 1.0 / math.sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)
     return Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
 
 
 @kernel
 def solve_symmetric(m: Mat, b: Vec) -> Vec:
-    """x with m x = b, for a symmetric positive definite m, by cofactors (only the upper half is read)."""
+    """Solution x of m x = b for a symmetric positive definite m; only its upper half is read."""
     a, d, f = m.x.x, m.y.y, m.z.z
     p, q, r = m.x.y, m.x.z, m.y.z
     c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d

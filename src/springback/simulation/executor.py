@@ -1,11 +1,11 @@
 """The loop: Runge–Kutta steps of many flights abreast, or of one.
 
-One function serves all executors.  Compiled with 16 lanes it flies 16 flights in the registers of the
-vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number of lanes
-is the length of a tuple, so the compiler knows it.
+One function serves all executors.  Compiled with 16 lanes it flies 16 flights in the registers of
+the vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number
+of lanes is the length of a tuple, so the compiler knows it.
 
-A group of flights lies in one flat buffer, lane by lane within each row: model, motion, rate, weighted
-sum, view, record.  Flat, with constant offsets, because that is what compilers vectorise.
+A group of flights lies in one flat buffer, lane by lane within each row: model, motion, rate,
+weighted sum, view, record.  Flat, with constant offsets, because that is what compilers vectorise.
 """
 
 from __future__ import annotations
@@ -20,19 +20,28 @@ from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import Motion, View, Work, rates
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
-from springback.kernels.trees import Buffer, along, along_strictly, nought, pick, read, rows, square, write
+from springback.kernels.trees import (
+    Buffer,
+    along,
+    along_strictly,
+    nought,
+    pick,
+    read,
+    rows,
+    square,
+    write,
+)
 from springback.kernels.vectors import Quat
-from springback.vehicle.state import State
 from springback.simulation.record import (
     APPLY_IMPULSE,
     FLYING,
-    LOCK_ARMS,
     NOT_FINITE,
     NOTHING,
     Model,
     Record,
     observed,
 )
+from springback.vehicle.state import State
 
 #: A flight whose squared coordinates and speeds add up to more than this has diverged.
 DIVERGED = 1e12
@@ -70,11 +79,9 @@ def answered(laws: Forces | Impulses, model: Model, motion: Motion, request: flo
     return settled(model, motion)
 
 
-@answered.register(Impulses)  # type: ignore[attr-defined]
+@answered.register(Impulses)
 @rare_kernel
-def _answered_with_impulses(
-    laws: Impulses, model: Model, motion: Motion, request: float
-) -> Motion:
+def _answered_with_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
     if request == APPLY_IMPULSE:
         return struck(model.airframe, model.world, model.contact_point, motion)
     return settled(model, motion)
@@ -108,7 +115,7 @@ def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float, look: b
 
 @guard
 def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
-    """Take the step of one lane where it leads to finite numbers; else the last good state stays."""
+    """Take the step of one lane where it leads to finite numbers; else the last state stays."""
     at_motion = rows(shape.model)
     at_rate = at_motion + rows(shape.motion)
     at_sum = at_rate + rows(shape.motion)
@@ -123,9 +130,7 @@ def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
     scale = 1.0 / math.sqrt(square(q))
     turned = Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
     s = new.state
-    state = State(
-        s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate
-    )
+    state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
     write(pick(good, Motion(state, new.work), old), b, at_motion, w, i)
     write(nought(rate), b, at_rate, w, i)
     write(nought(rate), b, at_sum, w, i)
@@ -166,7 +171,9 @@ def advance(
     at_rate = at_motion + rows(shape.motion)
     at_sum = at_rate + rows(shape.motion)
     at_view = at_sum + rows(shape.motion)
-    at_time = at_view + rows(shape.seen)  # the record begins with time, step, status, phase, request
+    at_time = at_view + rows(
+        shape.seen
+    )  # the record begins with time, step, status, phase, request
     at_step, at_status, at_request = at_time + 1, at_time + 2, at_time + 4
     motion_rows, view_rows = rows(shape.motion), rows(shape.seen)
     flying = 0

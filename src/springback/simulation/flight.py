@@ -19,7 +19,8 @@ from springback.vehicle.state import State
 
 Executor = Literal["compiled", "python"]
 
-#: Flights abreast in one group: what fills the vector registers and still fits the first-level cache.
+#: Flights abreast in one group: what fills the vector registers and still fits the first-level
+#: cache.
 LANES = 16
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000

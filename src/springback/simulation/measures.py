@@ -40,9 +40,9 @@ def outcome_of(record: Record) -> Outcome:
 
 #: Unit and meaning of every measure.
 MEASURES = {
-    "restitution_at_separation": ("", "|v_n| of the main body when the last cage leaves / at first touch"),
-    "restitution_at_return": ("", "the same when the main body is back where it was at first touch"),
-    "restitution_of_mass_centre": ("", "the same for the centre of mass, when the last cage leaves"),
+    "restitution_at_separation": ("", "|v_n| of the main body, last separation / first touch"),
+    "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
+    "restitution_of_mass_centre": ("", "the same for the centre of mass, last separation"),
     "touch_time": ("s", "first touch"),
     "touch_speed": ("m/s", "speed of the main body into the obstacle at first touch"),
     "separation_time": ("s", "last separation of the first impact"),
@@ -81,7 +81,7 @@ MEASURES = {
     "loss_contact": ("J", "taken by contact damping"),
     "loss_friction": ("J", "taken by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
-    "ledger_residual": ("", "what the ledger does not account for, as a share of the start's kinetic energy"),
+    "ledger_residual": ("", "unaccounted for, as a share of the start's kinetic energy"),
 }  # fmt: skip
 
 

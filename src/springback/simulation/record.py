@@ -192,9 +192,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     landing = least(column(view.arms, "landing"))
     landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
     fine = (touching > 0.0) | (largest(column(view.arms, "on_stop")) > 0.0)
-    step = pick(
-        phase > 0.0, pick(fine, timing.impact_step, timing.settle_step), timing.free_step
-    )
+    step = pick(phase > 0.0, pick(fine, timing.impact_step, timing.settle_step), timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
     left = timing.until - m.time
     finished = left <= 1e-12

@@ -1,7 +1,7 @@
 """Vehicles of the literature, each number with its table and row.
 
-``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is ours where the source
-is silent.
+``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is ours where the
+source is silent.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ ARQ = Entry(
     ),
     "ARQ as flown: compliant arms, with battery",
     {
-        "body.mass": "derived: Table I, 1.034 kg without battery, + 0.37 kg battery from the hover time, "
+        "body.mass": "derived: Table I, 1.034 kg, + 0.37 kg of battery (docs/paper/errata.md), "
         "- 0.2 kg of arms",
         "body.inertia": "derived: Table I, rows Moments of inertia, less the arms' m_a L^2",
         **_ARM_SOURCES,
@@ -91,7 +91,7 @@ QUAD = Entry(
     ),
     "Quad as flown: the rigid twin, with battery",
     {
-        "body.mass": "derived: Table I, 0.844 kg without battery, + 0.37 kg battery from the hover time",
+        "body.mass": "derived: Table I, 0.844 kg, + 0.37 kg of battery (docs/paper/errata.md)",
         "body.inertia": "given: Table I, rows Moments of inertia",
         "arms.mass": "derived: rigid arms are part of the body",
         **_ARM_SOURCES,
@@ -104,7 +104,7 @@ ARQ_ON_SLIDER = Entry(
         body=Body(mass=1.882, inertia=ARQ_BODY_INERTIA),
         arms=_arms(compliant=True, mass=ARM_MASS, end_stops=False),
     ),
-    "ARQ on the slider of section IV-A, sliding bar included; no end stops, as in the paper's equations",
+    "ARQ on the slider of section IV-A, with its bar; no end stops, as in the paper",
     {
         "body.mass": "given: Table II, m_b",
         "body.inertia": "as flown; without effect on a slider",

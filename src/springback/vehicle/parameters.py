@@ -1,4 +1,4 @@
-"""A vehicle as its designer writes it down, checked once, and turned into numbers for the equations."""
+"""A vehicle as its designer writes it down, checked once, turned into numbers to compute with."""
 
 from __future__ import annotations
 
@@ -81,10 +81,13 @@ class Arms(Settings):
         for j in range(count):
             mass, stroke, length = self.at("mass", j), self.at("stroke", j), self.at("length", j)
             if self.at("compliant", j) and not mass > 0.0:
-                raise problem(f"of compliant arm {j + 1} must be more than 0 kg (got {mass:g} kg)", "mass")
+                raise problem(
+                    f"of compliant arm {j + 1} must be more than 0 kg (got {mass:g} kg)", "mass"
+                )
             if self.at("compliant", j) and not stroke < length:
                 raise problem(
-                    f"must be less than the length of arm {j + 1}, {length:g} m (got {stroke:g} m)", "stroke"
+                    f"must be less than the length of arm {j + 1}, {length:g} m (got {stroke:g} m)",
+                    "stroke",
                 )
         return self
 
@@ -124,7 +127,9 @@ class Vehicle(Settings):
         """Whether any arm slides."""
         return any(self.arms.at("compliant", j) for j in range(self.arm_count))
 
-    def inertia(self, lengths: tuple[float, ...] | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
+    def inertia(
+        self, lengths: tuple[float, ...] | None = None
+    ) -> np.ndarray[Any, np.dtype[np.float64]]:
         """Inertia about the main body's centre of mass for given arm lengths [kg m²], shape (3, 3).
 
         The arms count as point masses; the free lengths are the default.
@@ -137,7 +142,7 @@ class Vehicle(Settings):
         return matrix
 
     def fastest_arm_rate(self) -> float:
-        """Largest eigenvalue of a free arm, damper, spring and stops [1/s]: what steps must resolve."""
+        """Fastest rate of a free arm, its damper and stops [1/s]: what steps must resolve."""
         rates = [0.0]
         for j in range(self.arm_count):
             if self.arms.at("compliant", j):

@@ -1,8 +1,8 @@
 """The slider tests: Table III, the deflections and contact times of the text, and the speed sweep.
 
-c_a is printed nowhere.  It is fitted to the restitution of Quad alone, by the exact relation, and every
-other number follows.  How the printed parameters are to be read for ARQ is open, so every reading
-is shown (docs/paper/errata.md).
+c_a is printed nowhere.  It is fitted to the restitution of Quad alone, by the exact relation, and
+every other number follows.  How the printed parameters are to be read for ARQ is open, so every
+reading is shown (docs/paper/errata.md).
 """
 
 from __future__ import annotations
@@ -57,7 +57,9 @@ class Reading:
 QUAD = Reading("Quad", "one rigid body; k_c belongs to the whole front", "quad-slider", 2)
 READINGS = (
     Reading("A", "one arm mass and one spring in series along X; k_c in total", "arq-lumped", 1),
-    Reading("B", "two arms at 45 deg touch, k_c/2 each: the paper's ten coordinates", "arq-slider", 2),
+    Reading(
+        "B", "two arms at 45 deg touch, k_c/2 each: the paper's ten coordinates", "arq-slider", 2
+    ),
     Reading("C", "two arms at 45 deg touch, k_c each", "arq-slider", 1),
 )
 
@@ -71,7 +73,9 @@ def named_reading(text: str) -> Reading:
     name, colon, words = text.partition(":")
     if not colon or not name.strip() or not words.split():
         raise InputError(f"{text!r} is no reading; write 'NAME: key=value key=value'")
-    return Reading(name.strip(), f"reading B with {words.strip()}", "arq-slider", 2, tuple(words.split()))
+    return Reading(
+        name.strip(), f"reading B with {words.strip()}", "arq-slider", 2, tuple(words.split())
+    )
 
 
 def slider_tables(
@@ -86,11 +90,16 @@ def slider_tables(
         dissipation: c_a [s/m].
         mass: Of the whole robot, if not that of Table II with the sliding bar [kg].
     """
-    hit = {"preset": surface, "shared_by": reading.shared_by, "dissipation": dissipation, "friction_axes": "vertical"}
+    hit = {
+        "preset": surface,
+        "shared_by": reading.shared_by,
+        "dissipation": dissipation,
+        "friction_axes": "vertical",
+    }
     if surface == "mat":
         obstacle = {
             "type": "mat", "distance": SLIDER_DISTANCE + MAT_THICKNESS, "thickness": MAT_THICKNESS,
-            "surface": hit, "backing": {"preset": "wall", "shared_by": reading.shared_by, "friction_axes": "vertical"},
+            "surface": hit, "backing": {**hit, "preset": "wall"},
         }  # fmt: skip
     else:
         obstacle = {"type": "wall", "distance": SLIDER_DISTANCE, "surface": hit}
@@ -150,11 +159,13 @@ class SliderResults:
 
 
 def fitted_dissipation(surface: str) -> float:
-    """c_a that gives Quad's printed restitution at the printed speed, by the exact relation [s/m]."""
+    """c_a that gives Quad's printed restitution at the printed speed, solved exactly [s/m]."""
     return dissipation_for(TABLE_III["quad", surface].restitution, SLIDER_SPEED)
 
 
-def _fly(reading: Reading, surface: str, speed: float, c_a: float, mass: float | None, keep: bool) -> Flight:
+def _fly(
+    reading: Reading, surface: str, speed: float, c_a: float, mass: float | None, keep: bool
+) -> Flight:
     tables = slider_tables(reading, surface, speed, c_a, mass)
     return fly(tables, *reading.overrides, trajectory=keep)
 
@@ -177,15 +188,13 @@ def _printed_of(printed: Impact, quantity: str) -> tuple[float, float | None]:
 
 
 def _rows(case: Case, fitted: str | None) -> list[Row]:
-    """Compared numbers of a case; ``fitted`` is the quantity that c_a was fitted to in this case."""
+    """Compared numbers of a case; ``fitted`` is the quantity that c_a was fitted to."""
     printed, rows = TABLE_III[case.robot, case.surface], []
     for quantity, unit in QUANTITIES.items():
         ours = case.flight.measures[quantity]
         number, test = _printed_of(printed, quantity)
         equal_by_fit = quantity == fitted or (
-            fitted is not None
-            and case.robot == "quad"
-            and quantity.startswith("restitution")
+            fitted is not None and case.robot == "quad" and quantity.startswith("restitution")
         )
         mark = Mark.FITTED if equal_by_fit else predicted_or_contradicted(ours, number)
         rows.append(
@@ -208,7 +217,12 @@ def _given_rows() -> list[Row]:
         ("arm damping", "N s/m", 90.0, "Table II, b_l"),
         ("contact stiffness, wall", "N/m^1.5", library[0].stiffness, "Table II, k_c,wall"),
         ("contact stiffness, mat", "N/m^1.5", library[1].stiffness, "Table II, k_c,mat"),
-        ("friction coefficient", "", library[0].friction, "Table II, mu; without effect on a slider"),
+        (
+            "friction coefficient",
+            "",
+            library[0].friction,
+            "Table II, mu; without effect on a slider",
+        ),
     ]
     return [
         Row("Table II", "", "", "", name, unit, value, value, None, Mark.GIVEN, 0.0, "", note)
@@ -221,8 +235,8 @@ def slider_experiments(
 ) -> SliderResults:
     """Fly all slider tests: Quad and ARQ, wall and mat, every reading, and the sweep.
 
-    ARQ is flown twice for each reading: with Quad's c_a, which predicts, and with the c_a that gives
-    ARQ's own printed restitution, which shows what that would take.
+    ARQ is flown twice for each reading: with Quad's c_a, which predicts, and with the c_a that
+    gives ARQ's own printed restitution, which shows what that would take.
     """
     results = SliderResults(readings=(*READINGS, *extra_readings))
     results.rows += _given_rows()
@@ -277,7 +291,7 @@ def _peak(reading: Reading, robot: str, speed: float, c_a: float) -> float:
 
 
 def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -> None:
-    """Peak accelerations from 1 to 6 m/s without the sliding bar, and what c_a the printed gap takes."""
+    """Peak accelerations from 1 to 6 m/s without the bar, and the c_a the printed gap takes."""
     c_a, fastest = fitted_dissipation("wall"), SWEEP_SPEEDS[-1]
     for speed in SWEEP_SPEEDS:
         quad, arq = _peak(QUAD, "quad", speed, c_a), _peak(reading, "arq", speed, c_a)
@@ -289,8 +303,8 @@ def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -
 
     def row(ours: float | None, mark: Mark, used: float, source: str, note: str) -> Row:
         return Row(
-            "Sweep", "quad - arq", "wall", reading.name, "gap of peak accelerations at 6 m/s", "m/s^2",
-            ours, SWEEP_GAP, None, mark, used, source, note,
+            "Sweep", "quad - arq", "wall", reading.name, "gap of peak accelerations at 6 m/s",
+            "m/s^2", ours, SWEEP_GAP, None, mark, used, source, note,
         )  # fmt: skip
 
     ours = results.sweep[-1].gap
@@ -300,5 +314,11 @@ def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -
     own = _solved(lambda trial: gap(trial) - SWEEP_GAP)
     if own is not None:
         results.rows.append(
-            row(gap(own), Mark.FITTED, own, "the printed gap", "Quad's restitution asks for another c_a")
+            row(
+                gap(own),
+                Mark.FITTED,
+                own,
+                "the printed gap",
+                "Quad's restitution asks for another c_a",
+            )
         )

@@ -1,0 +1,536 @@
+"""Figures of flights and of the paper's experiments, in one house style.
+
+Nothing here computes physics: every number shown is a measure, a trajectory column or a printed value.
+Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and leave no
+global state behind.  Colours are those of Okabe and Ito, which colour-blind readers tell apart; curves
+differ in line style, too, so that they survive a black-and-white printer.
+"""
+
+from __future__ import annotations
+
+import functools
+import io
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any, ParamSpec
+
+import numpy as np
+from matplotlib import style
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from springback.experiments.comparison import AGREEMENT
+from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
+from springback.experiments.paper.slider import Case, SliderResults
+from springback.experiments.result import Flight
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+P = ParamSpec("P")
+Look = tuple[str, Any]
+"""Colour and line style of a curve."""
+
+INK, BLUE, ORANGE, GREEN = "#222222", "#0072B2", "#E69F00", "#009E73"
+PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
+SHADE = "#E4E8EE"
+LOOKS: tuple[Look, ...] = (
+    (BLUE, "-"), (ORANGE, (0, (5, 1.5))), (GREEN, (0, (5, 1.5, 1, 1.5))), (PINK, (0, (1.2, 1))),
+    (SKY, (0, (8, 2))), (GREY, (0, (3, 1, 1, 1, 1, 1))),
+)  # fmt: skip
+"""Of curves in one panel, in this order."""
+ROBOTS = {"quad": "Quad", "arq": "ARQ"}
+ROBOT_LOOKS: dict[str, Look] = {"quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-")}
+SURFACES = ("wall", "mat")
+
+WIDTH = 4.8
+"""Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
+RESOLUTION = 200
+"""Of PNG files [dots per inch]."""
+STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",  # comes with matplotlib, so figures look alike everywhere
+    "font.size": 9.0,
+    "axes.titlesize": 9.0,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.labelsize": 9.0,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": "#9AA0A6",
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#E2E5E9",
+    "grid.linewidth": 0.6,
+    "text.color": INK,
+    "xtick.color": "#5F6368",
+    "ytick.color": "#5F6368",
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "lines.linewidth": 1.6,
+    "legend.fontsize": 8.0,
+    "legend.frameon": False,
+    "legend.handlelength": 2.4,
+    "hatch.linewidth": 0.6,
+    "figure.constrained_layout.use": True,
+    "figure.facecolor": "white",
+    "figure.dpi": 100.0,
+    "savefig.dpi": RESOLUTION,
+    "pdf.fonttype": 42,  # outlines that editors and journals accept
+    "text.usetex": False,
+}
+
+
+class Picture(Figure):
+    """A figure that notebooks show without pyplot."""
+
+    def _repr_png_(self) -> bytes:
+        return png(self)
+
+
+def _styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
+
+    @functools.wraps(draw)
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        with style.context(["default", STYLE]):
+            figure = draw(*args, **kwargs)
+            figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
+        return figure
+
+    return drawn
+
+
+def png(figure: Figure) -> bytes:
+    """The figure as a PNG file, the same bytes for the same figure."""
+    buffer = io.BytesIO()
+    with style.context(["default", STYLE]):
+        figure.savefig(buffer, format="png", dpi=RESOLUTION, metadata={"Software": None})
+    return buffer.getvalue()
+
+
+def save(figure: Figure, path: Path) -> list[Path]:
+    """Write a figure as PNG and PDF, with no dates in them: the same figure gives the same files.
+
+    Args:
+        figure: Any figure.
+        path: Without suffix; the folder is made if it is not there.
+
+    Returns:
+        The files written.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
+    files[0].write_bytes(png(figure))
+    nobody = {"Creator": None, "Producer": None, "CreationDate": None}
+    with style.context(["default", STYLE]):
+        figure.savefig(files[1], format="pdf", metadata=nobody)
+    return files
+
+
+# -- one flight -----------------------------------------------------------------------------------
+
+
+@_styled
+def flight_figure(flight: Flight) -> Figure:
+    """Main body, arms and contact forces over time, contacts shaded.
+
+    A flight that touches something is shown around its contacts, with time and position counted from
+    the first touch; one that touches nothing is shown whole.  Arm lengths appear if an arm slides.
+
+    Args:
+        flight: With a trajectory.
+
+    Raises:
+        ValueError: If the flight kept no trajectory.
+    """
+    if not flight.columns:
+        raise ValueError("this flight kept no trajectory: fly it with trajectory=True")
+    c, touch = flight.columns, flight.measures.get("touch_time")
+    t, inside = _around_contact(flight)
+    first = {
+        axis: 0.0 if touch is None else float(np.interp(touch, c["t"], c[axis])) for axis in "xyz"
+    }
+    size, unit = (1.0, "m") if touch is None else (1e3, "mm")
+    panels: list[tuple[str, list[tuple[str, Array]]]] = [
+        (f"Position [{unit}]", [(axis, size * (c[axis] - first[axis])) for axis in "xyz"]),
+        ("Velocity [m/s]", [(f"v{axis}", c[f"v{axis}"]) for axis in "xyz"]),
+        ("Acceleration [m/s²]", [(f"a{axis}", c[f"a{axis}"]) for axis in "xyz"]),
+    ]
+    arms = _arms(c)
+    if any(np.ptp(c[f"l{j}"]) > 1e-9 for j in arms):
+        panels.append(("Arm length [mm]", _alike([(j, 1e3 * c[f"l{j}"]) for j in arms])))
+    touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
+    forces = _alike([(j, c[f"fn{j}"]) for j in touched])
+    friction = _alike(
+        [(j, c[f"ff{j}"]) for j in touched if np.any(c[f"ff{j}"] > 0.0)], "friction, "
+    )
+    if touched:
+        panels.append(("Contact force [N]", forces + friction))
+
+    figure = Picture(figsize=(WIDTH, 0.45 + 1.4 * len(panels)))
+    axes: Sequence[Axes] = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
+    for ax, (label, curves) in zip(axes, panels, strict=True):
+        for start, end in _contacts(c, arms):
+            ax.axvspan(t(start), t(end), color=SHADE, lw=0.0, zorder=0.1)
+        for (name, values), (colour, line) in zip(curves, LOOKS * len(curves), strict=False):
+            ax.plot(t(c["t"][inside]), values[inside], color=colour, ls=line, label=name)
+        ax.set_ylabel(label)
+        _legend_above(ax)
+    if touched:
+        axes[0].text(
+            0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=8, color=GREY
+        )
+    axes[-1].set_xlabel("Time [s]" if touch is None else "Time from first touch [ms]")
+    axes[-1].margins(x=0.0)
+    figure.align_ylabels(axes)
+    return figure
+
+
+def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Array]:
+    """How time is shown, and which instants are: all, or those around the contacts."""
+    t, touch = flight.columns["t"], flight.measures.get("touch_time")
+    if touch is None:
+        return lambda instant: instant, t == t
+    ends = [end for _, end in _contacts(flight.columns, _arms(flight.columns))]
+    last = max([*ends, flight.measures.get("return_time") or touch, touch + 0.01])
+    room = 0.35 * (last - touch)
+    return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
+
+
+def _arms(columns: dict[str, Array]) -> list[int]:
+    return sorted(int(name[2:]) for name in columns if name.startswith("fn"))
+
+
+def _contacts(columns: dict[str, Array], arms: Iterable[int]) -> list[tuple[float, float]]:
+    """Intervals of time in which any cage touches anything [s]."""
+    t = columns["t"]
+    touching = np.zeros(len(t) + 2, dtype=bool)
+    for j in arms:
+        touching[1:-1] |= columns[f"fn{j}"] > 0.0
+    starts, ends = (
+        np.flatnonzero(np.diff(touching.astype(int)) == 1),
+        np.flatnonzero(np.diff(touching.astype(int)) == -1),
+    )
+    return [(float(t[i]), float(t[min(k, len(t) - 1)])) for i, k in zip(starts, ends, strict=True)]
+
+
+def _alike(curves: list[tuple[int, Array]], what: str = "") -> list[tuple[str, Array]]:
+    """Curves of arms with equal ones as one, so that no curve hides behind another."""
+    groups: list[tuple[list[int], Array]] = []
+    for arm, values in curves:
+        scale = 1e-6 * float(np.max(np.abs(values), initial=0.0))
+        twin = next((g for g in groups if np.allclose(g[1], values, rtol=0.0, atol=scale)), None)
+        if twin is None:
+            groups.append(([arm], values))
+        else:
+            twin[0].append(arm)
+    return [
+        (f"{what}arm{'s' * (len(names) > 1)} {', '.join(map(str, names))}", values)
+        for names, values in groups
+    ]
+
+
+def _legend_above(ax: Axes) -> None:
+    """A legend of one line above the panel, where it hides nothing."""
+    ax.legend(
+        loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=4, borderpad=0.0, borderaxespad=0.1,
+        columnspacing=1.2, handletextpad=0.5,
+    )  # fmt: skip
+
+
+# -- the slider tests -----------------------------------------------------------------------------
+
+
+def predictions(results: SliderResults, robot: str, surface: str) -> list[Case]:
+    """The first case of every reading: the one flown with Quad's c_a."""
+    found: dict[str, Case] = {}
+    for case in results.cases:
+        if (case.robot, case.surface) == (robot, surface):
+            found.setdefault(case.reading.name, case)
+    return list(found.values())
+
+
+def _reading_looks(results: SliderResults) -> dict[str, Look]:
+    """Looks of the readings; B, the default, gets the first."""
+    order = (LOOKS[1], LOOKS[0], *LOOKS[2:])
+    return {r.name: order[k % len(order)] for k, r in enumerate(results.readings)}
+
+
+@_styled
+def slider_figure(results: SliderResults, robot: str) -> Figure:
+    """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
+
+    Dash-dotted lines mark what the paper prints for its simulation; a diamond its contact time.
+
+    Args:
+        results: The slider tests.
+        robot: ``quad`` or ``arq``.
+    """
+    flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
+    flights = [case.flight for cases in flown.values() for case in cases]
+    sliding = any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights)
+    labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]"][
+        : 3 + sliding
+    ]
+    figure = Picture(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
+    axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
+    looks = _reading_looks(results) if robot == "arq" else {"Quad": (BLUE, "-")}
+    for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
+        column[0].set_title(f"{ROBOTS[robot]} on the {surface}")
+        for case in cases:
+            _slider_curves(column, case, looks[case.reading.name])
+        _slider_print(column, robot, surface)
+        column[-1].set_xlabel("Time from first touch [ms]")
+        column[-1].set_xlim(*_slider_times(robot, surface, cases))
+    for ax, label in zip(axes[:, 0], labels, strict=True):
+        ax.set_ylabel(label)
+    figure.align_ylabels(axes[:, 0])
+    handles, names = axes[0, 0].get_legend_handles_labels()
+    diamond, diamond_name = axes[1, 0].get_legend_handles_labels()
+    figure.legend(
+        handles + diamond[-1:], names + diamond_name[-1:], loc="outside upper center", ncols=3
+    )
+    return figure
+
+
+def _front(flight: Flight) -> int:
+    """The arm that is pressed hardest."""
+    return max(_arms(flight.columns), key=lambda j: float(np.max(flight.columns[f"fn{j}"])))
+
+
+def _since_touch(flight: Flight) -> tuple[Array, float]:
+    """Time from first touch [ms], and the instant of it [s]."""
+    touch = flight.measures.get("touch_time") or 0.0
+    return 1e3 * (flight.columns["t"] - touch), touch
+
+
+def _slider_times(robot: str, surface: str, cases: Sequence[Case]) -> tuple[float, float]:
+    shown = [TABLE_III[robot, surface].contact_time]
+    for case in cases:
+        measures = case.flight.measures
+        shown += [measures.get("time_to_return") or 0.0, measures.get("contact_time") or 0.0]
+    return -0.15e3 * max(shown), 1.3e3 * max(shown)
+
+
+def _slider_curves(column: Sequence[Axes], case: Case, look: Look) -> None:
+    c, (t, touch) = case.flight.columns, _since_touch(case.flight)
+    past = c["x"] - np.interp(touch, c["t"], c["x"])
+    curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
+    name = "computed" if case.robot == "quad" else f"reading {case.reading.name}"
+    for ax, values in zip(column, curves, strict=False):
+        ax.plot(t, values, color=look[0], ls=look[1], label=name)
+    left = case.flight.measures.get("contact_time")
+    if left is not None:
+        speed = float(np.interp(touch + left, c["t"], c["vx"]))
+        column[1].plot(1e3 * left, speed, "o", color=look[0], mec="white", ms=5, zorder=3)
+
+
+def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
+    """What the paper prints, and where contact begins."""
+    printed = TABLE_III[robot, surface]
+    after = -printed.restitution * SLIDER_SPEED
+    line: dict[str, Any] = {"color": INK, "lw": 0.9, "ls": (0, (6, 2, 1, 2))}
+    for ax in column:
+        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
+    column[0].axhline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="contact begins")
+    column[0].axhline(1e3 * printed.travel, **line, label="printed")
+    column[1].axhline(after, **line)
+    column[1].plot(
+        1e3 * printed.contact_time, after, "D", color=INK, mec="white", ms=6, ls="none", zorder=4,
+        label="printed end of contact",
+    )  # fmt: skip
+    column[2].axhline(-printed.peak_acceleration, **line)
+
+
+@_styled
+def sweep_figure(results: SliderResults) -> Figure:
+    """Peak acceleration against speed, without the sliding bar, and how much less ARQ's is."""
+    names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
+    looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
+    speeds = sorted({p.speed for p in results.sweep})
+    figure = Picture(figsize=(WIDTH, 4.4))
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
+    bars += [(f"ARQ, {n}", looks[n][0], [points[n, v].arq for v in speeds]) for n in names]
+    _bars(upper, speeds, bars)
+    gaps = [(n, looks[n][0], [points[n, v].gap for v in speeds]) for n in names]
+    _bars(lower, speeds, gaps, first=1)
+    lower.hlines(SWEEP_GAP, SWEEP_SPEEDS[-1] - 0.5, SWEEP_SPEEDS[-1] + 0.5, color=INK, lw=1.6)
+    lower.annotate(
+        f"printed: {SWEEP_GAP:.0f} m/s²", (SWEEP_SPEEDS[-1] - 0.5, SWEEP_GAP), (-6, 0),
+        textcoords="offset points", ha="right", va="center", fontsize=8,
+    )  # fmt: skip
+    upper.set_ylabel("Peak acceleration [m/s²]")
+    lower.set_ylabel("Quad less ARQ [m/s²]")
+    lower.set_xlabel("Speed at touch [m/s]")
+    lower.set_xticks(speeds, [f"{v:g}" for v in speeds])
+    figure.align_ylabels([upper, lower])
+    upper.legend(loc="upper left", ncols=2)
+    return figure
+
+
+def _bars(
+    ax: Axes, speeds: Sequence[float], bars: list[tuple[str, str, list[float]]], first: int = 0
+) -> None:
+    """Groups of bars; ``first`` bars are left out on the left, to line up with the panel above."""
+    hatches = ("", "//", "", "\\\\", "..", "xx", "--")
+    width = 0.84 / max(len(bars) + first, 1)
+    for k, (name, colour, heights) in enumerate(bars, first):
+        left = [v - 0.42 + (k + 0.5) * width for v in speeds]
+        ax.bar(
+            left, heights, 0.92 * width, color=colour, label=name, hatch=hatches[k % len(hatches)],
+            edgecolor="white", linewidth=0.0,
+        )  # fmt: skip
+    ax.grid(visible=False, axis="x")
+
+
+@_styled
+def readings_figure(results: SliderResults) -> Figure:
+    """Every reading against the four printed numbers of ARQ: ours over print, 1 is agreement."""
+    rows = {
+        (row.surface, row.reading, row.quantity): row.deviation
+        for row in reversed(results.rows)  # so that the first of several, the prediction, stays
+        if row.experiment == "Table III" and row.robot == "arq"
+    }
+    lines = [
+        ("COR", "restitution_at_separation", "restitution_at_return"),
+        ("peak\nacceleration", "peak_acceleration", ""),
+        ("travel", "travel", ""),
+        ("contact\ntime", "contact_time", "time_to_return"),
+    ]
+    figure = Picture(figsize=(WIDTH, 2.9))
+    axes = figure.subplots(1, 2, sharey=True, sharex=True)
+    marks = ("s", "o", "^", "D", "v", "P")
+    names, looks = [r.name for r in results.readings], _reading_looks(results)
+    for ax, surface in zip(axes, SURFACES, strict=True):
+        ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1)
+        ax.axvline(1.0, color=INK, lw=0.9)
+        for k, name in enumerate(names):
+            shift = 0.5 * (k / max(len(names) - 1, 1) - 0.5)
+            at = [y + shift for y in range(len(lines))]
+            found = [rows.get((surface, name, line[1])) for line in lines]
+            other = [rows.get((surface, name, line[2])) for line in lines]
+            for face, values in (("white", other), (looks[name][0], found)):
+                known = [(1.0 + v, y) for v, y in zip(values, at, strict=True) if v is not None]
+                ax.plot(
+                    [x for x, _ in known], [y for _, y in known], marks[k % len(marks)], ms=6, mew=1.2,
+                    color=looks[name][0], mfc=face, label=name if face != "white" else None,
+                )  # fmt: skip
+        ax.set_title(f"ARQ on the {surface}")
+        ax.set_xlabel("ours / printed [-]")
+        ax.xaxis.set_major_locator(MaxNLocator(5))
+    axes[0].set_yticks(range(len(lines)), [line[0] for line in lines])
+    axes[0].set_ylim(len(lines) - 0.5, -0.5)
+    handles, _ = axes[0].get_legend_handles_labels()
+    figure.legend(handles, [f"reading {n}" for n in names], loc="outside upper center", ncols=4)
+    return figure
+
+
+# -- energy ---------------------------------------------------------------------------------------
+
+_LOSSES = (
+    ("contact damping", "loss_contact", RED), ("arm dampers", "loss_arm", BLUE),
+    ("friction", "loss_friction", ORANGE), ("end stops", "loss_stop", PINK),
+    ("locking the arms", "loss_settling", GREY),
+)  # fmt: skip
+_LEFT = (
+    ("left in motion", "energy_kinetic"), ("left in height", "energy_gravity"),
+    ("left in arm springs", "energy_springs"), ("left in contacts", "energy_contact"),
+    ("left in end stops", "energy_stops"),
+)  # fmt: skip
+
+
+@_styled
+def energy_figure(*flights: Flight) -> Figure:
+    """Where the energy went: what there was, what each loss took, what was left.
+
+    Shares are of what was put in: the energy at the start and the work of the rotors.
+
+    Args:
+        *flights: One panel each, on one scale.
+    """
+    steps = [_energy_steps(flight) for flight in flights]
+    scale = max(abs(value) for each in steps for _, _, value, _ in each) or 1.0
+    shown = [
+        name
+        for k, (name, *_) in enumerate(steps[0])
+        if k == 0 or any(abs(each[k][2]) > 1e-3 * scale for each in steps)
+    ]
+    figure = Picture(figsize=(WIDTH, (0.55 + 0.26 * len(shown)) * len(flights) + 0.35))
+    axes: Sequence[Axes] = figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0]
+    for ax, each, flight in zip(axes, steps, flights, strict=True):
+        put_in = each[0][2] + max(each[1][2], 0.0)
+        for name, start, value, colour in each:
+            if name not in shown:
+                continue
+            y = shown.index(name)
+            ax.barh(y, value, 0.72, left=start, color=colour)
+            share = f" ({value / put_in:.1%})".replace("%", " %") if put_in > 0.0 else ""
+            ax.annotate(
+                f"{value:.3g} J{share}".replace("-", "−"), (max(start, start + value), y), (4, 0),
+                textcoords="offset points", va="center", fontsize=8,
+            )  # fmt: skip
+        ax.set_yticks(range(len(shown)), shown)
+        ax.set_ylim(len(shown) - 0.4, -0.6)
+        ax.grid(visible=False, axis="y")
+        ax.axvline(0.0, color=GREY, lw=0.8)
+        ax.set_title(flight.scenario.name)
+    low, high = axes[-1].get_xlim()
+    axes[-1].set_xlim(low if low < -1e-3 * scale else 0.0, high + 0.3 * (high - low))
+    axes[-1].set_xlabel("Energy [J]")
+    return figure
+
+
+def _energy_steps(flight: Flight) -> list[tuple[str, float, float, str]]:
+    """Name, start, length and colour of every bar, each beginning where the last one ended."""
+    m = {name: value or 0.0 for name, value in flight.measures.items()}
+    level = m["energy_start"]
+    steps = [("at the start", 0.0, level, INK), ("rotors put in", level, m["work_thrust"], GREY)]
+    level += m["work_thrust"]
+    for name, key, colour in _LOSSES:
+        steps.append((name, level, -m[key], colour))
+        level -= m[key]
+    level = 0.0
+    for name, key in _LEFT:
+        steps.append((name, level, m[key], GREEN))
+        level += m[key]
+    return steps
+
+
+# -- the one picture ------------------------------------------------------------------------------
+
+
+@_styled
+def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
+    """ARQ and Quad hit the wall on the slider: velocity and acceleration, wide, for a front page."""
+    cases = predictions(results, "quad", "wall") + [
+        case for case in predictions(results, "arq", "wall") if case.reading.name == reading
+    ]
+    figure = Picture(figsize=(8.0, 3.0))
+    left, right = figure.subplots(1, 2)
+    for case in cases:
+        (t, touch), (colour, line) = _since_touch(case.flight), ROBOT_LOOKS[case.robot]
+        c, name = case.flight.columns, ROBOTS[case.robot]
+        for ax, column in ((left, "vx"), (right, "ax")):
+            ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=name)
+        peak, when = (
+            case.flight.measures["peak_acceleration"],
+            case.flight.measures["peak_acceleration_time"],
+        )
+        if peak is not None and when is not None:
+            at = 1e3 * (when - touch)
+            right.plot(at, -peak, "o", color=colour, ms=5)
+            right.annotate(
+                f"{name}: {peak:.0f} m/s²", (at, -peak), (9, -3), textcoords="offset points",
+                color=colour, weight="bold", fontsize=10,
+            )  # fmt: skip
+    for ax, label in ((left, "Velocity [m/s]"), (right, "Acceleration [m/s²]")):
+        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
+        ax.set_xlim(-8.0, 52.0)
+        ax.set_xlabel("Time from first touch [ms]")
+        ax.set_title(label)
+    left.legend(loc="upper right", fontsize=10)
+    return figure
