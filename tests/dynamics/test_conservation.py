@@ -11,14 +11,11 @@ import pytest
 from numpy.typing import NDArray
 
 from oracles import models
-from springback.contact.cage import meeting
 from springback.dynamics.energy import Energy, angular_momentum, energy, locked
 from springback.dynamics.impulse import struck
-from springback.dynamics.motion import Motion
+from springback.dynamics.motion import NEVER, Motion
 from springback.kernels.trees import along
-from springback.kernels.vectors import Vec, rotation
 from springback.simulation.flight import Flown, still_work
-from springback.vehicle.state import arm_pose
 
 Array = NDArray[np.float64]
 
@@ -107,7 +104,11 @@ def test_power_balances_at_every_instant(contact: Any, friction_axes: Any, relea
 
 
 def test_the_gap_closes_at_its_own_rate() -> None:
-    """The rate that the contact law sees is the derivative of the gap, for both contact points."""
+    """The time to the next touch or separation is the gap over its derivative, for both points.
+
+    So the rate that the contact law dissipates with is the derivative of the penetration.
+    """
+    foreseen = 0
     for seed in range(60):
         rng = np.random.default_rng([7, seed])
         craft = models.random_craft(rng)
@@ -115,23 +116,22 @@ def test_the_gap_closes_at_its_own_rate() -> None:
         wall = models.Wall(models.unit_vector(rng), 0.0)
         contact: Any = "ring" if seed % 2 else "tip"
         scene = models.Scene(craft, wall, OFF, contact, 0.2 if seed % 4 == 1 else 0.0)
-        world, point = models.world_of(scene), models.contact_point_of(scene)
-        rate = models.rates_of(scene, start).motion.state
+        known = models.rates_of(scene, start)
 
-        def met(h: float, k: int, start: Any = start, rate: Any = rate, scene: Any = scene) -> Any:
-            state = along(models.state_of(start), rate, h)
-            arm = models.airframe_of(scene.craft).arms[k]
-            r = rotation(state.attitude)
-            pose = arm_pose(arm, state.arm_length[k], state.arm_rate[k], r, state.velocity)
-            axis, omega = Vec(r.x.z, r.y.z, r.z.z), r @ state.angular_velocity
-            return meeting(
-                world.obstacles[0], point, arm.cage_radius, pose, state.position, axis, omega
-            )
+        def gaps(h: float, scene: Any = scene, start: Any = start, known: Any = known) -> Array:
+            there = along(models.state_of(start), known.motion.state, h)
+            seen = models.rates_of(scene, models.start_of(there)).seen
+            return np.array([arm.gap for arm in seen.arms])
 
-        for k in range(4):
-            h = 1e-6
-            slope = (met(h, k).gap - met(-h, k).gap) / (2.0 * h)
-            assert met(0.0, k).rate == pytest.approx(slope, abs=1e-8)
+        h = 1e-6
+        slopes = (gaps(h) - gaps(-h)) / (2.0 * h)
+        for arm, slope in zip(known.seen.arms, slopes, strict=True):
+            if arm.gap * slope < 0.0:
+                foreseen += 1
+                assert arm.landing * abs(slope) == pytest.approx(abs(arm.gap), rel=1e-6)
+            else:
+                assert arm.landing == NEVER
+    assert foreseen > 60
 
 
 # -- whole flights -----------------------------------------------------------------------------------
@@ -185,8 +185,9 @@ WHAT = {
 def test_the_energy_ledger_closes(what: str, hybrid: bool) -> None:
     """No energy from nowhere and none lost unseen, through whole impacts at the default steps.
 
-    The ledger is integrated with the motion, so what is left is the error of RK4 at 0.1 ms where the
-    contact force has a kink: less than 1e-6 of the kinetic energy.
+    The ledger is integrated with the motion, so what is left is the error of RK4 at 0.1 ms, mostly
+    where a light arm under the wall's friction comes to rest: 1e-6 of the kinetic energy, and eight
+    times less at half the step.
     """
     stopped = 0
     for seed in range(8):
@@ -196,20 +197,25 @@ def test_the_energy_ledger_closes(what: str, hybrid: bool) -> None:
         )
         assert flown.record.contacts >= 1.0
         assert flown.motion.work.friction > 0.0
-        assert abs(unbooked(flown)) < 1e-6
+        assert abs(unbooked(flown)) < 2e-6
         stopped += flown.motion.work.stop > 0.0
     assert stopped > 0 or "stop_stiffness" not in str(WHAT[what].get("craft", ""))
 
 
-def test_without_any_loss_energy_is_kept() -> None:
-    """No dampers, no friction, an elastic wall, no thrust: the total energy is that at the start."""
-    craft = models.compliant_craft(damping=0.0, **{**STOPS, "stop_dissipation": 0.0})
+@pytest.mark.parametrize(("stops", "step"), [({}, 1e-4), (STOPS, 2e-5)], ids=["arms", "stops"])
+def test_without_any_loss_energy_is_kept(stops: dict[str, float], step: float) -> None:
+    """No dampers, no friction, an elastic wall, no thrust: the total energy is that at the start.
+
+    An undamped arm on its end stop rings at 1400 rad/s; RK4 damps that by (ω h)⁶/144 a step, hence the
+    finer step.  The height of the start is zero, so the total is the kinetic energy.
+    """
+    craft = models.compliant_craft(**{**stops, "damping": 0.0, "stop_dissipation": 0.0})
     wall = replace(NOWHERE, dissipation=0.0, friction=0.0)
     for seed in range(8):
         scene, start = impact(seed, craft=craft, wall=wall)
-        flown = models.fly(scene, start, until=0.15)
+        flown = models.fly(scene, start, until=0.15, impact_step=step)
         assert flown.record.contacts >= 1.0
-        assert abs(flown.after.total / flown.before.total - 1.0) < 1e-6
+        assert abs(flown.after.total - flown.before.total) < 1e-6 * flown.before.kinetic
 
 
 def test_momentum_changes_by_the_impulse_of_wall_and_weight() -> None:
@@ -222,8 +228,8 @@ def test_momentum_changes_by_the_impulse_of_wall_and_weight() -> None:
         weight = np.array([0.0, 0.0, -scene.craft.mass * 9.81])
         impulse = np.array(flown.motion.work.impulse)
         assert np.linalg.norm(impulse) > 1.0
-        # Exact for RK4, which integrates the same forces both times: rounding only.
-        np.testing.assert_allclose(change, impulse + 0.1 * weight, rtol=0, atol=1e-10)
+        # RK4 integrates the same forces both times; only the arms' directions turn with an error.
+        np.testing.assert_allclose(change, impulse + 0.1 * weight, rtol=0, atol=1e-8)
 
 
 @pytest.mark.parametrize("gravity", [0.0, 9.81])
@@ -243,7 +249,7 @@ def test_free_flight_with_moving_arms_keeps_angular_momentum(gravity: float) -> 
             after.angular_momentum(after.centre), spin, rtol=0, atol=1e-8 * np.linalg.norm(spin)
         )
         fallen = before.momentum - [0.0, 0.0, 0.2 * craft.mass * gravity]
-        np.testing.assert_allclose(after.momentum, fallen, rtol=0, atol=1e-10)
+        np.testing.assert_allclose(after.momentum, fallen, rtol=0, atol=1e-8)
 
 
 # -- the jump that locks settled arms ----------------------------------------------------------------
@@ -289,7 +295,8 @@ def at_the_wall(
         craft = models.random_craft(rng, slides=False)
         start = models.random_start(rng, craft, still_arms=True)
         face = replace(models.Wall(models.unit_vector(rng), 0.0), **wall)
-        scene = models.Scene(craft, face, OFF)
+        axes: Any = "vertical" if seed % 4 == 3 else "both"
+        scene = models.Scene(craft, face, OFF, friction_axes=axes)
         if cages == 2:  # turn it until two cages are equally near
             craft = models.compliant_craft(slides=False)
             scene = replace(scene, craft=craft)
@@ -353,12 +360,12 @@ def test_impulses_obey_newton_and_coulomb(cages: int, friction: float) -> None:
         np.testing.assert_allclose(then.momentum - before.momentum, given, rtol=0, atol=1e-12)
         pressed, rubbed = given @ n, np.linalg.norm(given - (given @ n) * n)
         assert pressed > 0.0
-        assert rubbed <= friction * pressed * (1.0 + 1e-9)
+        assert rubbed <= friction * pressed + 1e-12
         for k in closing:
             old = _contact_velocity(scene, start, k) @ n
             new = _contact_velocity(scene, end, k) @ n
             if cages == 1:
-                assert new == pytest.approx(-restitution * old, abs=1e-9)
+                assert new == pytest.approx(-restitution * old, abs=1e-6)
             else:  # one cage may be thrown off by the impulse of the other
                 assert new >= -restitution * old - 1e-6
         assert _depth(scene, end) < 1e-12

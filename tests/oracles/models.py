@@ -121,21 +121,22 @@ def airframe_of(craft: Craft) -> Airframe:
         Arm(
             cosine=math.cos(arm.azimuth),
             sine=math.sin(arm.azimuth),
-            mass=arm.mass,
-            inverse_mass=1.0 / arm.mass if arm.slides else 0.0,
-            stiffness=arm.stiffness,
-            damping=arm.damping,
-            length=arm.length,
-            shortest=arm.shortest,
-            stop_stiffness=arm.stop_stiffness,
-            stop_dissipation=arm.stop_dissipation,
+            mass=float(arm.mass),
+            inverse_mass=1.0 / float(arm.mass) if arm.slides else 0.0,
+            stiffness=float(arm.stiffness),
+            damping=float(arm.damping),
+            length=float(arm.length),
+            shortest=float(arm.shortest),
+            stop_stiffness=float(arm.stop_stiffness),
+            stop_dissipation=float(arm.stop_dissipation),
             compliance=1.0 if arm.slides else 0.0,
-            cage_radius=arm.cage_radius,
-            torque_ratio=arm.torque_ratio,
+            cage_radius=float(arm.cage_radius),
+            torque_ratio=float(arm.torque_ratio),
         )
         for arm in craft.arms
     )
-    return Airframe(mass=craft.mass, inertia=Mat(*(vec(row) for row in craft.inertia)), arms=arms)
+    inertia = Mat(*(vec(row) for row in craft.inertia))
+    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms)
 
 
 def world_of(scene: Scene) -> World:
@@ -152,7 +153,7 @@ def world_of(scene: Scene) -> World:
         slip_speed=wall.slip_speed,
         restitution=wall.restitution,
     )
-    obstacle = Obstacle(Plane(vec(wall.normal), wall.offset), surface, 0.0)
+    obstacle = Obstacle(Plane(vec(wall.normal), float(wall.offset)), surface, 0.0)
     laws = Impulses(0.0) if wall.restitution >= 0.0 else Forces(0.0)
     return World((obstacle,), laws, scene.gravity)
 
@@ -160,6 +161,11 @@ def world_of(scene: Scene) -> World:
 def contact_point_of(scene: Scene) -> Ring | ArmTip:
     """The package's contact point model of a scene."""
     return Ring(scene.rounding) if scene.contact == "ring" else ArmTip(0.0)
+
+
+def thrust_of(scene: Scene) -> tuple[float, ...]:
+    """The package's thrusts."""
+    return tuple(float(thrust) for thrust in scene.thrust)
 
 
 def state_of(start: Start) -> State:
@@ -210,7 +216,7 @@ def model_of(
         world_of(scene),
         contact_point_of(scene),
         Free(0.0),
-        scene.thrust,
+        thrust_of(scene),
         timing,
     )
 
@@ -234,7 +240,7 @@ def rates_of(scene: Scene, start: Start, *, released: bool = True) -> Rates:
         contact_point_of(scene),
         Free(0.0),
         state_of(start),
-        scene.thrust,
+        thrust_of(scene),
         1.0 if released else 0.0,
     )
 

@@ -1,4 +1,9 @@
-"""Cages against obstacles: where they touch, how hard, and what that does to the vehicle."""
+"""Cages against obstacles: where they touch, how hard, and what that does to the vehicle.
+
+All vectors here are in body axes and all points are taken from the main body: a cage circle then
+lies in the plane z = 0, and most products with its zeros drop out.  Obstacles come as they are seen
+from there (`springback.contact.obstacles.seen`).
+"""
 
 from __future__ import annotations
 
@@ -25,7 +30,7 @@ class ArmTip(NamedTuple):
 
 
 class Support(NamedTuple):
-    """Contact point of a cage, seen from the end of its arm; all in world axes [m]."""
+    """Contact point of a cage, seen from the end of its arm [m]."""
 
     point: Vec  # whose distance to the obstacle counts
     normal_lever: Vec  # where the normal force acts
@@ -34,14 +39,13 @@ class Support(NamedTuple):
 
 
 @generic
-def support(model: Any, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
+def support(model: Any, inward: Vec, arm_direction: Vec, radius: float) -> Support:
     """Contact point of a cage circle of some radius [m] against a surface.
 
     Args:
         model: `Ring` or `ArmTip`.
-        inward: Unit normal into the obstacle, world.
-        arm_direction: R e_j, world.
-        axis: Axis of the circle, R e_z, world.
+        inward: Unit normal into the obstacle.
+        arm_direction: e_j.
         radius: r_0 [m].
     """
     raise TypeError(f"{type(model).__name__} is no contact point model")
@@ -49,16 +53,15 @@ def support(model: Any, inward: Vec, arm_direction: Vec, axis: Vec, radius: floa
 
 @support.register(Ring)
 @kernel
-def _ring(ring: Ring, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
-    """r_0 t/√(t² + ε²) with t = n − (n·b) b.
+def _ring(ring: Ring, inward: Vec, arm_direction: Vec, radius: float) -> Support:
+    """r_0 t/√(t² + ε²) with t = n − (n·e_z) e_z.
 
     At ε = 0 this is the exact support point of the circle; ε only rounds the corner where a cage
     lies flat on the surface and touches all around.  With the inset, the penetration n·p_j + r_0
     √(t² + ε²) has exactly the rate that the point's own velocity has along n, so contact work is
     exact.
     """
-    b, n, eps = axis, inward, ring.rounding
-    t = n - (n @ b) * b
+    t, eps = Vec(inward.x, inward.y, 0.0), ring.rounding
     inverse = 1.0 / math.sqrt(t @ t + eps * eps)
     lever = t * inverse * radius
     return Support(lever, lever, lever, -eps * eps * inverse * radius)
@@ -66,8 +69,8 @@ def _ring(ring: Ring, inward: Vec, arm_direction: Vec, axis: Vec, radius: float)
 
 @support.register(ArmTip)
 @kernel
-def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, axis: Vec, radius: float) -> Support:
-    """Eq. (13): p_c = p_j + (r_0 R e_j · n) n, generalised from e_X to any normal.
+def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, radius: float) -> Support:
+    """Eq. (13): p_c = p_j + (r_0 e_j · n) n, generalised from e_X to any normal.
 
     Its generalised force is a normal force at the cage tip and friction at the arm's end.
     """
@@ -78,10 +81,10 @@ def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, axis: Vec, radius: fl
 class Touch(NamedTuple):
     """One cage against one obstacle, or the sum over obstacles."""
 
-    force: Vec  # on the cage, world [N]
-    moment: Vec  # about the main body, world [N m]
+    force: Vec  # on the cage [N]
+    moment: Vec  # about the main body [N m]
     normal: float  # f_n [N]
-    friction: Vec  # f_f, world [N]
+    friction: Vec  # f_f [N]
     contact_loss: float  # [W]
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
@@ -92,15 +95,16 @@ class Meeting(NamedTuple):
 
     gap: float  # positive apart, negative pressed in [m]
     rate: float  # of the gap [m/s]
-    inward: Vec  # unit normal into the obstacle, world
+    inward: Vec  # unit normal into the obstacle
     impulsive: float  # 1 where the surface follows the impulse law
     touch: Touch
 
 
 @kernel
-def slip_velocity(surface: Surface, velocity: Vec, normal: Vec) -> Vec:
+def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
     """The part of a velocity along the surface that friction opposes [m/s]."""
-    return rubbing(surface.friction_axes, velocity - (velocity @ normal) * normal, normal)
+    slip = velocity - (velocity @ normal) * normal
+    return rubbing(surface.friction_axes, slip, normal, vertical)
 
 
 @kernel
@@ -109,32 +113,39 @@ def meeting(
     contact_point: Any,
     radius: float,
     arm: ArmPose,
-    position: Vec,
-    axis: Vec,
-    omega_world: Vec,
+    omega: Vec,
+    vertical: Vec,
 ) -> Meeting:
     """Eqs. (13)-(15) for one cage and one obstacle of any shape and orientation.
 
     On a curved obstacle the normal is taken once more at the first contact point.
+
+    Args:
+        obstacle: As it is seen from the main body.
+        contact_point: `Ring` or `ArmTip`.
+        radius: r_0 [m].
+        arm: Where the arm is.
+        omega: ω [rad/s].
+        vertical: Rᵀ e_Z.
     """
     shape, surface = obstacle.shape, obstacle.surface
-    end = position + arm.lever
-    first = support(contact_point, -outward_normal(shape, end), arm.direction, axis, radius)
+    end = arm.lever
+    first = support(contact_point, -outward_normal(shape, end), arm.direction, radius)
     n = -outward_normal(shape, end + first.point)
-    at = support(contact_point, n, arm.direction, axis, radius)
+    at = support(contact_point, n, arm.direction, radius)
 
-    pressing, rubbing_at = arm.lever + at.normal_lever, arm.lever + at.friction_lever
+    pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
 
     gap = signed_distance(shape, end + at.point) + at.inset
-    rate = (arm.sliding + (omega_world ^ pressing)) @ n  # δ̇, positive pressing in
+    rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
     pressed = normal_force(surface, positive_part(-gap), rate)
-    slip = slip_velocity(surface, arm.sliding + (omega_world ^ rubbing_at), n)
+    slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 
     push = n * (-pressed.force)
-    force = push + rubbed
+    force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
-    touch = Touch(force, moment, pressed.force, rubbed, pressed.loss, -(rubbed @ slip), grounded)
+    touch = Touch(force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded)
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return Meeting(gap, -rate, n, impulsive, touch)

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.surfaces import Surface
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Mat, Vec
 
 
 class Plane(NamedTuple):
@@ -68,6 +68,52 @@ def outward_normal(shape: Any, point: Vec) -> Vec:
     It is the gradient of the signed distance.
     """
     raise TypeError(f"{type(shape).__name__} has no outward_normal; register one")
+
+
+class Seen(NamedTuple):
+    """A shape that stands in the world, seen from a body: points and normals in body axes."""
+
+    shape: Any
+    position: Vec  # of the body, world [m]
+    r: Mat  # body axes to world axes
+
+
+@generic
+def seen(shape: Any, position: Vec, r: Mat) -> Any:
+    """A shape as it appears in the axes of a body, from where the body is.
+
+    Any shape will do; one that is registered here itself can be faster.
+
+    Args:
+        shape: In world axes.
+        position: Of the body, world [m].
+        r: Body axes to world axes.
+    """
+    return Seen(shape, position, r)
+
+
+@seen.register(Plane)
+@kernel
+def _plane_seen(plane: Plane, position: Vec, r: Mat) -> Plane:
+    return Plane(plane.normal @ r, plane.offset - plane.normal @ position)
+
+
+@signed_distance.register(Seen)
+@kernel
+def _seen_distance(view: Seen, point: Vec) -> float:
+    return signed_distance(view.shape, view.position + view.r @ point)
+
+
+@outward_normal.register(Seen)
+@kernel
+def _seen_normal(view: Seen, point: Vec) -> Vec:
+    return outward_normal(view.shape, view.position + view.r @ point) @ view.r
+
+
+@kernel
+def obstacle_seen(obstacle: Obstacle, position: Vec, r: Mat) -> Obstacle:
+    """An obstacle as it appears in the axes of a body, from where the body is."""
+    return Obstacle(seen(obstacle.shape, position, r), obstacle.surface, obstacle.is_ground)
 
 
 @signed_distance.register(Plane)

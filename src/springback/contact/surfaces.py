@@ -110,21 +110,34 @@ def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
 
 
 @generic
-def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec) -> Vec:
-    """The part of a slip velocity that friction opposes [m/s]."""
+def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
+    """The part of a slip velocity that friction opposes [m/s].
+
+    Args:
+        axes: `BothTangents` or `VerticalTangent`.
+        slip: Velocity along the surface [m/s].
+        normal: Unit normal of the surface.
+        vertical: e_Z, in the same axes as the others.
+    """
     return slip
 
 
 @rubbing.register(VerticalTangent)
 @kernel
-def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec) -> Vec:
-    n = normal
-    up = Vec(-n.z * n.x, -n.z * n.y, 1.0 - n.z * n.z)  # e_Z along the surface; none on a floor
+def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
+    up = vertical - (vertical @ normal) * normal  # e_Z along the surface; none on a floor
     return up * ((slip @ up) / (up @ up + 1e-12))
 
 
+class Friction(NamedTuple):
+    """Friction of one contact and what becomes of its work."""
+
+    force: Vec  # f_f [N]
+    loss: float  # power turned into heat [W]
+
+
 @kernel
-def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Vec:
+def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Friction:
     """Coulomb friction against the slip velocity, regularised where the slip vanishes [N].
 
     f = −μ f_n v / √(v² + v_s²).  The paper's v/‖v‖ is undefined at rest, which is where its own
@@ -133,10 +146,11 @@ def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Vec:
     Args:
         surface: Friction coefficient μ, slip speed v_s [m/s].
         normal_force: f_n [N].
-        slip: Tangential velocity of the contact point, world [m/s].
+        slip: Tangential velocity of the contact point [m/s].
     """
-    v_s = surface.slip_speed
-    return slip * (-surface.friction * normal_force / math.sqrt(slip @ slip + v_s * v_s))
+    v_s, square = surface.slip_speed, slip @ slip
+    grip = surface.friction * normal_force / math.sqrt(square + v_s * v_s)
+    return Friction(slip * -grip, grip * square)
 
 
 @kernel

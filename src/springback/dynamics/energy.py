@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import meeting
-from springback.contact.obstacles import Obstacle, World
+from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import column, each, total
@@ -16,7 +16,7 @@ from springback.kernels.vectors import (
     rotation,
     solve_symmetric,
 )
-from springback.vehicle.state import Airframe, Arm, State, arm_direction, arm_pose, with_arms
+from springback.vehicle.state import Airframe, Arm, State, arm_direction, arm_pose, arms_inertia
 
 
 class Energy(NamedTuple):
@@ -45,19 +45,17 @@ def _arm_energy(
     state: State,
     r: Mat,
 ) -> Energy:
-    omega_world, axis = r @ state.angular_velocity, Vec(r.x.z, r.y.z, r.z.z)
-    pose = arm_pose(arm, length, rate, r, state.velocity)
-    velocity = pose.sliding + (omega_world ^ pose.lever)
+    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
+    pose = arm_pose(arm, length, rate, state.velocity @ r)
+    velocity = pose.sliding + (omega ^ pose.lever)
     stored = each(
-        _contact_energy,
-        (obstacles,),
-        (contact_point, arm.cage_radius, pose, state.position, axis, omega_world),
+        _contact_energy, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical)
     )
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
     pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
-        gravity=arm.mass * gravity * (state.position.z + pose.lever.z),
+        gravity=arm.mass * gravity * (state.position.z + vertical @ pose.lever),
         springs=0.5
         * arm.compliance
         * arm.stiffness
@@ -70,15 +68,9 @@ def _arm_energy(
 
 @rare_kernel
 def _contact_energy(
-    obstacle: Obstacle,
-    contact_point: Any,
-    radius: float,
-    arm: Any,
-    position: Vec,
-    axis: Vec,
-    omega: Vec,
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
 ) -> float:
-    met = meeting(obstacle, contact_point, radius, arm, position, axis, omega)
+    met = meeting(obstacle, contact_point, radius, arm, omega, vertical)
     return elastic_energy(obstacle.surface, positive_part(-met.gap))
 
 
@@ -86,10 +78,11 @@ def _contact_energy(
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     r, omega = rotation(state.attitude), state.angular_velocity
+    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
     arms = each(
         _arm_energy,
         (airframe.arms, state.arm_length, state.arm_rate),
-        (world.obstacles, contact_point, world.gravity, state, r),
+        (obstacles, contact_point, world.gravity, state, r),
     )
     a = total(arms)
     body_mass = airframe.mass - total(column(airframe.arms, "mass"))
@@ -132,7 +125,7 @@ def angular_momentum(airframe: Airframe, state: State) -> Vec:
     now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     omega, m = state.angular_velocity, airframe.mass
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
-    about_body = with_arms(airframe.inertia, now.second) @ omega
+    about_body = (airframe.inertia + arms_inertia(now.second)) @ omega
     return rotation(state.attitude) @ (about_body - m * (centre ^ ((omega ^ centre) + drift)))
 
 
@@ -163,7 +156,7 @@ def locked(airframe: Airframe, state: State) -> State:
     rate = each(_still, (airframe.arms,), ())
     then = total(each(spread, (airframe.arms, length, rate), ()))
     new_centre = then.first * (1.0 / m)
-    inertia = about_mass_centre(with_arms(airframe.inertia, then.second), m, new_centre)
+    inertia = about_mass_centre(airframe.inertia + arms_inertia(then.second), m, new_centre)
     new_omega = solve_symmetric(inertia, spin)
     return State(
         state.position + r @ (centre - new_centre),

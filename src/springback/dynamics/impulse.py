@@ -11,14 +11,14 @@ import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import meeting, slip_velocity, support
-from springback.contact.obstacles import Obstacle, World
+from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, Motion, Work
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import each, total
 from springback.kernels.vectors import Mat, Vec, positive_part, rotation, solve_symmetric
-from springback.vehicle.state import Airframe, Arm, State, arm_pose, with_arms
+from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
 SWEEPS = 100
 
@@ -35,19 +35,13 @@ class Hit(NamedTuple):
 
 @rare_kernel
 def _hit_obstacle(
-    obstacle: Obstacle,
-    contact_point: Any,
-    radius: float,
-    arm: Any,
-    position: Vec,
-    axis: Vec,
-    omega: Vec,
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat, omega: Vec
 ) -> Hit:
-    met = meeting(obstacle, contact_point, radius, arm, position, axis, omega)
-    at = support(contact_point, met.inward, arm.direction, axis, radius)
+    met = meeting(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
+    at = support(contact_point, met.inward, arm.direction, radius)
     closing = (met.gap <= LANDED) & (met.rate < 0.0) & (met.impulsive > 0.0)
-    lever = arm.lever + at.normal_lever
-    return Hit(1.0 if closing else 0.0, -met.inward, lever, met.gap, obstacle.surface)
+    lever = r @ (arm.lever + at.normal_lever)
+    return Hit(1.0 if closing else 0.0, -(r @ met.inward), lever, met.gap, obstacle.surface)
 
 
 @rare_kernel
@@ -60,9 +54,8 @@ def _hits_of_arm(
     state: State,
     r: Mat,
 ) -> tuple[Hit, ...]:
-    omega, axis = r @ state.angular_velocity, Vec(r.x.z, r.y.z, r.z.z)
-    pose = arm_pose(arm, length, rate, r, state.velocity)
-    shared = (contact_point, arm.cage_radius, pose, state.position, axis, omega)
+    pose = arm_pose(arm, length, rate, state.velocity @ r)
+    shared = (contact_point, arm.cage_radius, pose, r, state.angular_velocity)
     return each(_hit_obstacle, (obstacles,), shared)
 
 
@@ -78,13 +71,15 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     r, m = rotation(state.attitude), airframe.mass
     arms = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     centre = arms.first * (1.0 / m)
-    inertia = about_mass_centre(with_arms(airframe.inertia, arms.second), m, centre)
+    inertia = about_mass_centre(airframe.inertia + arms_inertia(arms.second), m, centre)
     omega = r @ state.angular_velocity
     velocity = state.velocity + (omega ^ (r @ centre)) + r @ (arms.drift * (1.0 / m))
+    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    vertical = Vec(0.0, 0.0, 1.0)
     hits = each(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
-        (world.obstacles, contact_point, state, r),
+        (obstacles, contact_point, state, r),
     )
     count = len(hits) * len(hits[0])
     normal_impulse = [0.0] * count
@@ -100,7 +95,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
                 continue
             n, rho = hit.normal, hit.lever - r @ centre
             u = v + (w ^ rho)
-            slip = slip_velocity(hit.surface, u, n)
+            slip = slip_velocity(hit.surface, u, n, vertical)
             if sweep == 0:
                 target[k] = -hit.surface.restitution * (u @ n)
                 slip_before[k] = slip
@@ -118,7 +113,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
             v = v + impulse * (1.0 / m)
             w = w + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
 
-            slip = slip_velocity(hit.surface, v + (w ^ rho), n)
+            slip = slip_velocity(hit.surface, v + (w ^ rho), n, vertical)
             speed = math.sqrt(slip @ slip)
             if speed > 0.0:
                 t = slip * (1.0 / speed)

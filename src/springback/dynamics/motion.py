@@ -2,17 +2,20 @@
 
 Ten coordinates for four arms: position, quaternion, arm lengths.  They are the paper's
 Euler–Lagrange equations (3)-(12) in Newton–Euler form, free of the Euler angles' singularity; the
-equivalence is a test (tests/dynamics/test_lagrangian.py).  With a' = Rᵀ(v̇ + g e_Z), r_j = l_j e_j
-and c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j, each arm obeys, along its own slide,
+equivalence is a test (tests/dynamics/test_lagrangian.py).  All is written in body axes, where arms,
+rotors and cages lie in the plane z = 0.  With a' = Rᵀ(v̇ + g e_Z) and r_j = l_j e_j, each arm
+obeys, along its own slide,
 
-    m_j (l̈_j + e_j·a') = h_j = e_j·f_j − m_j e_j·c_j + (spring, damper, stops)
+    m_j (l̈_j + e_j·a') = h_j = e_j·f_j − m_j e_j·(ω × (ω × r_j)) + (spring, damper, stops)
 
 so l̈_j leaves the system before it is solved, and six equations remain:
 
-    [ M   −ŝ ] [a']   [ Σ (F_j − m_j c_j − u_j h_j e_j)        ]     M = m 1 − Σ u_j m_j e_j e_jᵀ
-    [ ŝ    J ] [α ] = [ Σ r_j × (F_j − m_j c_j) + τ − ω × I ω  ]     s = Σ m_j r_j
-                                                                     J = I + Σ m_j l_j² (1 − e_j
-                                                                     e_jᵀ)
+    [ M   −ŝ ] [a']   [ F − ω × (ω × s + 2 d) − Σ u_j h_j e_j ]     M = m 1 − Σ u_j m_j e_j e_jᵀ
+    [ ŝ    J ] [α ] = [ τ − ω × J ω − J̇ ω                     ]     J = I + Σ m_j l_j² (1 − e_j
+    e_jᵀ)
+
+with the arms' first moment s = Σ m_j r_j and its rate d = Σ m_j l̇_j e_j, F and τ the contact
+forces and thrusts and their moments about the main body.
 
 u_j is 1 for an arm that slides and 0 for one that is locked.  All locked: the rigid Newton–Euler
 equations (1), with the centre of mass wherever the arms put it.
@@ -23,7 +26,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import Meeting, meeting
-from springback.contact.obstacles import Obstacle, World
+from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import column, each, largest, least, total
 from springback.kernels.vectors import (
@@ -34,7 +37,7 @@ from springback.kernels.vectors import (
     rotation,
     solve_symmetric,
 )
-from springback.vehicle.state import Airframe, Arm, State, arm_pose, with_arms
+from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
 #: A switching function closer to zero than this counts as at zero [m].
 LANDED = 1e-9
@@ -101,18 +104,18 @@ class View(NamedTuple):
 
 
 class ArmShare(NamedTuple):
-    """What one arm adds to the six equations."""
+    """What one arm adds to the six equations; vectors in body axes."""
 
-    force: Vec  # contact force, world
-    moment: Vec  # contact moment about the main body, world
-    push: Vec  # −m_j c_j − u_j h_j e_j, body
-    moment_body: Vec  # r_j × (T_j e_z − m_j c_j) and rotor torque, body
+    force: Vec  # of contact
+    moment: Vec  # of contact, about the main body
     thrust: float
-    carried: Vec  # m_j r_j, body
+    rotor_moment: Vec  # r_j × T_j e_z and the rotor's own torque
+    taken: Vec  # u_j h_j e_j: what the sliding arm keeps to itself
+    carried: Vec  # m_j r_j
+    drift: Vec  # m_j l̇_j e_j
     sliding: Vec  # u_j m_j (e_x², e_y², e_x e_y)
     inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
-    momentum: Vec  # m_j (v_j − v), body
-    thrust_power: float
+    inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
     contact_loss: float
@@ -161,8 +164,8 @@ def _impulsive(met: Meeting) -> float:
 
 
 @kernel
-def _nearest_normal(met: Meeting, nearest: float) -> Vec:
-    return met.inward * (1.0 if met.gap == nearest else 0.0)
+def _nearest_normal(met: Meeting, nearest: float, r: Mat) -> Vec:
+    return (r @ met.inward) * (1.0 if met.gap == nearest else 0.0)
 
 
 class Stop(NamedTuple):
@@ -196,6 +199,12 @@ def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
 
 
 @kernel
+def planar_product(a: Vec, b: Vec) -> Vec:
+    """(a_x b_x, a_y b_y, a_x b_y) of a bᵀ, for parallel vectors in the body plane."""
+    return Vec(a.x * b.x, a.y * b.y, a.x * b.y)
+
+
+@kernel
 def arm_state(
     arm: Arm,
     length: float,
@@ -205,50 +214,50 @@ def arm_state(
     contact_point: Any,
     state: State,
     r: Mat,
-    omega_world: Vec,
-    climb: float,
+    velocity: Vec,
     released: float,
 ) -> ArmState:
     """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
 
-    Inertial terms are written in the arm's own axes (e, n, z): along the arm, across it, and up.
+    Args:
+        arm: Constants of the arm.
+        length: l_j [m].
+        rate: l̇_j [m/s].
+        thrust: T_j [N].
+        obstacles: As they are seen from the main body.
+        contact_point: `Ring` or `ArmTip`.
+        state: Of the vehicle.
+        r: Body axes to world axes.
+        velocity: Rᵀ v, of the main body, body axes [m/s].
+        released: 1 lets compliant arms slide, 0 locks them.
     """
-    cosine, sine, m, u = arm.cosine, arm.sine, arm.mass, arm.compliance * released
-    omega, axis = state.angular_velocity, Vec(r.x.z, r.y.z, r.z.z)
-    pose = arm_pose(arm, length, rate, r, state.velocity)
+    m, u, omega = arm.mass, arm.compliance * released, state.angular_velocity
+    pose = arm_pose(arm, length, rate, velocity)
+    e, lever = pose.direction, pose.lever
 
-    met = each(
-        meeting,
-        (obstacles,),
-        (contact_point, arm.cage_radius, pose, state.position, axis, omega_world),
-    )
+    vertical = Vec(r.z.x, r.z.y, r.z.z)
+    met = each(meeting, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical))
     touch = total(column(met, "touch"))
     gap = least(column(met, "gap"))
     stop = end_stop(arm, length, rate)
 
-    # c_j = ω × (ω × r_j) + 2 l̇_j ω × e_j
-    w_e, w_n = cosine * omega.x + sine * omega.y, cosine * omega.y - sine * omega.x
-    c_e = -length * (w_n * w_n + omega.z * omega.z)
-    c_n = length * w_e * w_n + 2.0 * rate * omega.z
-    c_z = length * w_e * omega.z - 2.0 * rate * w_n
-    h = pose.direction @ touch.force - m * c_e + spring_damper_force(arm, length, rate) + stop.force
-    push_e, push_n = -m * c_e - u * h, -m * c_n
-    moment_n, moment_z = length * (m * c_z - thrust), length * push_n
+    across = e.x * omega.y - e.y * omega.x
+    outward = m * length * (across * across + omega.z * omega.z)  # centrifugal force along the arm
+    own = spring_damper_force(arm, length, rate) + stop.force
+    h = e @ touch.force + outward + own
 
-    ml = m * length
-    squares = Vec(cosine * cosine, sine * sine, cosine * sine)
-    slide_n, slide_z = length * omega.z, -length * w_n  # ω × r_j
+    carried, drift, sliding = m * lever, (m * rate) * e, (u * m) * e
     share = ArmShare(
         force=touch.force,
         moment=touch.moment,
-        push=Vec(cosine * push_e - sine * push_n, sine * push_e + cosine * push_n, -m * c_z),
-        moment_body=Vec(-sine * moment_n, cosine * moment_n, moment_z + arm.torque_ratio * thrust),
         thrust=thrust,
-        carried=Vec(ml * cosine, ml * sine, 0.0),
-        sliding=(u * m) * squares,
-        inertia=(ml * length) * squares,
-        momentum=m * Vec(cosine * rate - sine * slide_n, sine * rate + cosine * slide_n, slide_z),
-        thrust_power=thrust * (climb + slide_z + arm.torque_ratio * omega.z),
+        rotor_moment=thrust * Vec(lever.y, -lever.x, arm.torque_ratio),
+        taken=(u * h) * e,
+        carried=carried,
+        drift=drift,
+        sliding=planar_product(sliding, e),
+        inertia=planar_product(carried, lever),
+        inertia_rate=planar_product(drift + drift, lever),
         arm_loss=u * arm.damping * rate * rate,
         stop_loss=u * stop.loss,
         contact_loss=touch.contact_loss,
@@ -268,14 +277,14 @@ def arm_state(
         gap=gap,
         depth=positive_part(-gap),
         normal=touch.normal,
-        friction=touch.friction,
+        friction=r @ touch.friction,
         compression=arm.length - length,
         landing=landing,
         touching=largest(each(_touching, (met,), ())),
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if (u > 0.0) & (length < arm.shortest) else 0.0,
         on_stop=1.0 if on_stop else 0.0,
-        inward=total(each(_nearest_normal, (met,), (gap,))),
+        inward=total(each(_nearest_normal, (met,), (gap, r))),
     )
     return ArmState(share, ArmPull(u * h * arm.inverse_mass, u), view)
 
@@ -392,18 +401,21 @@ def rates(
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     r, omega = rotation(state.attitude), state.angular_velocity
-    omega_world, climb = r @ omega, Vec(r.x.z, r.y.z, r.z.z) @ state.velocity
+    velocity = state.velocity @ r
+    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
     arms = each(
         arm_state,
         (airframe.arms, state.arm_length, state.arm_rate, thrust),
-        (world.obstacles, contact_point, state, r, omega_world, climb, released),
+        (obstacles, contact_point, state, r, velocity, released),
     )
     a = total(column(arms, "share"))
 
-    i = airframe.inertia
-    force = a.force @ r + a.push + Vec(0.0, 0.0, a.thrust)
-    moment = a.moment @ r + a.moment_body - (omega ^ (i @ omega))
-    system = System(airframe.mass, a.sliding, a.carried, with_arms(i, a.inertia), force, moment)
+    turning = omega ^ a.carried
+    inertia = airframe.inertia + arms_inertia(a.inertia)
+    spin_rate = (omega ^ (inertia @ omega)) + arms_inertia(a.inertia_rate) @ omega
+    force = a.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
+    moment = a.moment + a.rotor_moment - spin_rate
+    system = System(airframe.mass, a.sliding, a.carried, inertia, force, moment)
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
@@ -416,10 +428,12 @@ def rates(
         state.arm_rate,
         sliding,
     )
+    thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
+    push = r @ a.force
     work_rate = Work(
-        a.thrust_power, a.arm_loss, a.stop_loss, a.contact_loss, a.friction_loss, 0.0, a.force
+        thrust_power, a.arm_loss, a.stop_loss, a.contact_loss, a.friction_loss, 0.0, push
     )
-    mass_centre_velocity = state.velocity + r @ (a.momentum * (1.0 / airframe.mass))
+    mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
     views = column(arms, "seen")
-    view = View(acceleration, solved.linear, mass_centre_velocity, a.force, views, a.on_ground)
+    view = View(acceleration, solved.linear, mass_centre_velocity, push, views, a.on_ground)
     return Rates(Motion(state_rate, work_rate), view)

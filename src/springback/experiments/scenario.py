@@ -12,7 +12,7 @@ from pydantic import ValidationError, model_validator
 
 from springback.contact.cage import ArmTip, Ring, meeting
 from springback.contact.library import SURFACES
-from springback.contact.obstacles import Forces, Impulses, World
+from springback.contact.obstacles import Forces, Impulses, World, obstacle_seen
 from springback.contact.parameters import ObstacleSettings, faces, obstacles
 from springback.dynamics.motion import Free, Slider
 from springback.errors import InputError
@@ -143,7 +143,7 @@ class Scenario(Settings):
         rate = self.vehicle.fastest_arm_rate()
         if rate == 0.0:
             return float(s.free_step)
-        return max(float(s.impact_step), min(4.0 * s.impact_step, 0.5 / rate))
+        return float(max(s.impact_step, min(4.0 * s.impact_step, 0.5 / rate)))
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
@@ -182,22 +182,15 @@ class Scenario(Settings):
                 )
 
     def _check_start(self) -> None:
-        model, state = self.flight_model(), self.start_state()
+        model, state, still = self.flight_model(), self.start_state(), Vec(0.0, 0.0, 0.0)
         r = rotation(state.attitude)
-        axis, omega = Vec(r.x.z, r.y.z, r.z.z), r @ state.angular_velocity
+        vertical = Vec(0.0, 0.0, 1.0) @ r
         owners = [k for k, entry in enumerate(self.world.obstacles) for _ in faces(entry)]
-        for j, arm in enumerate(model.airframe.arms):
-            pose = arm_pose(arm, state.arm_length[j], 0.0, r, state.velocity)
-            for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-                met = meeting(
-                    obstacle,
-                    model.contact_point,
-                    arm.cage_radius,
-                    pose,
-                    state.position,
-                    axis,
-                    omega,
-                )
+        for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
+            there = obstacle_seen(obstacle, state.position, r)
+            for j, arm in enumerate(model.airframe.arms):
+                pose = arm_pose(arm, arm.length, 0.0, still)
+                met = meeting(there, model.contact_point, arm.cage_radius, pose, still, vertical)
                 if met.gap < 0.0:
                     kind = self.world.obstacles[owner].type
                     raise problem(

@@ -80,6 +80,7 @@ STYLE: dict[str, Any] = {
     "savefig.dpi": RESOLUTION,
     "pdf.fonttype": 42,  # outlines that editors and journals accept
     "text.usetex": False,
+    "text.parse_math": False,  # names are the user's, and may hold a dollar sign
 }
 
 
@@ -98,6 +99,7 @@ def _styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
         with style.context(["default", STYLE]):
             figure = draw(*args, **kwargs)
             figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
+            figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
         return figure
 
     return drawn
@@ -154,46 +156,48 @@ def flight_figure(flight: Flight) -> Figure:
         axis: 0.0 if touch is None else float(np.interp(touch, c["t"], c[axis])) for axis in "xyz"
     }
     size, unit = (1.0, "m") if touch is None else (1e3, "mm")
-    panels: list[tuple[str, list[tuple[str, Array]]]] = [
+    panels = [
         (f"Position [{unit}]", [(axis, size * (c[axis] - first[axis])) for axis in "xyz"]),
         ("Velocity [m/s]", [(f"v{axis}", c[f"v{axis}"]) for axis in "xyz"]),
         ("Acceleration [m/s²]", [(f"a{axis}", c[f"a{axis}"]) for axis in "xyz"]),
     ]
     arms = _arms(c)
     if any(np.ptp(c[f"l{j}"]) > 1e-9 for j in arms):
-        panels.append(("Arm length [mm]", _alike([(j, 1e3 * c[f"l{j}"]) for j in arms])))
+        panels.append(("Arm length [mm]", _alike("arm", [(j, 1e3 * c[f"l{j}"]) for j in arms])))
     touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
-    forces = _alike([(j, c[f"fn{j}"]) for j in touched])
-    friction = _alike(
-        [(j, c[f"ff{j}"]) for j in touched if np.any(c[f"ff{j}"] > 0.0)], "friction, "
-    )
     if touched:
+        least = 1e-3 * max(float(np.max(c[f"fn{j}"])) for j in touched)
+        rubbed = [j for j in touched if np.max(c[f"ff{j}"]) > least]
+        forces = _alike("arm", [(j, c[f"fn{j}"]) for j in touched])
+        friction = _alike("friction", [(j, c[f"ff{j}"]) for j in rubbed])
         panels.append(("Contact force [N]", forces + friction))
 
     figure = Picture(figsize=(WIDTH, 0.45 + 1.4 * len(panels)))
-    axes: Sequence[Axes] = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
+    axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
     for ax, (label, curves) in zip(axes, panels, strict=True):
         for start, end in _contacts(c, arms):
             ax.axvspan(t(start), t(end), color=SHADE, lw=0.0, zorder=0.1)
         for (name, values), (colour, line) in zip(curves, LOOKS * len(curves), strict=False):
             ax.plot(t(c["t"][inside]), values[inside], color=colour, ls=line, label=name)
+        low, high = ax.get_ylim()
+        if high - low < 1e-6:  # nothing but rounding: a flat line, not a magnified one
+            ax.set_ylim(low - 1.0, high + 1.0)
         ax.set_ylabel(label)
         _legend_above(ax)
     if touched:
-        axes[0].text(
-            0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=8, color=GREY
-        )
+        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=8)
     axes[-1].set_xlabel("Time [s]" if touch is None else "Time from first touch [ms]")
-    axes[-1].margins(x=0.0)
+    shown = t(c["t"][inside])
+    axes[-1].set_xlim(shown[0], shown[-1] if shown[-1] > shown[0] else shown[0] + 1.0)
     figure.align_ylabels(axes)
     return figure
 
 
-def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Array]:
+def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     """How time is shown, and which instants are: all, or those around the contacts."""
     t, touch = flight.columns["t"], flight.measures.get("touch_time")
     if touch is None:
-        return lambda instant: instant, t == t
+        return lambda instant: instant, slice(None)
     ends = [end for _, end in _contacts(flight.columns, _arms(flight.columns))]
     last = max([*ends, flight.measures.get("return_time") or touch, touch + 0.01])
     room = 0.35 * (last - touch)
@@ -207,17 +211,14 @@ def _arms(columns: dict[str, Array]) -> list[int]:
 def _contacts(columns: dict[str, Array], arms: Iterable[int]) -> list[tuple[float, float]]:
     """Intervals of time in which any cage touches anything [s]."""
     t = columns["t"]
-    touching = np.zeros(len(t) + 2, dtype=bool)
+    touching = np.zeros(len(t) + 2, dtype=int)
     for j in arms:
         touching[1:-1] |= columns[f"fn{j}"] > 0.0
-    starts, ends = (
-        np.flatnonzero(np.diff(touching.astype(int)) == 1),
-        np.flatnonzero(np.diff(touching.astype(int)) == -1),
-    )
+    starts, ends = (np.flatnonzero(np.diff(touching) == change) for change in (1, -1))
     return [(float(t[i]), float(t[min(k, len(t) - 1)])) for i, k in zip(starts, ends, strict=True)]
 
 
-def _alike(curves: list[tuple[int, Array]], what: str = "") -> list[tuple[str, Array]]:
+def _alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]:
     """Curves of arms with equal ones as one, so that no curve hides behind another."""
     groups: list[tuple[list[int], Array]] = []
     for arm, values in curves:
@@ -227,17 +228,14 @@ def _alike(curves: list[tuple[int, Array]], what: str = "") -> list[tuple[str, A
             groups.append(([arm], values))
         else:
             twin[0].append(arm)
-    return [
-        (f"{what}arm{'s' * (len(names) > 1)} {', '.join(map(str, names))}", values)
-        for names, values in groups
-    ]
+    return [(f"{what} {', '.join(map(str, names))}", values) for names, values in groups]
 
 
 def _legend_above(ax: Axes) -> None:
     """A legend of one line above the panel, where it hides nothing."""
     ax.legend(
-        loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=4, borderpad=0.0, borderaxespad=0.1,
-        columnspacing=1.2, handletextpad=0.5,
+        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderpad=0.0, borderaxespad=0.3,
+        columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
     )  # fmt: skip
 
 
@@ -271,29 +269,38 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     """
     flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
     flights = [case.flight for cases in flown.values() for case in cases]
-    sliding = any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights)
-    labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]"][
-        : 3 + sliding
-    ]
+    labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
+    if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
+        labels.append("Arm length [mm]")
     figure = Picture(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
-    looks = _reading_looks(results) if robot == "arq" else {"Quad": (BLUE, "-")}
+    looks = _reading_looks(results)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
-        column[0].set_title(f"{ROBOTS[robot]} on the {surface}")
+        span = _slider_times(robot, surface, cases)
         for case in cases:
-            _slider_curves(column, case, looks[case.reading.name])
+            _slider_curves(column, case, looks.get(case.reading.name, LOOKS[0]), span)
         _slider_print(column, robot, surface)
+        column[0].set_title(f"{ROBOTS[robot]} on the {surface}")
         column[-1].set_xlabel("Time from first touch [ms]")
-        column[-1].set_xlim(*_slider_times(robot, surface, cases))
+        column[-1].set_xlim(*span)
     for ax, label in zip(axes[:, 0], labels, strict=True):
         ax.set_ylabel(label)
+        ax.yaxis.set_major_locator(MaxNLocator(5))
     figure.align_ylabels(axes[:, 0])
-    handles, names = axes[0, 0].get_legend_handles_labels()
-    diamond, diamond_name = axes[1, 0].get_legend_handles_labels()
+    axes[1, 0].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     figure.legend(
-        handles + diamond[-1:], names + diamond_name[-1:], loc="outside upper center", ncols=3
-    )
+        *(position + velocity for position, velocity in zip(
+            axes[0, 0].get_legend_handles_labels(),
+            axes[1, 0].get_legend_handles_labels(), strict=True,
+        )),
+        loc="outside upper center", ncols=3,
+    )  # fmt: skip
     return figure
+
+
+def _short(name: str, most: int = 24) -> str:
+    """A name that fits into a legend."""
+    return name if len(name) <= most else name[: most - 1] + "…"
 
 
 def _front(flight: Flight) -> int:
@@ -315,13 +322,17 @@ def _slider_times(robot: str, surface: str, cases: Sequence[Case]) -> tuple[floa
     return -0.15e3 * max(shown), 1.3e3 * max(shown)
 
 
-def _slider_curves(column: Sequence[Axes], case: Case, look: Look) -> None:
+def _slider_curves(
+    column: Sequence[Axes], case: Case, look: Look, span: tuple[float, float]
+) -> None:
     c, (t, touch) = case.flight.columns, _since_touch(case.flight)
     past = c["x"] - np.interp(touch, c["t"], c["x"])
     curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
-    name = "computed" if case.robot == "quad" else f"reading {case.reading.name}"
+    inside = (t > span[0]) & (t < span[1])  # the rest would only stretch the scales
     for ax, values in zip(column, curves, strict=False):
-        ax.plot(t, values, color=look[0], ls=look[1], label=name)
+        ax.plot(t[inside], values[inside], color=look[0], ls=look[1])
+    name = "computed" if case.robot == "quad" else f"reading {case.reading.name}"
+    column[0].lines[-1].set_label(_short(name))
     left = case.flight.measures.get("contact_time")
     if left is not None:
         speed = float(np.interp(touch + left, c["t"], c["vx"]))
@@ -340,7 +351,7 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     column[1].axhline(after, **line)
     column[1].plot(
         1e3 * printed.contact_time, after, "D", color=INK, mec="white", ms=6, ls="none", zorder=4,
-        label="printed end of contact",
+        label="the same, printed",
     )  # fmt: skip
     column[2].axhline(-printed.peak_acceleration, **line)
 
@@ -354,21 +365,25 @@ def sweep_figure(results: SliderResults) -> Figure:
     figure = Picture(figsize=(WIDTH, 4.4))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
-    bars += [(f"ARQ, {n}", looks[n][0], [points[n, v].arq for v in speeds]) for n in names]
+    bars += [
+        (_short(f"ARQ, reading {n}"), looks[n][0], [points[n, v].arq for v in speeds])
+        for n in names
+    ]
     _bars(upper, speeds, bars)
-    gaps = [(n, looks[n][0], [points[n, v].gap for v in speeds]) for n in names]
+    gaps = [("", looks[n][0], [points[n, v].gap for v in speeds]) for n in names]
     _bars(lower, speeds, gaps, first=1)
-    lower.hlines(SWEEP_GAP, SWEEP_SPEEDS[-1] - 0.5, SWEEP_SPEEDS[-1] + 0.5, color=INK, lw=1.6)
-    lower.annotate(
-        f"printed: {SWEEP_GAP:.0f} m/s²", (SWEEP_SPEEDS[-1] - 0.5, SWEEP_GAP), (-6, 0),
-        textcoords="offset points", ha="right", va="center", fontsize=8,
+    last = SWEEP_SPEEDS[-1]
+    lower.hlines(
+        SWEEP_GAP, last - 0.5, last + 0.5, color=INK, lw=1.6,
+        label=f"printed at {last:g} m/s: {SWEEP_GAP:.0f} m/s²",
     )  # fmt: skip
     upper.set_ylabel("Peak acceleration [m/s²]")
     lower.set_ylabel("Quad less ARQ [m/s²]")
     lower.set_xlabel("Speed at touch [m/s]")
     lower.set_xticks(speeds, [f"{v:g}" for v in speeds])
     figure.align_ylabels([upper, lower])
-    upper.legend(loc="upper left", ncols=2)
+    upper.legend(loc="upper left", ncols=1 + len(names) // 4)
+    lower.legend(loc="upper left")
     return figure
 
 
@@ -406,7 +421,10 @@ def readings_figure(results: SliderResults) -> Figure:
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)
     for ax, surface in zip(axes, SURFACES, strict=True):
-        ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1)
+        ax.axvspan(
+            1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1,
+            label=f"within {100 * AGREEMENT:.0f} % of print",
+        )  # fmt: skip
         ax.axvline(1.0, color=INK, lw=0.9)
         for k, name in enumerate(names):
             shift = 0.5 * (k / max(len(names) - 1, 1) - 0.5)
@@ -416,16 +434,19 @@ def readings_figure(results: SliderResults) -> Figure:
             for face, values in (("white", other), (looks[name][0], found)):
                 known = [(1.0 + v, y) for v, y in zip(values, at, strict=True) if v is not None]
                 ax.plot(
-                    [x for x, _ in known], [y for _, y in known], marks[k % len(marks)], ms=6, mew=1.2,
-                    color=looks[name][0], mfc=face, label=name if face != "white" else None,
+                    [x for x, _ in known], [y for _, y in known], marks[k % len(marks)],
+                    ms=6, mew=1.2, color=looks[name][0], mfc=face,
+                    label=None if face == "white" else _short(f"reading {name}"),
                 )  # fmt: skip
         ax.set_title(f"ARQ on the {surface}")
         ax.set_xlabel("ours / printed [-]")
         ax.xaxis.set_major_locator(MaxNLocator(5))
     axes[0].set_yticks(range(len(lines)), [line[0] for line in lines])
     axes[0].set_ylim(len(lines) - 0.5, -0.5)
-    handles, _ = axes[0].get_legend_handles_labels()
-    figure.legend(handles, [f"reading {n}" for n in names], loc="outside upper center", ncols=4)
+    axes[0].plot([], [], "o", color=GREY, mfc="white", mew=1.2, ms=6, label="open: at return")
+    figure.legend(
+        *axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=3, handlelength=1.4
+    )
     return figure
 
 
@@ -437,67 +458,71 @@ _LOSSES = (
     ("locking the arms", "loss_settling", GREY),
 )  # fmt: skip
 _LEFT = (
-    ("left in motion", "energy_kinetic"), ("left in height", "energy_gravity"),
-    ("left in arm springs", "energy_springs"), ("left in contacts", "energy_contact"),
-    ("left in end stops", "energy_stops"),
+    ("left in motion", "energy_kinetic"), ("left in arm springs", "energy_springs"),
+    ("left in contacts", "energy_contact"), ("left in end stops", "energy_stops"),
 )  # fmt: skip
 
 
 @_styled
 def energy_figure(*flights: Flight) -> Figure:
-    """Where the energy went: what there was, what each loss took, what was left.
+    """Where the energy went: what was put in, what each loss took, what was left.
 
-    Shares are of what was put in: the energy at the start and the work of the rotors.
+    Shares are of what was put in: the energy at the start, the work of the rotors, and the fall.
 
     Args:
         *flights: One panel each, on one scale.
     """
     steps = [_energy_steps(flight) for flight in flights]
-    scale = max(abs(value) for each in steps for _, _, value, _ in each) or 1.0
+    scale = max(abs(value) for each in steps for _, value, _ in each) or 1.0
     shown = [
         name
-        for k, (name, *_) in enumerate(steps[0])
-        if k == 0 or any(abs(each[k][2]) > 1e-3 * scale for each in steps)
+        for k, (name, _, _) in enumerate(steps[0])
+        if any(abs(each[k][1]) > 1e-3 * scale for each in steps)
     ]
-    figure = Picture(figsize=(WIDTH, (0.55 + 0.26 * len(shown)) * len(flights) + 0.35))
-    axes: Sequence[Axes] = figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0]
+    figure = Picture(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
+    axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
     for ax, each, flight in zip(axes, steps, flights, strict=True):
-        put_in = each[0][2] + max(each[1][2], 0.0)
-        for name, start, value, colour in each:
-            if name not in shown:
-                continue
-            y = shown.index(name)
-            ax.barh(y, value, 0.72, left=start, color=colour)
-            share = f" ({value / put_in:.1%})".replace("%", " %") if put_in > 0.0 else ""
-            ax.annotate(
-                f"{value:.3g} J{share}".replace("-", "−"), (max(start, start + value), y), (4, 0),
-                textcoords="offset points", va="center", fontsize=8,
-            )  # fmt: skip
-        ax.set_yticks(range(len(shown)), shown)
-        ax.set_ylim(len(shown) - 0.4, -0.6)
-        ax.grid(visible=False, axis="y")
-        ax.axvline(0.0, color=GREY, lw=0.8)
-        ax.set_title(flight.scenario.name)
-    low, high = axes[-1].get_xlim()
-    axes[-1].set_xlim(low if low < -1e-3 * scale else 0.0, high + 0.3 * (high - low))
+        _waterfall(ax, [step for step in each if step[0] in shown])
+        ax.set_title(_short(flight.scenario.name, 50))
+    longest = max(ax.dataLim.x1 for ax in axes) if shown else 1.0
+    axes[-1].set_xlim(0.0, 1.42 * longest)  # room for the numbers
     axes[-1].set_xlabel("Energy [J]")
     return figure
 
 
-def _energy_steps(flight: Flight) -> list[tuple[str, float, float, str]]:
-    """Name, start, length and colour of every bar, each beginning where the last one ended."""
+def _waterfall(ax: Axes, steps: list[tuple[str, float, str]]) -> None:
+    """A bar for each step, each beginning where the last one ended; what is left begins at zero."""
+    put_in = sum(value for name, value, _ in steps if value > 0.0 and not name.startswith("left"))
+    level, leaving = 0.0, False
+    for y, (name, value, colour) in enumerate(steps):
+        if name.startswith("left") and not leaving:
+            level, leaving = 0.0, True
+        ax.barh(y, value, 0.72, left=level, color=colour)
+        share = f" ({100.0 * abs(value) / put_in:.1f} %)" if put_in > 0.0 else ""
+        sign = "−" if value < 0.0 else ""
+        ax.annotate(
+            f"{sign}{abs(value):.3g} J{share}", (max(level, level + value), y), (4, 0),
+            textcoords="offset points", va="center", fontsize=8,
+        )  # fmt: skip
+        level += value
+    ax.set_yticks(range(len(steps)), [name for name, _, _ in steps])
+    ax.set_ylim(len(steps) - 0.4, -0.6)
+    ax.grid(visible=False, axis="y")
+
+
+def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
+    """Name, size and colour of every step: what put energy in, what took it, what is left."""
     m = {name: value or 0.0 for name, value in flight.measures.items()}
-    level = m["energy_start"]
-    steps = [("at the start", 0.0, level, INK), ("rotors put in", level, m["work_thrust"], GREY)]
-    level += m["work_thrust"]
-    for name, key, colour in _LOSSES:
-        steps.append((name, level, -m[key], colour))
-        level -= m[key]
-    level = 0.0
-    for name, key in _LEFT:
-        steps.append((name, level, m[key], GREEN))
-        level += m[key]
-    return steps
+    rotors, height = m["work_thrust"], m["energy_gravity"]
+    return [
+        ("at the start", m["energy_start"], INK),
+        ("rotors put in", max(rotors, 0.0), GREY),
+        ("fall put in", max(-height, 0.0), GREY),
+        ("rotors took", min(rotors, 0.0), SKY),
+        *((name, -m[key], colour) for name, key, colour in _LOSSES),
+        *((name, m[key], GREEN) for name, key in _LEFT),
+        ("left in height", max(height, 0.0), GREEN),
+    ]
 
 
 # -- the one picture ------------------------------------------------------------------------------
@@ -505,7 +530,7 @@ def _energy_steps(flight: Flight) -> list[tuple[str, float, float, str]]:
 
 @_styled
 def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
-    """ARQ and Quad hit the wall on the slider: velocity and acceleration, wide, for a front page."""
+    """ARQ and Quad hit the wall on the slider: velocity and acceleration, for a front page."""
     cases = predictions(results, "quad", "wall") + [
         case for case in predictions(results, "arq", "wall") if case.reading.name == reading
     ]
@@ -513,19 +538,19 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
     left, right = figure.subplots(1, 2)
     for case in cases:
         (t, touch), (colour, line) = _since_touch(case.flight), ROBOT_LOOKS[case.robot]
-        c, name = case.flight.columns, ROBOTS[case.robot]
+        c, m, name = case.flight.columns, case.flight.measures, ROBOTS[case.robot]
+        kind = f"{name}, {'rigid' if case.robot == 'quad' else 'compliant'} arms"
         for ax, column in ((left, "vx"), (right, "ax")):
-            ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=name)
-        peak, when = (
-            case.flight.measures["peak_acceleration"],
-            case.flight.measures["peak_acceleration_time"],
-        )
+            ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=kind)
+        right.fill_between(t, c["ax"], color=colour, alpha=0.1, lw=0.0)
+        peak, when = m["peak_acceleration"], m["peak_acceleration_time"]
         if peak is not None and when is not None:
             at = 1e3 * (when - touch)
             right.plot(at, -peak, "o", color=colour, ms=5)
             right.annotate(
-                f"{name}: {peak:.0f} m/s²", (at, -peak), (9, -3), textcoords="offset points",
-                color=colour, weight="bold", fontsize=10,
+                f"{name}: {peak:.0f} m/s²", (at, -peak), (48, 0), textcoords="offset points",
+                color=colour, weight="bold", fontsize=10, va="center",
+                arrowprops={"arrowstyle": "-", "color": colour, "lw": 1.0},
             )  # fmt: skip
     for ax, label in ((left, "Velocity [m/s]"), (right, "Acceleration [m/s²]")):
         ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)

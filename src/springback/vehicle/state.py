@@ -54,11 +54,11 @@ class State(NamedTuple):
 
 
 class ArmPose(NamedTuple):
-    """An arm seen from the main body, in world axes."""
+    """An arm seen from the main body, in body axes."""
 
-    direction: Vec  # R e_j
-    lever: Vec  # l_j R e_j, from the main body to the arm's end [m]
-    sliding: Vec  # v + l̇_j R e_j: velocity of the arm's end less the part due to rotation [m/s]
+    direction: Vec  # e_j
+    lever: Vec  # r_j = l_j e_j, from the main body to the arm's end [m]
+    sliding: Vec  # Rᵀ v + l̇_j e_j: velocity of the arm's end less the part due to rotation [m/s]
 
 
 @kernel
@@ -68,24 +68,28 @@ def arm_direction(arm: Arm) -> Vec:
 
 
 @kernel
-def arm_pose(arm: Arm, length: float, rate: float, r: Mat, velocity: Vec) -> ArmPose:
-    """Eq. (5): p_j = p + l_j R e_j and v_j = v + l̇_j R e_j + ω × l_j R e_j.
+def arm_pose(arm: Arm, length: float, rate: float, velocity: Vec) -> ArmPose:
+    """Eq. (5), Rᵀ (p_j − p) = l_j e_j and Rᵀ v_j = Rᵀ v + l̇_j e_j + ω × l_j e_j, in body axes.
 
-    The paper prints the last term as l_j R ω̂ e_j, the same vector in body axes.
+    Args:
+        arm: Constants of the arm.
+        length: l_j [m].
+        rate: l̇_j [m/s].
+        velocity: Rᵀ v, of the main body, body axes [m/s].
     """
-    e = r @ arm_direction(arm)
+    e = arm_direction(arm)
     return ArmPose(e, length * e, velocity + rate * e)
 
 
 @kernel
-def with_arms(inertia: Mat, second: Vec) -> Mat:
-    """J = I + Σ m_j l_j² (1 − e_j e_jᵀ) about the main body, body axes [kg m²].
+def arms_inertia(second: Vec) -> Mat:
+    """Σ m_j l_j² (1 − e_j e_jᵀ), of the arms about the main body, body axes [kg m²].
 
     Args:
-        inertia: I, of the main body alone.
-        second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane.
+        second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane; or its rate, for the
+        rate.
     """
-    return inertia + Mat(
+    return Mat(
         Vec(second.y, -second.z, 0.0),
         Vec(-second.z, second.x, 0.0),
         Vec(0.0, 0.0, second.x + second.y),
