@@ -9,8 +9,9 @@ from contact.scenes import surface
 from hypothesis import given
 from hypothesis import strategies as st
 
-from springback.contact.cage import slip_velocity
-from springback.contact.surfaces import friction_force
+from springback.contact import cage
+from springback.contact.surfaces import Surface
+from springback.contact.surfaces import friction_force as friction_of
 from springback.kernels.vectors import Vec, norm
 
 MU = 0.8
@@ -19,6 +20,19 @@ VERTICAL = surface(friction=MU, vertical_only=True)
 component = st.floats(-5.0, 5.0)
 velocities = st.builds(Vec, component, component, component)
 loads = st.floats(0.0, 500.0)
+
+
+def slip_velocity(law: Surface, velocity: Vec, normal: Vec) -> Vec:
+    """Slip in world axes."""
+    return cage.slip_velocity(law, velocity, normal, Vec(0.0, 0.0, 1.0))
+
+
+def friction_force(law: Surface, load: float, slip: Vec) -> Vec:
+    """The force alone, after a look at its heat."""
+    now = friction_of(law, load, slip)
+    assert now.loss == pytest.approx(-(now.force @ slip), rel=1e-12, abs=1e-300)
+    assert now.loss >= 0.0
+    return now.force
 
 
 def _unit(v: Vec) -> Vec:

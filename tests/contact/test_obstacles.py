@@ -10,12 +10,13 @@ from contact.own_obstacles import Ball, Pole
 from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from springback.contact.cage import Ring
-from springback.contact.obstacles import Plane, outward_normal, signed_distance
+from springback.contact.obstacles import Plane, outward_normal, seen, signed_distance
 from springback.dynamics.motion import Free
 from springback.kernels.compiler import cache_folder
-from springback.kernels.vectors import Vec, norm
+from springback.kernels.vectors import Mat, Vec, norm
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import measures_of
 from springback.simulation.record import Model
@@ -109,6 +110,20 @@ def test_own_obstacle_stays_out_of_the_kernels_on_disk() -> None:
     fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3))
     for index in cache_folder().rglob("*.nbi"):
         assert b"own_obstacles" not in index.read_bytes()
+
+
+def test_body_axes_change_neither_distance_nor_normal() -> None:
+    """A shape seen from a body is the same shape: planes by formula, others by going back."""
+    rng = np.random.default_rng(3)
+    for shape in (Plane(Vec(0.36, -0.48, 0.8), 0.3), Pole(0.5, 0.1, 0.08)):
+        turn, place = Rotation.random(random_state=rng), rng.normal(size=3)
+        r = Mat(*(Vec(*(float(x) for x in row)) for row in turn.as_matrix()))
+        position = Vec(*(float(x) for x in place))
+        from_body, point = seen(shape, position, r), Vec(0.3, -0.2, 0.1)
+        there = position + r @ point
+        apart = signed_distance(shape, there)
+        assert signed_distance(from_body, point) == pytest.approx(apart, abs=1e-14)
+        assert outward_normal(from_body, point) == pytest.approx(outward_normal(shape, there) @ r)
 
 
 def test_touch_is_where_the_gap_closes() -> None:

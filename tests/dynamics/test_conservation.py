@@ -350,9 +350,7 @@ def test_impulses_obey_newton_and_coulomb(cages: int, friction: float) -> None:
     """v_n⁺ = −e v_n⁻ at each cage; what is given is the momentum gained, within the friction cone."""
     for seed in range(25):
         restitution = seed % 5 / 5.0
-        scene, start, closing = at_the_wall(
-            seed, cages, friction=friction, restitution=restitution
-        )
+        scene, start, closing = at_the_wall(seed, cages, friction=friction, restitution=restitution)
         end, after = kicked(scene, start)
         n = scene.wall.normal
         before, then = Cloud(scene.craft, start), Cloud(scene.craft, end)

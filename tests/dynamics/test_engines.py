@@ -20,7 +20,7 @@ from oracles import models
 
 pytest.importorskip("pinocchio")
 pytest.importorskip("mujoco")
-from oracles import mujoco_flight, pinocchio_flight  # noqa: E402  # only where the engines are
+from oracles import mujoco_flight, pinocchio_flight  # only where the engines are
 
 ENGINES = pytest.mark.parametrize(
     "engine", [pinocchio_flight, mujoco_flight], ids=["pinocchio", "mujoco"]

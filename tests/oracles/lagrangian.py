@@ -64,15 +64,11 @@ def _symbols() -> Symbols:
 
 def _rotation(phi: Any, theta: Any, psi: Any) -> Any:
     """R = R_z(ψ) R_y(θ) R_x(φ)."""
-    about_x = sp.Matrix(
-        [[1, 0, 0], [0, sp.cos(phi), -sp.sin(phi)], [0, sp.sin(phi), sp.cos(phi)]]
-    )
+    about_x = sp.Matrix([[1, 0, 0], [0, sp.cos(phi), -sp.sin(phi)], [0, sp.sin(phi), sp.cos(phi)]])
     about_y = sp.Matrix(
         [[sp.cos(theta), 0, sp.sin(theta)], [0, 1, 0], [-sp.sin(theta), 0, sp.cos(theta)]]
     )
-    about_z = sp.Matrix(
-        [[sp.cos(psi), -sp.sin(psi), 0], [sp.sin(psi), sp.cos(psi), 0], [0, 0, 1]]
-    )
+    about_z = sp.Matrix([[sp.cos(psi), -sp.sin(psi), 0], [sp.sin(psi), sp.cos(psi), 0], [0, 0, 1]])
     return about_z * about_y * about_x
 
 
@@ -151,7 +147,15 @@ def _numbers(scene: Scene) -> list[float]:
     for a, thrust in zip(craft.arms, scene.thrust, strict=True):
         arms += [math.cos(a.azimuth), math.sin(a.azimuth), a.mass, a.stiffness, a.damping]
         arms += [a.length, a.cage_radius, a.torque_ratio, thrust]
-    return [*body, *arms, -wall.offset, wall.stiffness, wall.dissipation, wall.friction, wall.slip_speed]
+    return [
+        *body,
+        *arms,
+        -wall.offset,
+        wall.stiffness,
+        wall.dissipation,
+        wall.friction,
+        wall.slip_speed,
+    ]
 
 
 def accelerations(scene: Scene, start: Start) -> tuple[Array, Array, Array]:

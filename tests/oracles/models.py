@@ -255,7 +255,9 @@ def accelerations_of(scene: Scene, start: Start, *, released: bool = True) -> Ac
 
 def energy_of(scene: Scene, start: Start) -> Energy:
     """The package's mechanical energy, run by Python."""
-    return energy(airframe_of(scene.craft), world_of(scene), contact_point_of(scene), state_of(start))
+    return energy(
+        airframe_of(scene.craft), world_of(scene), contact_point_of(scene), state_of(start)
+    )
 
 
 def fly(

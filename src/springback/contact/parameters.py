@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
@@ -170,13 +171,21 @@ def _exponent_type(values: list[float]) -> type[Any]:
     return AnyExponent
 
 
-def obstacles(settings: tuple[Wall | Ground | Mat, ...]) -> tuple[Obstacle, ...]:
+#: A user's own shape, registered with `signed_distance` and `outward_normal`, and its surface.
+Own = tuple[Any, SurfaceSettings]
+
+
+def obstacles(
+    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = ()
+) -> tuple[Obstacle, ...]:
     """The numbers of all obstacles; with none, a face that nothing can reach."""
-    all_faces = [face for entry in settings for face in faces(entry)]
+    all_faces: list[tuple[Any, SurfaceSettings, float]] = []
+    all_faces += [face for entry in settings for face in faces(entry)]
+    all_faces += [(shape, surface, 0.0) for shape, surface in own]
     exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
     if not all_faces:
         nowhere = SurfaceSettings().surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
     return tuple(
-        Obstacle(plane, surface.surface(exponent), ground) for plane, surface, ground in all_faces
+        Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
     )

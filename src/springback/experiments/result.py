@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from springback.contact.parameters import Own
+from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
 from springback.simulation.flight import Executor, Flown, fly_one
 from springback.simulation.measures import MEASURES, Outcome, measures_of, outcome_of
+from springback.simulation.record import Model
+from springback.vehicle.state import State
 
 if TYPE_CHECKING:
     import pandas
@@ -155,6 +159,7 @@ def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
 def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,
+    own: Sequence[Own] = (),
     trajectory: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -164,6 +169,8 @@ def fly(
     Args:
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
         *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a ready `Scenario`.
+        own: Obstacles of one's own beside the scenario's: pairs of a shape, registered with
+            `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
         trajectory: Keep the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called now and then with the simulated time [s].
@@ -172,15 +179,28 @@ def fly(
         InputError: If the scenario cannot be flown; one line for each problem.
     """
     ready = as_scenario(scenario, overrides)
+    model, start = ready.flight_model(own), ready.start_state()
+    _check_start(model, start)
     flown = fly_one(
-        ready.flight_model(),
-        ready.start_state(),
+        model,
+        start,
         trace=trajectory,
         executor=executor,
         progress=progress,
     )
     columns, units = _columns(flown)
     return Flight(ready, outcome_of(flown.record), measures_of(flown), columns, units)
+
+
+def _check_start(model: Model, start: State) -> None:
+    """Refuse a start inside an obstacle of the user's own; others are checked with the scenario."""
+    m = model
+    seen = rates(m.airframe, m.world, m.contact_point, m.guide, start, m.thrust, 0.0).seen
+    for j, arm in enumerate(seen.arms):
+        if arm.gap < 0.0:
+            raise InputError(
+                f"start.position: puts the cage of arm {j + 1} {-arm.gap:.3g} m inside"
+            )
 
 
 def as_scenario(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from pydantic import ValidationError, model_validator
@@ -13,7 +13,7 @@ from pydantic import ValidationError, model_validator
 from springback.contact.cage import ArmTip, Ring, meeting
 from springback.contact.library import SURFACES
 from springback.contact.obstacles import Forces, Impulses, World, obstacle_seen
-from springback.contact.parameters import ObstacleSettings, faces, obstacles
+from springback.contact.parameters import ObstacleSettings, Own, faces, obstacles
 from springback.dynamics.motion import Free, Slider
 from springback.errors import InputError
 from springback.frames import attitude_from_euler
@@ -109,14 +109,14 @@ class Scenario(Settings):
             return tuple(checked(entry, "N", least=0.0) for entry in self.thrust)
         return (checked(self.thrust, "N", least=0.0),) * count
 
-    def world_numbers(self) -> World:
-        """Obstacles and gravity for the equations."""
-        built = obstacles(self.world.obstacles)
+    def world_numbers(self, own: Sequence[Own] = ()) -> World:
+        """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
+        built = obstacles(self.world.obstacles, own)
         impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
         return World(built, Impulses(0.0) if impulsive else Forces(0.0), self.world.gravity)
 
-    def flight_model(self) -> Model:
-        """All numbers of the flight."""
+    def flight_model(self, own: Sequence[Own] = ()) -> Model:
+        """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
         s, m = self.simulation, self.model
         hybrid = m.arms == "hybrid"
         settle = self.settle_step()
@@ -133,7 +133,7 @@ class Scenario(Settings):
         guide = Free(0.0) if m.slider is None else Slider(_unit(Vec(*m.slider)))
         point = Ring(RING_ROUNDING) if m.contact_point == "ring" else ArmTip(0.0)
         airframe = self.vehicle.airframe()
-        return Model(airframe, self.world_numbers(), point, guide, self.thrusts(), timing)
+        return Model(airframe, self.world_numbers(own), point, guide, self.thrusts(), timing)
 
     def settle_step(self) -> float:
         """Step while the arms settle [s]."""

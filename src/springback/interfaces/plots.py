@@ -1,9 +1,9 @@
 """Figures of flights and of the paper's experiments, in one house style.
 
-Nothing here computes physics: every number shown is a measure, a trajectory column or a printed value.
-Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and leave no
-global state behind.  Colours are those of Okabe and Ito, which colour-blind readers tell apart; curves
-differ in line style, too, so that they survive a black-and-white printer.
+Nothing here computes physics: every number shown is a measure, a trajectory column or a printed
+value.  Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display
+and leave no global state behind.  Colours are those of Okabe and Ito, which colour-blind readers
+tell apart; curves differ in line style, too, so that they survive a black-and-white printer.
 """
 
 from __future__ import annotations
@@ -139,8 +139,9 @@ def save(figure: Figure, path: Path) -> list[Path]:
 def flight_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
-    A flight that touches something is shown around its contacts, with time and position counted from
-    the first touch; one that touches nothing is shown whole.  Arm lengths appear if an arm slides.
+    A flight that touches something is shown around its contacts, with time and position counted
+    from the first touch; one that touches nothing is shown whole.  Arm lengths appear if an arm
+    slides.
 
     Args:
         flight: With a trajectory.
@@ -199,7 +200,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     if touch is None:
         return lambda instant: instant, slice(None)
     ends = [end for _, end in _contacts(flight.columns, _arms(flight.columns))]
-    last = max([*ends, flight.measures.get("return_time") or touch, touch + 0.01])
+    last = max(*ends, flight.measures.get("return_time") or touch, touch + 0.01)
     room = 0.35 * (last - touch)
     return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
 
@@ -215,7 +216,8 @@ def _contacts(columns: dict[str, Array], arms: Iterable[int]) -> list[tuple[floa
     for j in arms:
         touching[1:-1] |= columns[f"fn{j}"] > 0.0
     starts, ends = (np.flatnonzero(np.diff(touching) == change) for change in (1, -1))
-    return [(float(t[i]), float(t[min(k, len(t) - 1)])) for i, k in zip(starts, ends, strict=True)]
+    last = len(t) - 1
+    return [(float(t[i]), float(t[min(int(k), last)])) for i, k in zip(starts, ends, strict=True)]
 
 
 def _alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]:
@@ -285,9 +287,8 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
         column[-1].set_xlim(*span)
     for ax, label in zip(axes[:, 0], labels, strict=True):
         ax.set_ylabel(label)
-        ax.yaxis.set_major_locator(MaxNLocator(5))
+        ax.yaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))
     figure.align_ylabels(axes[:, 0])
-    axes[1, 0].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     figure.legend(
         *(position + velocity for position, velocity in zip(
             axes[0, 0].get_legend_handles_labels(),
@@ -328,7 +329,7 @@ def _slider_curves(
     c, (t, touch) = case.flight.columns, _since_touch(case.flight)
     past = c["x"] - np.interp(touch, c["t"], c["x"])
     curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
-    inside = (t > span[0]) & (t < span[1])  # the rest would only stretch the scales
+    inside = (t > 1.1 * span[0]) & (t < 1.02 * span[1])  # the rest would only stretch the scales
     for ax, values in zip(column, curves, strict=False):
         ax.plot(t[inside], values[inside], color=look[0], ls=look[1])
     name = "computed" if case.robot == "quad" else f"reading {case.reading.name}"
@@ -347,11 +348,12 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     for ax in column:
         ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
     column[0].axhline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="contact begins")
-    column[0].axhline(1e3 * printed.travel, **line, label="printed")
+    column[0].axhline(1e3 * printed.travel, **line, label="printed value")
     column[1].axhline(after, **line)
+    column[1].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     column[1].plot(
-        1e3 * printed.contact_time, after, "D", color=INK, mec="white", ms=6, ls="none", zorder=4,
-        label="the same, printed",
+        1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=8, ls="none",
+        zorder=4, label="end of contact, printed",
     )  # fmt: skip
     column[2].axhline(-printed.peak_acceleration, **line)
 
@@ -542,7 +544,6 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
         kind = f"{name}, {'rigid' if case.robot == 'quad' else 'compliant'} arms"
         for ax, column in ((left, "vx"), (right, "ax")):
             ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=kind)
-        right.fill_between(t, c["ax"], color=colour, alpha=0.1, lw=0.0)
         peak, when = m["peak_acceleration"], m["peak_acceleration_time"]
         if peak is not None and when is not None:
             at = 1e3 * (when - touch)

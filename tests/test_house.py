@@ -1,0 +1,57 @@
+"""Rules of the house that no tool checks."""
+
+import ast
+import importlib
+import re
+from pathlib import Path
+
+import pytest
+
+import springback
+
+ROOT = Path(__file__).parents[1]
+SOURCE = sorted((ROOT / "src" / "springback").rglob("*.py"))
+
+
+def test_every_public_name_exists() -> None:
+    for name in springback.__all__:
+        assert getattr(springback, name) is not None
+
+
+@pytest.mark.parametrize("path", SOURCE, ids=lambda p: str(p.relative_to(ROOT)))
+def test_modules_stay_small_and_silent(path: Path) -> None:
+    text = path.read_text()
+    assert len(text.splitlines()) <= 500
+    if "interfaces" not in path.parts:
+        assert not [
+            node for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "print"
+        ]  # fmt: skip
+
+
+def index() -> list[tuple[str, str, str]]:
+    rows = re.findall(r"^\| \((\d+)\) \|.*?\| `(.*?)` \| `(.*?)` \|$", (ROOT / "docs/paper/equations.md").read_text(), re.M)
+    assert len(rows) >= 12
+    return rows
+
+
+@pytest.mark.parametrize(("number", "function", "test"), index())
+def test_equation_index_leads_to_functions_and_tests(number: str, function: str, test: str) -> None:
+    module, _, name = function.rpartition(".")
+    assert callable(getattr(importlib.import_module(module), name))
+    assert (ROOT / test).is_file()
+
+
+def test_equations_named_in_the_source_stand_in_the_index() -> None:
+    known = {int(number) for number, _, _ in index()}
+    for path in SOURCE:
+        for first, last in re.findall(r"[Ee]qs?\. \((\d+)\)(?:-\((\d+)\))?", path.read_text()):
+            assert set(range(int(first), int(last or first) + 1)) <= known, path
+
+
+def test_pages_that_the_source_points_to_exist() -> None:
+    for path in SOURCE:
+        for page in re.findall(r"\b(?:docs|tests|studies)/[\w/.-]+\.(?:md|py)\b", path.read_text()):
+            assert (ROOT / page).is_file(), f"{path}: {page}"
+        for number in re.findall(r"docs/decisions/(\d{4})", path.read_text()):
+            assert list((ROOT / "docs/decisions").glob(f"{number}-*.md")), f"{path}: decision {number}"
