@@ -79,7 +79,7 @@ def _shown(number: float | None, unit: str) -> str:
 
 
 def quantity(unit: str, **bounds: float) -> Any:
-    """Type of a settings field: a float in an SI unit; bounds are ``above``, ``least``, ``most``."""
+    """Type of a settings field, a float in an SI unit; bounds ``above``, ``least``, ``most``."""
     return Annotated[float, BeforeValidator(functools.partial(checked, unit=unit, **bounds))]
 
 

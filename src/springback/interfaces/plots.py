@@ -350,9 +350,10 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     column[0].axhline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="contact begins")
     column[0].axhline(1e3 * printed.travel, **line, label="printed value")
     column[1].axhline(after, **line)
+    column[1].margins(y=0.12)
     column[1].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     column[1].plot(
-        1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=8, ls="none",
+        1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=7, ls="none",
         zorder=4, label="end of contact, printed",
     )  # fmt: skip
     column[2].axhline(-printed.peak_acceleration, **line)

@@ -105,9 +105,9 @@ def along_strictly(x: T, rate: T, h: float) -> T:
     return along(x, rate, h)
 
 
-def nought(like: T) -> T:
-    """A tree of zeros."""
-    return rebuilt(like, [0.0] * rows(like))
+def scaled(tree: T, factor: float) -> T:
+    """Factor · tree, leaf by leaf."""
+    return rebuilt(tree, [factor * leaf for leaf in leaves(tree)])
 
 
 def square(tree: Any) -> float:
@@ -223,11 +223,12 @@ def _along(x: Any, rate: Any, h: Any) -> Any:
     return _function("x, rate, h", [f"return {text}"], scope)
 
 
-@compiled(nought)
-def _nought(like: Any) -> Any:
+@compiled(scaled)
+def _scaled(tree: Any, factor: Any) -> Any:
+    texts = [f"factor * {leaf}" for leaf in _paths(tree, "tree")]
     scope: dict[str, Any] = {}
-    text = _construct(like, ["0.0"] * len(_paths(like, "like")), scope)
-    return _function("like", [f"return {text}"], scope)
+    text = _construct(tree, texts, scope)
+    return _function("tree, factor", [f"return {text}"], scope)
 
 
 @compiled(square, GUARDING)

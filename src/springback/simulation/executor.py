@@ -4,8 +4,9 @@ One function serves all executors.  Compiled with 16 lanes it flies 16 flights i
 the vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number
 of lanes is the length of a tuple, so the compiler knows it.
 
-A group of flights lies in one flat buffer, lane by lane within each row: model, motion, rate,
-weighted sum, view, record.  Flat, with constant offsets, because that is what compilers vectorise.
+A group of flights lies in one flat buffer, lane by lane within each row: model, motion, weighted
+sum, rate, for a single flight the view, record.  Flat, with constant offsets, because that is what
+compilers vectorise.
 """
 
 from __future__ import annotations
@@ -18,16 +19,16 @@ import numpy as np
 from springback.contact.obstacles import Forces, Impulses
 from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
-from springback.dynamics.motion import Motion, View, Work, rates
+from springback.dynamics.motion import Motion, Rates, View, Work, rates
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.trees import (
     Buffer,
     along,
     along_strictly,
-    nought,
     pick,
     read,
     rows,
+    scaled,
     square,
     write,
 )
@@ -87,43 +88,82 @@ def _answered_with_impulses(laws: Impulses, model: Model, motion: Motion, reques
     return settled(model, motion)
 
 
+class Places(NamedTuple):
+    """Rows of a buffer at which its parts begin."""
+
+    motion: int
+    total: int  # weighted sum of the stages' rates
+    rate: int  # of the state, at the stage before
+    seen: int  # the view, of a single flight only
+    record: int  # it begins with time, step, status, phase, request
+    step: int
+    status: int
+    phase: int
+    request: int
+    end: int
+
+
 @kernel
-def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float, look: bool) -> None:
-    """One Runge–Kutta stage of every lane; ``look`` also writes the view of the instant."""
-    at_motion = rows(shape.model)
-    at_rate = at_motion + rows(shape.motion)
-    at_sum = at_rate + rows(shape.motion)
-    at_view = at_sum + rows(shape.motion)
-    at_step, at_phase = at_view + rows(shape.seen) + 1, at_view + rows(shape.seen) + 3
+def places(shape: Shape, w: int) -> Places:
+    """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
+    motion = rows(shape.model)
+    total = motion + rows(shape.motion)
+    rate = total + rows(shape.motion)
+    view = rate + rows(shape.motion.state)
+    record = view + (rows(shape.seen) if w == 1 else 0)
+    end = record + rows(shape.record)
+    return Places(
+        motion, total, rate, view, record, record + 1, record + 2, record + 3, record + 4, end
+    )
+
+
+@kernel
+def rates_of(model: Model, state: State, phase: float) -> Rates:
+    """Rates of one flight; its arms are free to slide during an impact, or always."""
+    released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
+    return rates(
+        model.airframe, model.world, model.contact_point, model.guide, state, model.thrust, released
+    )
+
+
+@kernel
+def begun(shape: Shape, b: Buffer, w: int) -> None:
+    """Begin a step: every lane is measured, its step chosen, its rates known."""
+    at = places(shape, w)
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
-        motion = read(shape.motion, b, at_motion, w, i)
-        rate = read(shape.motion, b, at_rate, w, i)
-        so_far = read(shape.motion, b, at_sum, w, i)
-        h, phase = b[at_step * w + i], b[at_phase * w + i]
-        released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
-        here = along(motion, rate, reach * h)
-        known = rates(
-            model.airframe, model.world, model.contact_point, model.guide,
-            here.state, model.thrust, released,
-        )  # fmt: skip
-        write(known.motion, b, at_rate, w, i)
-        write(along(so_far, known.motion, weight), b, at_sum, w, i)
-        if look:
-            write(known.seen, b, at_view, w, i)
+        motion = read(shape.motion, b, at.motion, w, i)
+        record = read(shape.record, b, at.record, w, i)
+        known = rates_of(model, motion.state, record.phase)
+        write(observed(model, motion, known.seen, record), b, at.record, w, i)
+        write(known.motion.state, b, at.rate, w, i)
+        write(scaled(known.motion, WEIGHT[0]), b, at.total, w, i)
+        if w == 1:  # only a single flight is logged
+            write(known.seen, b, at.seen, w, i)
+
+
+@kernel
+def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float) -> None:
+    """One more Runge–Kutta stage of every lane."""
+    at = places(shape, w)
+    for i in range(w):
+        model = read(shape.model, b, 0, w, i)
+        state = read(shape.motion.state, b, at.motion, w, i)
+        rate = read(shape.motion.state, b, at.rate, w, i)
+        so_far = read(shape.motion, b, at.total, w, i)
+        h, phase = b[at.step * w + i], b[at.phase * w + i]
+        known = rates_of(model, along(state, rate, reach * h), phase)
+        write(known.motion.state, b, at.rate, w, i)
+        write(along(so_far, known.motion, weight), b, at.total, w, i)
 
 
 @guard
 def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
-    """Take the step of one lane where it leads to finite numbers; else the last state stays."""
-    at_motion = rows(shape.model)
-    at_rate = at_motion + rows(shape.motion)
-    at_sum = at_rate + rows(shape.motion)
-    at_time = at_sum + rows(shape.motion) + rows(shape.seen)
-    at_step, at_status = at_time + 1, at_time + 2
-    h = b[at_step * w + i]
-    old = read(shape.motion, b, at_motion, w, i)
-    rate = read(shape.motion, b, at_sum, w, i)
+    """Take the step of one lane where it leads to finite numbers; else its last state stays."""
+    at = places(shape, w)
+    h = b[at.step * w + i]
+    old = read(shape.motion, b, at.motion, w, i)
+    rate = read(shape.motion, b, at.total, w, i)
     new = along_strictly(old, rate, h)
     good = square(new) < DIVERGED
     q = new.state.attitude
@@ -131,11 +171,9 @@ def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
     turned = Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
     s = new.state
     state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
-    write(pick(good, Motion(state, new.work), old), b, at_motion, w, i)
-    write(nought(rate), b, at_rate, w, i)
-    write(nought(rate), b, at_sum, w, i)
-    b[at_time * w + i] += h if good else 0.0
-    b[at_status * w + i] = b[at_status * w + i] if good else NOT_FINITE
+    write(pick(good, Motion(state, new.work), old), b, at.motion, w, i)
+    b[at.record * w + i] += h if good else 0.0
+    b[at.status * w + i] = b[at.status * w + i] if good else NOT_FINITE
 
 
 @executor(nogil=True)
@@ -157,8 +195,8 @@ def advance(
         first: Index of the first group.
         last: Index past the last group.
         lanes: A tuple as long as a group is wide.
-        log: Trajectory of lane 0 of the first group, one instant a row, shape (instants, columns);
-            empty for none.  The columns are time, motion and view.
+        log: Trajectory of a single flight, one instant a row, shape (instants, columns); empty for
+            none.  The columns are time, motion and view.
         logged: Number of rows of the log in use, shape (1,); advanced.
         budget: Most steps to take.
 
@@ -166,15 +204,7 @@ def advance(
         Number of flights that are still flying.
     """
     w = len(lanes)
-    at_model = 0
-    at_motion = at_model + rows(shape.model)
-    at_rate = at_motion + rows(shape.motion)
-    at_sum = at_rate + rows(shape.motion)
-    at_view = at_sum + rows(shape.motion)
-    at_time = at_view + rows(
-        shape.seen
-    )  # the record begins with time, step, status, phase, request
-    at_step, at_status, at_request = at_time + 1, at_time + 2, at_time + 4
+    at = places(shape, w)
     motion_rows, view_rows = rows(shape.motion), rows(shape.seen)
     flying = 0
 
@@ -183,53 +213,47 @@ def advance(
         for _ in range(budget):
             if log.shape[0] > 0 and logged[0] >= log.shape[0]:
                 break
-            staged(shape, b, w, REACH[0], WEIGHT[0], True)
-            for i in range(w):
-                model = read(shape.model, b, at_model, w, i)
-                motion = read(shape.motion, b, at_motion, w, i)
-                view = read(shape.seen, b, at_view, w, i)
-                record = read(shape.record, b, at_time, w, i)
-                write(observed(model, motion, view, record), b, at_time, w, i)
-            if log.shape[0] > 0 and (b[at_step * w] > 0.0 or b[at_status * w] != FLYING):
+            begun(shape, b, w)
+            if w == 1 and log.shape[0] > 0 and (b[at.step] > 0.0 or b[at.status] != FLYING):
                 line = logged[0]
-                log[line, 0] = b[at_time * w]
+                log[line, 0] = b[at.record]
                 for k in range(motion_rows):
-                    log[line, 1 + k] = b[(at_motion + k) * w]
+                    log[line, 1 + k] = b[at.motion + k]
                 for k in range(view_rows):
-                    log[line, 1 + motion_rows + k] = b[(at_view + k) * w]
+                    log[line, 1 + motion_rows + k] = b[at.seen + k]
                 logged[0] = line + 1
             for stage in range(1, 4):
-                staged(shape, b, w, REACH[stage], WEIGHT[stage], False)
+                staged(shape, b, w, REACH[stage], WEIGHT[stage])
 
             for i in range(w):
                 taken(shape, b, w, i)
             running, asked = 0, 0
             for i in range(w):
-                flies = b[at_status * w + i] == FLYING
+                flies = b[at.status * w + i] == FLYING
                 running += 1 if flies else 0
-                asked += 1 if flies & (b[at_request * w + i] != NOTHING) else 0
+                asked += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
             # Behind a branch of its own: else the rare event is computed, masked, at every step.
             for i in range(w if asked > 0 else 0):
-                if b[at_request * w + i] != NOTHING and b[at_status * w + i] == FLYING:
-                    model = read(shape.model, b, at_model, w, i)
-                    motion = read(shape.motion, b, at_motion, w, i)
-                    motion = answered(model.world.laws, model, motion, b[at_request * w + i])
-                    write(motion, b, at_motion, w, i)
+                if b[at.request * w + i] != NOTHING and b[at.status * w + i] == FLYING:
+                    model = read(shape.model, b, 0, w, i)
+                    motion = read(shape.motion, b, at.motion, w, i)
+                    motion = answered(model.world.laws, model, motion, b[at.request * w + i])
+                    write(motion, b, at.motion, w, i)
             if running == 0:
                 break
         for i in range(w):
-            flying += 1 if b[at_status * w + i] == FLYING else 0
+            flying += 1 if b[at.status * w + i] == FLYING else 0
     return flying
 
 
-def buffer_rows(shape: Shape) -> int:
-    """Number of rows that one flight takes in a buffer."""
-    return rows(shape.model) + 3 * rows(shape.motion) + rows(shape.seen) + rows(shape.record)
+def buffer_rows(shape: Shape, width: int) -> int:
+    """Number of rows that one flight takes in a buffer of some width."""
+    return places(shape, width).end
 
 
 def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
     """Zeroed buffers for a number of flights in groups of ``width``, aligned to cache lines."""
-    groups, size = -(-flights // width), buffer_rows(shape) * width
+    groups, size = -(-flights // width), buffer_rows(shape, width) * width
     line = 64
     raw = np.zeros(groups * size * 8 + line, dtype=np.uint8)
     start = -raw.ctypes.data % line
