@@ -146,9 +146,10 @@ def impact(seed: int, **scene: Any) -> tuple[models.Scene, models.Start]:
     )
     craft = scene.pop("craft", models.compliant_craft())
     aside = np.cross(inward, [0.0, 0.0, 1.0])
+    roll, pitch = rng.uniform(-0.4, 0.4, size=2)
     start = models.Start(
         position=np.zeros(3),
-        attitude=models.quaternion(*rng.uniform(-0.4, 0.4, size=2), turn + rng.uniform(-0.8, 0.8)),
+        attitude=models.quaternion(roll, pitch, turn + rng.uniform(-0.8, 0.8)),
         velocity=rng.uniform(1.5, 3.0) * inward + rng.uniform(-1.5, 1.5) * aside,
         omega=rng.uniform(-4.0, 4.0, size=3),
         lengths=np.array([arm.length for arm in craft.arms]),
@@ -168,7 +169,7 @@ def unbooked(flown: Flown) -> float:
 
 
 STOPS = {"stiffness": 1500.0, "shortest": 0.17, "stop_stiffness": 1e5, "stop_dissipation": 0.5}
-WHAT = {
+WHAT: dict[str, dict[str, Any]] = {
     "plain": {},
     "thrust": {"thrust": (5.0, 6.0, 4.5, 5.5)},
     "end stops": {"craft": models.compliant_craft(**STOPS)},
@@ -186,9 +187,11 @@ def test_the_energy_ledger_closes(what: str, hybrid: bool) -> None:
     """No energy from nowhere and none lost unseen, through whole impacts at the default steps.
 
     The ledger is integrated with the motion, so what is left is the error of RK4 at 0.1 ms, mostly
-    where a light arm under the wall's friction comes to rest: 1e-6 of the kinetic energy, and eight
-    times less at half the step.
+    where a light arm comes to rest under friction: below v_s that is a damper of μ f_n / v_s, stiff
+    for 0.1 ms.  So 1e-6 of the kinetic energy, 2e-6 where friction acts on the arm's end itself; a
+    tenth of that at half the step.
     """
+    within = 2e-6 if WHAT[what].get("contact") == "tip" else 1e-6
     stopped = 0
     for seed in range(8):
         scene, start = impact(seed, **WHAT[what])
@@ -197,7 +200,7 @@ def test_the_energy_ledger_closes(what: str, hybrid: bool) -> None:
         )
         assert flown.record.contacts >= 1.0
         assert flown.motion.work.friction > 0.0
-        assert abs(unbooked(flown)) < 2e-6
+        assert abs(unbooked(flown)) < within
         stopped += flown.motion.work.stop > 0.0
     assert stopped > 0 or "stop_stiffness" not in str(WHAT[what].get("craft", ""))
 
@@ -246,7 +249,10 @@ def test_free_flight_with_moving_arms_keeps_angular_momentum(gravity: float) -> 
         spin = before.angular_momentum(before.centre)
         assert np.abs(start.rates - end.rates).max() > 0.1
         np.testing.assert_allclose(
-            after.angular_momentum(after.centre), spin, rtol=0, atol=1e-8 * np.linalg.norm(spin)
+            after.angular_momentum(after.centre),
+            spin,
+            rtol=0,
+            atol=1e-8 * float(np.linalg.norm(spin)),
         )
         fallen = before.momentum - [0.0, 0.0, 0.2 * craft.mass * gravity]
         np.testing.assert_allclose(after.momentum, fallen, rtol=0, atol=1e-8)
@@ -273,7 +279,10 @@ def test_locking_keeps_momentum_and_angular_momentum() -> None:
         np.testing.assert_allclose(after.centre, before.centre, rtol=0, atol=1e-13)
         np.testing.assert_allclose(after.momentum, before.momentum, rtol=0, atol=1e-12)
         np.testing.assert_allclose(
-            after.angular_momentum(after.centre), spin, rtol=0, atol=1e-12 * np.linalg.norm(spin)
+            after.angular_momentum(after.centre),
+            spin,
+            rtol=0,
+            atol=1e-12 * float(np.linalg.norm(spin)),
         )
         np.testing.assert_allclose(angular_momentum(airframe, state), spin, rtol=1e-10)
         for arm, length, old, rate in zip(
@@ -287,14 +296,15 @@ def test_locking_keeps_momentum_and_angular_momentum() -> None:
 
 
 def at_the_wall(
-    seed: int, cages: int, **wall: float
+    seed: int, cages: int, *, friction: float, restitution: float
 ) -> tuple[models.Scene, models.Start, list[int]]:
     """A rigid craft with some cages a micrometre in the wall, all of them closing in."""
     for attempt in range(1000):
         rng = np.random.default_rng([11, seed, attempt])
         craft = models.random_craft(rng, slides=False)
         start = models.random_start(rng, craft, still_arms=True)
-        face = replace(models.Wall(models.unit_vector(rng), 0.0), **wall)
+        wall = models.Wall(models.unit_vector(rng), 0.0)
+        face = replace(wall, friction=friction, restitution=restitution)
         axes: Any = "vertical" if seed % 4 == 3 else "both"
         scene = models.Scene(craft, face, OFF, friction_axes=axes)
         if cages == 2:  # turn it until two cages are equally near

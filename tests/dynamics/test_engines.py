@@ -63,6 +63,19 @@ def test_accelerations_are_those_of_the_engine(engine: ModuleType) -> None:
             assert np.abs(a - b).max() < RELATIVE * max(1.0, np.abs(b).max())
 
 
+def test_accelerations_on_a_slider_obey_gauss_principle() -> None:
+    """A main body that is guided along one axis and does not turn, as on the paper's testbed."""
+    for seed in range(STATES):
+        scene, start = drawn(seed)
+        axis = models.unit_vector(np.random.default_rng(seed))
+        start = replace(start, velocity=2.0 * axis, omega=np.zeros(3))
+        ours = models.accelerations_of(scene, start, slider=axis)
+        vehicle = pinocchio_flight.Vehicle(scene.craft, scene.gravity)
+        theirs = vehicle.accelerations_on_slider(scene, start, axis)
+        for a, b in zip(ours, theirs, strict=True):
+            assert np.abs(a - b).max() < RELATIVE * max(1.0, np.abs(b).max())
+
+
 def impact(
     cages: Literal[1, 2], contact: Literal["ring", "tip"]
 ) -> tuple[models.Scene, models.Start]:

@@ -17,7 +17,7 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-import sympy as sp
+import sympy as sp  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 

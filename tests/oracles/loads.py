@@ -67,7 +67,7 @@ def wall_force(
     if depth <= 0.0:
         return np.zeros(3), np.zeros(3)
     depth_rate = n @ (end_velocity + np.cross(omega, pressed_at))
-    f_n = max(0.0, wall.stiffness * depth**1.5 * (1 + wall.dissipation * depth_rate))
+    f_n = max(0.0, float(wall.stiffness * depth**1.5 * (1 + wall.dissipation * depth_rate)))
     slip = end_velocity + np.cross(omega, rubbed_at)
     slip = slip - n * (n @ slip)
     if scene.friction_axes == "vertical":

@@ -18,7 +18,7 @@ from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
 from springback.dynamics.energy import Energy, energy
-from springback.dynamics.motion import Free, Rates, rates
+from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat, Quat, Vec
 from springback.simulation.flight import Flown, fly_one
 from springback.simulation.record import Model, Timing
@@ -232,22 +232,26 @@ class Accelerations(NamedTuple):
     arms: Array  # l̈ [m/s²]
 
 
-def rates_of(scene: Scene, start: Start, *, released: bool = True) -> Rates:
-    """The package's rate of change of everything, run by Python."""
+def rates_of(
+    scene: Scene, start: Start, *, released: bool = True, slider: Array | None = None
+) -> Rates:
+    """The package's rate of change of everything, run by Python; on a slider along some axis."""
     return rates(
         airframe_of(scene.craft),
         world_of(scene),
         contact_point_of(scene),
-        Free(0.0),
+        Free(0.0) if slider is None else Slider(vec(slider)),
         state_of(start),
         thrust_of(scene),
         1.0 if released else 0.0,
     )
 
 
-def accelerations_of(scene: Scene, start: Start, *, released: bool = True) -> Accelerations:
-    """The package's accelerations, run by Python."""
-    state = rates_of(scene, start, released=released).motion.state
+def accelerations_of(
+    scene: Scene, start: Start, *, released: bool = True, slider: Array | None = None
+) -> Accelerations:
+    """The package's accelerations, run by Python; on a slider along some axis."""
+    state = rates_of(scene, start, released=released, slider=slider).motion.state
     return Accelerations(
         np.array(state.velocity), np.array(state.angular_velocity), np.array(state.arm_rate)
     )

@@ -48,20 +48,47 @@ class Vehicle:
 
     def accelerations(self, scene: Scene, now: Start) -> tuple[Array, Array, Array]:
         """v̇ in world axes, ω̇ in body axes and l̈ at one instant."""
-        r, acting = now.rotation, loads(scene, now)
+        q, v, r = *self._coordinates(now), now.rotation
+        acting = loads(scene, now)
         external: Any = pin.StdVec_Force()
         for _ in range(self.model.njoints):
             external.append(pin.Force.Zero())
         for k, joint in enumerate(self.joints):
             external[joint] = pin.Force(r.T @ acting.force[k], r.T @ acting.moment[k])
-        x, y, z, w = Rotation.from_matrix(r).as_quat()
-        q = np.concatenate([now.position, [x, y, z, w], now.lengths])
-        v = np.concatenate([r.T @ now.velocity, now.omega, now.rates])
         tau = np.concatenate([np.zeros(6), acting.joint])
         a = pin.aba(self.model, self.data, q, v, tau, external)
         # Pinocchio's velocity is in body axes: v = R v_b, so v̇ = R (a_b + ω × v_b).
         linear = r @ (a[:3] + np.cross(now.omega, v[:3]))
         return linear, a[3:6], a[6:]
+
+    def accelerations_on_slider(
+        self, scene: Scene, now: Start, axis: Array
+    ) -> tuple[Array, Array, Array]:
+        """The same for a main body that does not turn and moves along one world axis only.
+
+        Gauss's principle: of all motions that the guide allows, the one nearest to the free one, by
+        the mass matrix.
+        """
+        q, _ = self._coordinates(now)
+        linear, angular, arms = self.accelerations(scene, now)
+        mass = pin.crba(self.model, self.data, q)
+        mass = np.triu(mass) + np.triu(mass, 1).T
+        turn = np.eye(len(mass))
+        turn[:3, :3] = now.rotation
+        mass = turn @ mass @ turn.T  # of v̇ in world axes
+        allowed = np.zeros((len(mass), 1 + len(arms)))
+        allowed[:3, 0] = axis
+        allowed[6:, 1:] = np.eye(len(arms))
+        free = np.concatenate([linear, angular, arms])
+        chosen = np.linalg.solve(allowed.T @ mass @ allowed, allowed.T @ mass @ free)
+        return chosen[0] * axis, np.zeros(3), chosen[1:]
+
+    @staticmethod
+    def _coordinates(now: Start) -> tuple[Array, Array]:
+        r = now.rotation
+        x, y, z, w = Rotation.from_matrix(r).as_quat()
+        q = np.concatenate([now.position, [x, y, z, w], now.lengths])
+        return q, np.concatenate([r.T @ now.velocity, now.omega, now.rates])
 
 
 def _turning(theta: Array, omega: Array) -> Array:

@@ -88,6 +88,7 @@ class Touch(NamedTuple):
     contact_loss: float  # [W]
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
+    grip: float  # of friction, as a damper [N s/m]
 
 
 class Meeting(NamedTuple):
@@ -146,6 +147,8 @@ def meeting(
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
-    touch = Touch(force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded)
+    touch = Touch(
+        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, rubbed.grip
+    )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return Meeting(gap, -rate, n, impulsive, touch)

@@ -134,6 +134,7 @@ class Friction(NamedTuple):
 
     force: Vec  # f_f [N]
     loss: float  # power turned into heat [W]
+    grip: float  # −f_f / v, the damper that friction amounts to [N s/m]
 
 
 @kernel
@@ -150,7 +151,7 @@ def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Friction
     """
     v_s, square = surface.slip_speed, slip @ slip
     grip = surface.friction * normal_force / math.sqrt(square + v_s * v_s)
-    return Friction(slip * -grip, grip * square)
+    return Friction(slip * -grip, grip * square, grip)
 
 
 @kernel

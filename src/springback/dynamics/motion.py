@@ -89,7 +89,10 @@ class ArmView(NamedTuple):
     impulsive: float  # 1 where it touches a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     on_stop: float  # 1 while an end stop is pressed
-    inward: Vec  # normal of the most deeply touched obstacle
+    inward: Vec  # normal of the most deeply touched obstacle, world
+    grip: float  # of friction as a damper, on the vehicle's mass [N s/m] ...
+    grip_on_arm: float  # ... on the mass of the arm [1/s] ...
+    grip_on_turn: float  # ... on the inertia [N m s]
 
 
 class View(NamedTuple):
@@ -101,6 +104,7 @@ class View(NamedTuple):
     contact_force: Vec  # sum over cages, world [N]
     arms: tuple[ArmView, ...]
     on_ground: float  # number of grounds touched
+    friction_rate: float  # at most how fast friction brings a sliding cage to rest [1/s]
 
 
 class ArmShare(NamedTuple):
@@ -164,8 +168,8 @@ def _impulsive(met: Meeting) -> float:
 
 
 @kernel
-def _nearest_normal(met: Meeting, nearest: float, r: Mat) -> Vec:
-    return (r @ met.inward) * (1.0 if met.gap == nearest else 0.0)
+def _nearest_normal(met: Meeting, nearest: float) -> Vec:
+    return met.inward * (1.0 if met.gap == nearest else 0.0)
 
 
 class Stop(NamedTuple):
@@ -273,6 +277,8 @@ def arm_state(
             crossing_time(length - arm.shortest, rate) if has_stops else NEVER,
         )
     )
+    inward = total(each(_nearest_normal, (met,), (gap,)))
+    along_arm, reach = e @ inward, length + arm.cage_radius
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -284,7 +290,10 @@ def arm_state(
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if (u > 0.0) & (length < arm.shortest) else 0.0,
         on_stop=1.0 if on_stop else 0.0,
-        inward=total(each(_nearest_normal, (met,), (gap, r))),
+        inward=r @ inward,
+        grip=touch.grip,
+        grip_on_arm=touch.grip * u * arm.inverse_mass * (1.0 - along_arm * along_arm),
+        grip_on_turn=touch.grip * reach * reach,
     )
     return ArmState(share, ArmPull(u * h * arm.inverse_mass, u), view)
 
@@ -372,6 +381,11 @@ def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Acce
     return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
 
 
+@kernel
+def _friction_rate(arm: ArmView, per_mass: float, per_inertia: float) -> float:
+    return arm.grip * per_mass + arm.grip_on_turn * per_inertia + arm.grip_on_arm
+
+
 class Rates(NamedTuple):
     """Rate of change of the motion, and the view of the same instant."""
 
@@ -435,5 +449,15 @@ def rates(
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
     views = column(arms, "seen")
-    view = View(acceleration, solved.linear, mass_centre_velocity, push, views, a.on_ground)
+    slimmest = least((inertia.x.x, inertia.y.y, inertia.z.z))
+    friction_rate = total(each(_friction_rate, (views,), (1.0 / airframe.mass, 1.0 / slimmest)))
+    view = View(
+        acceleration,
+        solved.linear,
+        mass_centre_velocity,
+        push,
+        views,
+        a.on_ground,
+        friction_rate,
+    )
     return Rates(Motion(state_rate, work_rate), view)

@@ -46,45 +46,10 @@ WIDTH = 4.8
 """Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
 RESOLUTION = 200
 """Of PNG files [dots per inch]."""
-STYLE: dict[str, Any] = {
-    "font.family": "DejaVu Sans",  # comes with matplotlib, so figures look alike everywhere
-    "font.size": 9.0,
-    "axes.titlesize": 9.0,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "axes.labelsize": 9.0,
-    "axes.labelcolor": INK,
-    "axes.edgecolor": "#9AA0A6",
-    "axes.linewidth": 0.7,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#E2E5E9",
-    "grid.linewidth": 0.6,
-    "text.color": INK,
-    "xtick.color": "#5F6368",
-    "ytick.color": "#5F6368",
-    "xtick.labelcolor": INK,
-    "ytick.labelcolor": INK,
-    "xtick.labelsize": 8.0,
-    "ytick.labelsize": 8.0,
-    "lines.linewidth": 1.6,
-    "legend.fontsize": 8.0,
-    "legend.frameon": False,
-    "legend.handlelength": 2.4,
-    "hatch.linewidth": 0.6,
-    "figure.constrained_layout.use": True,
-    "figure.facecolor": "white",
-    "figure.dpi": 100.0,
-    "savefig.dpi": RESOLUTION,
-    "pdf.fonttype": 42,  # outlines that editors and journals accept
-    "text.usetex": False,
-    "text.parse_math": False,  # names are the user's, and may hold a dollar sign
-}
+STYLE = ["default", "springback.interfaces.templates.house"]
 
 
-class Picture(Figure):
+class HouseFigure(Figure):
     """A figure that notebooks show without pyplot."""
 
     def _repr_png_(self) -> bytes:
@@ -96,7 +61,7 @@ def _styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
     @functools.wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
-        with style.context(["default", STYLE]):
+        with style.context(STYLE):
             figure = draw(*args, **kwargs)
             figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
             figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
@@ -108,7 +73,7 @@ def _styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 def png(figure: Figure) -> bytes:
     """The figure as a PNG file, the same bytes for the same figure."""
     buffer = io.BytesIO()
-    with style.context(["default", STYLE]):
+    with style.context(STYLE):
         figure.savefig(buffer, format="png", dpi=RESOLUTION, metadata={"Software": None})
     return buffer.getvalue()
 
@@ -127,7 +92,7 @@ def save(figure: Figure, path: Path) -> list[Path]:
     files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
     files[0].write_bytes(png(figure))
     nobody = {"Creator": None, "Producer": None, "CreationDate": None}
-    with style.context(["default", STYLE]):
+    with style.context(STYLE):
         figure.savefig(files[1], format="pdf", metadata=nobody)
     return files
 
@@ -153,12 +118,10 @@ def flight_figure(flight: Flight) -> Figure:
         raise ValueError("this flight kept no trajectory: fly it with trajectory=True")
     c, touch = flight.columns, flight.measures.get("touch_time")
     t, inside = _around_contact(flight)
-    first = {
-        axis: 0.0 if touch is None else float(np.interp(touch, c["t"], c[axis])) for axis in "xyz"
-    }
+    first = {} if touch is None else {a: np.interp(touch, c["t"], c[a]) for a in "xyz"}
     size, unit = (1.0, "m") if touch is None else (1e3, "mm")
     panels = [
-        (f"Position [{unit}]", [(axis, size * (c[axis] - first[axis])) for axis in "xyz"]),
+        (f"Position [{unit}]", [(axis, size * (c[axis] - first.get(axis, 0.0))) for axis in "xyz"]),
         ("Velocity [m/s]", [(f"v{axis}", c[f"v{axis}"]) for axis in "xyz"]),
         ("Acceleration [m/s²]", [(f"a{axis}", c[f"a{axis}"]) for axis in "xyz"]),
     ]
@@ -173,7 +136,7 @@ def flight_figure(flight: Flight) -> Figure:
         friction = _alike("friction", [(j, c[f"ff{j}"]) for j in rubbed])
         panels.append(("Contact force [N]", forces + friction))
 
-    figure = Picture(figsize=(WIDTH, 0.45 + 1.4 * len(panels)))
+    figure = HouseFigure(figsize=(WIDTH, 0.45 + 1.4 * len(panels)))
     axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
     for ax, (label, curves) in zip(axes, panels, strict=True):
         for start, end in _contacts(c, arms):
@@ -184,7 +147,10 @@ def flight_figure(flight: Flight) -> Figure:
         if high - low < 1e-6:  # nothing but rounding: a flat line, not a magnified one
             ax.set_ylim(low - 1.0, high + 1.0)
         ax.set_ylabel(label)
-        _legend_above(ax)
+        ax.legend(
+            loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderpad=0.0,
+            borderaxespad=0.3, columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
+        )  # fmt: skip
     if touched:
         axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=8)
     axes[-1].set_xlabel("Time [s]" if touch is None else "Time from first touch [ms]")
@@ -233,14 +199,6 @@ def _alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]
     return [(f"{what} {', '.join(map(str, names))}", values) for names, values in groups]
 
 
-def _legend_above(ax: Axes) -> None:
-    """A legend of one line above the panel, where it hides nothing."""
-    ax.legend(
-        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderpad=0.0, borderaxespad=0.3,
-        columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
-    )  # fmt: skip
-
-
 # -- the slider tests -----------------------------------------------------------------------------
 
 
@@ -274,7 +232,7 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
     if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
         labels.append("Arm length [mm]")
-    figure = Picture(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
+    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
     looks = _reading_looks(results)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
@@ -289,13 +247,9 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
         ax.set_ylabel(label)
         ax.yaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))
     figure.align_ylabels(axes[:, 0])
-    figure.legend(
-        *(position + velocity for position, velocity in zip(
-            axes[0, 0].get_legend_handles_labels(),
-            axes[1, 0].get_legend_handles_labels(), strict=True,
-        )),
-        loc="outside upper center", ncols=3,
-    )  # fmt: skip
+    legends = [axes[row, 0].get_legend_handles_labels() for row in (0, 1)]
+    handles, names = (a + b for a, b in zip(*legends, strict=True))
+    figure.legend(handles, names, loc="outside upper center", ncols=3)
     return figure
 
 
@@ -365,13 +319,11 @@ def sweep_figure(results: SliderResults) -> Figure:
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
     looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
     speeds = sorted({p.speed for p in results.sweep})
-    figure = Picture(figsize=(WIDTH, 4.4))
+    figure = HouseFigure(figsize=(WIDTH, 4.4))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
-    bars += [
-        (_short(f"ARQ, reading {n}"), looks[n][0], [points[n, v].arq for v in speeds])
-        for n in names
-    ]
+    for n in names:
+        bars.append((_short(f"ARQ, reading {n}"), looks[n][0], [points[n, v].arq for v in speeds]))
     _bars(upper, speeds, bars)
     gaps = [("", looks[n][0], [points[n, v].gap for v in speeds]) for n in names]
     _bars(lower, speeds, gaps, first=1)
@@ -419,7 +371,7 @@ def readings_figure(results: SliderResults) -> Figure:
         ("travel", "travel", ""),
         ("contact\ntime", "contact_time", "time_to_return"),
     ]
-    figure = Picture(figsize=(WIDTH, 2.9))
+    figure = HouseFigure(figsize=(WIDTH, 2.9))
     axes = figure.subplots(1, 2, sharey=True, sharex=True)
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)
@@ -431,15 +383,15 @@ def readings_figure(results: SliderResults) -> Figure:
         ax.axvline(1.0, color=INK, lw=0.9)
         for k, name in enumerate(names):
             shift = 0.5 * (k / max(len(names) - 1, 1) - 0.5)
-            at = [y + shift for y in range(len(lines))]
-            found = [rows.get((surface, name, line[1])) for line in lines]
-            other = [rows.get((surface, name, line[2])) for line in lines]
-            for face, values in (("white", other), (looks[name][0], found)):
-                known = [(1.0 + v, y) for v, y in zip(values, at, strict=True) if v is not None]
+            colour, look = looks[name][0], marks[k % len(marks)]
+            for which, face in ((2, "white"), (1, colour)):
+                found = [
+                    (rows.get((surface, name, line[which])), y) for y, line in enumerate(lines)
+                ]
+                known = [(1.0 + share, y + shift) for share, y in found if share is not None]
                 ax.plot(
-                    [x for x, _ in known], [y for _, y in known], marks[k % len(marks)],
-                    ms=6, mew=1.2, color=looks[name][0], mfc=face,
-                    label=None if face == "white" else _short(f"reading {name}"),
+                    [x for x, _ in known], [y for _, y in known], look, ms=6, mew=1.2, color=colour,
+                    mfc=face, label=None if which == 2 else _short(f"reading {name}"),
                 )  # fmt: skip
         ax.set_title(f"ARQ on the {surface}")
         ax.set_xlabel("ours / printed [-]")
@@ -451,19 +403,6 @@ def readings_figure(results: SliderResults) -> Figure:
         *axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=3, handlelength=1.4
     )
     return figure
-
-
-# -- energy ---------------------------------------------------------------------------------------
-
-_LOSSES = (
-    ("contact damping", "loss_contact", RED), ("arm dampers", "loss_arm", BLUE),
-    ("friction", "loss_friction", ORANGE), ("end stops", "loss_stop", PINK),
-    ("locking the arms", "loss_settling", GREY),
-)  # fmt: skip
-_LEFT = (
-    ("left in motion", "energy_kinetic"), ("left in arm springs", "energy_springs"),
-    ("left in contacts", "energy_contact"), ("left in end stops", "energy_stops"),
-)  # fmt: skip
 
 
 @_styled
@@ -482,7 +421,7 @@ def energy_figure(*flights: Flight) -> Figure:
         for k, (name, _, _) in enumerate(steps[0])
         if any(abs(each[k][1]) > 1e-3 * scale for each in steps)
     ]
-    figure = Picture(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
+    figure = HouseFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
     axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
     for ax, each, flight in zip(axes, steps, flights, strict=True):
         _waterfall(ax, [step for step in each if step[0] in shown])
@@ -522,13 +461,17 @@ def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
         ("rotors put in", max(rotors, 0.0), GREY),
         ("fall put in", max(-height, 0.0), GREY),
         ("rotors took", min(rotors, 0.0), SKY),
-        *((name, -m[key], colour) for name, key, colour in _LOSSES),
-        *((name, m[key], GREEN) for name, key in _LEFT),
+        ("contact damping", -m["loss_contact"], RED),
+        ("arm dampers", -m["loss_arm"], BLUE),
+        ("friction", -m["loss_friction"], ORANGE),
+        ("end stops", -m["loss_stop"], PINK),
+        ("locking the arms", -m["loss_settling"], GREY),
+        ("left in motion", m["energy_kinetic"], GREEN),
+        ("left in arm springs", m["energy_springs"], GREEN),
+        ("left in contacts", m["energy_contact"], GREEN),
+        ("left in end stops", m["energy_stops"], GREEN),
         ("left in height", max(height, 0.0), GREEN),
     ]
-
-
-# -- the one picture ------------------------------------------------------------------------------
 
 
 @_styled
@@ -537,7 +480,7 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
     cases = predictions(results, "quad", "wall") + [
         case for case in predictions(results, "arq", "wall") if case.reading.name == reading
     ]
-    figure = Picture(figsize=(8.0, 3.0))
+    figure = HouseFigure(figsize=(8.0, 3.0))
     left, right = figure.subplots(1, 2)
     for case in cases:
         (t, touch), (colour, line) = _since_touch(case.flight), ROBOT_LOOKS[case.robot]

@@ -1,7 +1,7 @@
 """The reproduction report: one page that needs nothing else, its figures, and the numbers as data.
 
-The page is made of sections, a section of blocks: paragraphs, tables, pictures.  One template lays
-them out.  Every sentence with a number is generated from the results, none is typed.
+A page is made of sections, a section of blocks: paragraphs, tables, pictures; one template lays
+them out.  The words on the slider tests are in ``templates/slider.toml``; numbers come in by name.
 """
 
 from __future__ import annotations
@@ -9,8 +9,10 @@ from __future__ import annotations
 import base64
 import csv
 import re
+import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from importlib.resources import files
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -25,12 +27,14 @@ from springback.interfaces import plots
 from springback.interfaces.files import write_json
 from springback.simulation.measures import MEASURES
 
-# -- what a page is made of -----------------------------------------------------------------------
+TEXT: dict[str, Any] = tomllib.loads(
+    (files("springback.interfaces") / "templates" / "slider.toml").read_text("utf-8")
+)
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell of a table: a text, and, if it is a number of ours or the paper's, the number."""
+    """A cell of a table: a text and, if it stands for a number, the number itself."""
 
     text: str
     value: float | None = None
@@ -63,50 +67,39 @@ class Picture:
         return "data:image/png;base64," + base64.b64encode(plots.png(self.figure)).decode("ascii")
 
     @property
-    def width(self) -> int:
-        """Width on the page [CSS pixels]."""
-        return round(125 * self.figure.get_figwidth())
+    def size(self) -> tuple[int, int]:
+        """Width and height on the page [CSS pixels]."""
+        width, height = self.figure.get_size_inches()
+        return round(125 * width), round(125 * height)
 
-    @property
-    def height(self) -> int:
-        """Height on the page [CSS pixels]."""
-        return round(125 * self.figure.get_figheight())
+
+Blocks = tuple[str | Table | Picture, ...]
 
 
 @dataclass(frozen=True)
 class Section:
-    """A part of the page: paragraphs (plain text), tables and pictures in their order."""
+    """A part of the page: paragraphs (plain text), tables and pictures, in their order."""
 
     anchor: str
     title: str
-    blocks: tuple[str | Table | Picture, ...]
+    blocks: Blocks
 
 
-class Quantity(NamedTuple):
-    """How a compared quantity is shown: its scale takes SI to the unit shown."""
+def page(title: str, sections: Sequence[Section]) -> str:
+    """The HTML page of some sections; it refers to nothing outside itself."""
+    environment = Environment(
+        loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
+    )  # fmt: skip
+    environment.filters["symbols"] = _symbols
+    template = environment.get_template("report.html.j2")
+    return template.render(title=title, paper=PAPER, sections=sections)
 
-    name: str
-    unit: str = ""
-    scale: float = 1.0
-    decimals: int = 3
 
-
-QUANTITIES = {
-    "restitution_at_separation": Quantity("COR when the cage leaves"),
-    "restitution_at_return": Quantity("COR when the body is back"),
-    "restitution_of_mass_centre": Quantity("COR of the centre of mass"),
-    "peak_acceleration": Quantity("peak acceleration", "m/s²", 1.0, 1),
-    "travel": Quantity("travel", "mm", 1e3, 1),
-    "contact_time": Quantity("contact time until the cage leaves", "ms", 1e3, 1),
-    "time_to_return": Quantity("contact time until the body is back", "ms", 1e3, 1),
-}
-PRINTED = {
-    "COR": ("restitution_at_separation", "restitution_at_return", "restitution_of_mass_centre"),
-    "peak acceleration": ("peak_acceleration",),
-    "travel": ("travel",),
-    "contact time": ("contact_time", "time_to_return"),
-}
-"""The four printed numbers of a test, and what of ours each may be compared with."""
+def _symbols(text: str) -> Markup:
+    """Text, escaped, with the symbols of the paper set as such."""
+    known = r"\b([ackl])_(a|c|l|max)\b"
+    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
 
 
 def write_report(results: SliderResults, folder: Path, *, about: Mapping[str, Any]) -> list[Path]:
@@ -124,72 +117,40 @@ def write_report(results: SliderResults, folder: Path, *, about: Mapping[str, An
     """
     folder.mkdir(parents=True, exist_ok=True)
     sections = slider_sections(results, about)
-    files = [folder / name for name in ("report.html", "comparison.json", "comparison.csv")]
-    files[0].write_text(page("The slider tests", sections), encoding="utf-8")
-    write_json(files[1], _data(results, about))
-    _write_csv(files[2], [row.as_dict() for row in results.rows])
-    if results.sweep:
-        files.append(folder / "sweep.csv")
-        points = [
-            {
-                "reading": p.reading, "speed_m_per_s": p.speed, "quad_m_per_s2": p.quad,
-                "arq_m_per_s2": p.arq, "gap_m_per_s2": p.gap,
-            }
-            for p in results.sweep
-        ]  # fmt: skip
-        _write_csv(files[-1], points)
+    names = ("report.html", "comparison.json", "comparison.csv", "sweep.csv")
+    written = [folder / name for name in names]
+    written[0].write_text(page("The slider tests", sections), encoding="utf-8")
+    write_json(written[1], _data(results, about))
+    _write_csv(written[2], [row.as_dict() for row in results.rows])
+    head = ("reading", "speed [m/s]", "quad [m/s^2]", "arq [m/s^2]", "gap [m/s^2]")
+    points = [(p.reading, p.speed, p.quad, p.arq, p.gap) for p in results.sweep]
+    _write_csv(written[3], [dict(zip(head, point, strict=True)) for point in points])
     for section in sections:
         for block in section.blocks:
             if isinstance(block, Picture):
-                files += plots.save(block.figure, folder / "figures" / block.name)
-    return files
-
-
-def page(title: str, sections: Sequence[Section]) -> str:
-    """The HTML page of some sections; it refers to nothing outside itself."""
-    environment = Environment(
-        loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
-    environment.filters["symbols"] = _symbols
-    template = environment.get_template("report.html.j2")
-    return template.render(title=title, paper=PAPER, sections=sections)
-
-
-def _symbols(text: str) -> Markup:
-    """Text, escaped, with the symbols of the paper set as such."""
-    known = r"\b([acklmb])_(a|c|l|b|max)\b"
-    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
+                written += plots.save(block.figure, folder / "figures" / block.name)
+    return written
 
 
 def _data(results: SliderResults, about: Mapping[str, Any]) -> dict[str, Any]:
-    """All results as plain data."""
+    cases = [
+        {
+            "robot": c.robot, "surface": c.surface, "reading": c.reading.name,
+            "dissipation": c.dissipation, "dissipation_from": c.dissipation_from,
+            "outcome": c.flight.outcome.word, "measures": c.flight.measures,
+        }
+        for c in results.cases
+    ]  # fmt: skip
     return {
         "about": dict(about),
         "paper": PAPER,
         "agreement": AGREEMENT,
-        "readings": [
-            {
-                "name": r.name, "text": r.text, "vehicle": r.vehicle, "shared_by": r.shared_by,
-                "overrides": list(r.overrides),
-            }
-            for r in results.readings
-        ],
+        "readings": [asdict(reading) for reading in results.readings],
         "rows": [row.as_dict() for row in results.rows],
-        "sweep": [
-            {"reading": p.reading, "speed": p.speed, "quad": p.quad, "arq": p.arq, "gap": p.gap}
-            for p in results.sweep
-        ],
-        "cases": [
-            {
-                "robot": c.robot, "surface": c.surface, "reading": c.reading.name,
-                "dissipation": c.dissipation, "dissipation_from": c.dissipation_from,
-                "outcome": c.flight.outcome.word, "measures": c.flight.measures,
-            }
-            for c in results.cases
-        ],
+        "sweep": [{**asdict(point), "gap": point.gap} for point in results.sweep],
+        "cases": cases,
         "units": {name: unit for name, (unit, _) in MEASURES.items()},
-    }  # fmt: skip
+    }
 
 
 def _write_csv(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
@@ -202,364 +163,260 @@ def _write_csv(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
 # -- numbers and words ----------------------------------------------------------------------------
 
 
+class Quantity(NamedTuple):
+    """How a compared quantity is shown; the scale takes SI to the unit."""
+
+    name: str
+    unit: str = ""
+    scale: float = 1.0
+    decimals: int = 3
+
+
+QUANTITIES = {key: Quantity(**entry) for key, entry in TEXT["quantities"].items()}
+PRINTED: dict[str, list[str]] = TEXT["printed"]
+"""The printed numbers of a test, and what of ours each may be compared with."""
+Run = Mapping[str, Row]
+"""Rows of one flown test by quantity."""
+Runs = dict[tuple[str, str, str], list[Run]]
+"""Runs by robot, surface and reading: the first with Quad's c_a."""
+
+
+def _say(key: str, **values: Any) -> str:
+    words: str = TEXT[key]
+    return words.strip("\n").replace("\n", " ").format(**values)
+
+
+def _head(key: str) -> tuple[str, ...]:
+    return tuple(TEXT["heads"][key])
+
+
 def _number(value: float | None, decimals: int) -> str:
     return "–" if value is None else f"{value:.{decimals}f}".replace("-", "−")
 
 
+def _plain(value: float | None) -> str:
+    """A given or printed number with no more digits than it has."""
+    return "–" if value is None else f"{value:.6g}".replace("e+0", "e")
+
+
 def _percent(share: float | None) -> str:
-    return "" if share is None else f"{100.0 * share + 0.0:+.1f} %".replace("-", "−")
-
-
-def _plain(value: float) -> str:
-    """A given or printed number as people write it: no more digits than it has."""
-    return f"{value:,.6g}".replace(",", " ") if abs(value) < 1e6 else f"{value:.4g}"
+    if share is None:
+        return ""
+    return f"{round(100.0 * share, 1) + 0.0:+.1f} %".replace("-", "−")
 
 
 def _listed(words: Iterable[str]) -> str:
-    """``a, b and c``."""
     *most, last = [*words] or ["none"]
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def _shown(row: Row, value: float | None) -> str:
-    """A number of a row with its unit, for a sentence."""
-    quantity = QUANTITIES.get(row.quantity, Quantity("", row.unit))
-    number = None if value is None else value * quantity.scale
-    return f"{_number(number, quantity.decimals)} {quantity.unit}".rstrip()
-
-
-def _printed(row: Row, value: float | None) -> Cell:
-    """A printed number in the unit of its table."""
-    scale = QUANTITIES[row.quantity].scale if row.quantity in QUANTITIES else 1.0
-    return Cell("–") if value is None else Cell(_plain(value * scale), value)
-
-
 def _ours(row: Row | None) -> Cell:
-    """A number of ours, with its deviation and mark."""
     if row is None:
         return Cell("–")
-    quantity = QUANTITIES.get(row.quantity, Quantity(row.quantity, row.unit, 1.0, 1))
+    quantity = QUANTITIES[row.quantity]
     number = None if row.ours is None else row.ours * quantity.scale
     return Cell(_number(number, quantity.decimals), row.ours, _percent(row.deviation), row.mark)
 
 
-Runs = dict[tuple[str, str, str], list[dict[str, Row]]]
-"""Rows of Table III by robot, surface and reading: one dictionary by quantity for each c_a, the
-first of which is Quad's."""
+def _printed(row: Row, value: float | None) -> Cell:
+    return Cell(_plain(None if value is None else value * QUANTITIES[row.quantity].scale), value)
+
+
+def _c_a(run: Run | None, absent: str = "–") -> Cell:
+    """c_a of a run, the same in all its rows."""
+    row = next(iter((run or {}).values()), None)
+    return Cell(absent) if row is None else Cell(_number(row.dissipation, 3), row.dissipation)
 
 
 def _runs(results: SliderResults) -> Runs:
     found: dict[tuple[str, str, str], dict[str, dict[str, Row]]] = {}
     for row in results.rows:
-        if row.experiment == "Table III":
+        if row.experiment == "Table III" and row.quantity in QUANTITIES:
             runs = found.setdefault((row.robot, row.surface, row.reading), {})
             runs.setdefault(row.dissipation_from, {})[row.quantity] = row
     return {key: list(runs.values()) for key, runs in found.items()}
 
 
-def _agrees(run: Mapping[str, Row], number: str) -> bool:
+def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | None:
+    return next(iter(runs.get((robot, surface, reading), [])[n : n + 1]), None)
+
+
+def _agrees(run: Run | None, number: str) -> bool:
     """Whether a printed number comes out, in any of its definitions."""
-    rows = [run[q] for q in PRINTED[number] if q in run]
+    rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
 
-def _giving(runs: Runs, results: SliderResults, surface: str, number: str) -> list[str]:
-    """The readings of ARQ that give a printed number with Quad's c_a."""
-    return [
-        r.name
-        for r in results.readings
-        if (own := runs.get(("arq", surface, r.name))) and _agrees(own[0], number)
-    ]
+def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
+    """Rows of the gap of the sweep by reading: the prediction, or the first with a mark."""
+    found: dict[str, Row] = {}
+    for row in results.rows:
+        if row.experiment == "Sweep" and mark in (None, row.mark):
+            found.setdefault(row.reading, row)
+    return found
 
 
 # -- the sections ---------------------------------------------------------------------------------
 
 
 def slider_sections(results: SliderResults, about: Mapping[str, Any]) -> list[Section]:
-    """The page of the slider tests, section by section."""
+    """The page of the slider tests, section by section; what was not flown is left out."""
     runs = _runs(results)
-    return [
-        _answer(results, runs),
-        _table_iii(results, runs),
-        _over_time(results),
-        _disagreement(results, runs),
-        _speed_sweep(results),
-        _energy(results),
-        _method(results),
-        _given(results),
-        _everything(results, about),
-    ]
-
-
-def _answer(results: SliderResults, runs: Runs) -> Section:
-    asked = (
-        f"The paper lets two robots slide into a wall and a mat at about {_plain(SLIDER_SPEED)} m/s: "
-        "Quad, which is rigid, and ARQ, whose arms give way. It prints restitution (COR), peak "
-        "acceleration, travel and contact time. Does its model give these numbers from its printed "
-        "parameters, when the contact damping c_a, which it does not print, is fitted to Quad's "
-        "COR and to nothing else?"
-    )
-    answers = [
-        sentence for surface in plots.SURFACES for sentence in _quad_sentences(runs, surface)
-    ] + _arq_sentences(results, runs)
-    blocks: list[str | Table | Picture] = [asked, " ".join(answers)]
-    if results.cases:
-        blocks.append(
-            Picture(
-                "answer",
-                "Velocity and acceleration of the main body in a collision with the wall, computed.",
-                plots.readme_figure(results),
-            )
-        )
-    blocks.append(_tally(results))
-    return Section("answer", "Question and answer", tuple(blocks))
-
-
-def _quad_sentences(runs: Runs, surface: str) -> list[str]:
-    run = next(iter(runs.get(("quad", surface, "Quad"), [])), None)
-    if run is None:
-        return []
-    free = {n: run[PRINTED[n][0]] for n in PRINTED if n != "COR" and PRINTED[n][0] in run}
-    off = [n for n in free if not _agrees(run, n)]
-    numbers = _listed(
-        f"{n} {_shown(row, row.ours)} (printed {_shown(row, row.printed)})"
-        for n, row in free.items()
-    )
-    c_a = next(iter(run.values())).dissipation
-    verdict = (
-        "all agree"
-        if not off
-        else f"all but {_listed(off)} agree"
-        if len(off) < len(free)
-        else "none agrees"
-    )
-    return [f"Quad on the {surface}, with c_a = {_number(c_a, 3)} s/m: {numbers}; {verdict}."]
-
-
-def _arq_sentences(results: SliderResults, runs: Runs) -> list[str]:
-    sentences = []
-    complete = [
-        f"{r.name} on the {surface}"
-        for r in results.readings
-        for surface in plots.SURFACES
-        if all(r.name in _giving(runs, results, surface, number) for number in PRINTED)
-    ]
-    if any(robot == "arq" for robot, _, _ in runs):
-        sentences.append(
-            f"All {len(PRINTED)} numbers of ARQ at once come out for reading {_listed(complete)}."
-            if complete
-            else f"For ARQ, none of the {len(results.readings)} readings of its parameters gives "
-            f"all {len(PRINTED)} printed numbers at once, on either surface."
-        )
-    gaps = _gap_rows(results)
-    if gaps:
-        listed = _listed(f"{r.reading} {_number(r.ours, 0)} m/s²" for r in gaps)
-        sentences.append(
-            f"The difference of the peak accelerations at {_plain(SWEEP_SPEEDS[-1])} m/s, printed as "
-            f"{_plain(SWEEP_GAP)} m/s², comes out as {listed}."
-        )
-    return sentences
-
-
-def _gap_rows(results: SliderResults) -> list[Row]:
-    """The predicted gap of every reading."""
-    first: dict[str, Row] = {}
-    for row in results.rows:
-        if row.experiment == "Sweep":
-            first.setdefault(row.reading, row)
-    return list(first.values())
-
-
-def _tally(results: SliderResults) -> Table:
-    rows = []
-    for mark in Mark:
-        count = sum(row.mark is mark for row in results.rows)
-        rows.append((Cell(mark.word, mark=mark), Cell(str(count), float(count)), Cell(mark.value)))
-    return Table(
-        f"What the marks mean, and how many of the {len(results.rows)} compared numbers have each",
-        ("mark", "numbers", "meaning"), tuple(rows),
-    )  # fmt: skip
-
-
-def _table_iii(results: SliderResults, runs: Runs) -> Section:
-    blocks: list[str | Table | Picture] = [
-        "Each cell of ours shows the number, its deviation from the printed simulation, and its "
-        "mark. A printed COR and contact time can be read in more than one way, so each way has "
-        "its row. c_a is that of Quad throughout: for ARQ everything is predicted."
-    ]
-    blocks += [
-        _comparison(runs, "quad", surface, {"Quad": "Quad"}, 0)
-        for surface in plots.SURFACES
-        if ("quad", surface, "Quad") in runs
-    ]
-    names = {r.name: f"ARQ, {r.name}" for r in results.readings}
-    present = [s for s in plots.SURFACES if any(key[:2] == ("arq", s) for key in runs)]
-    blocks += [_comparison(runs, "arq", surface, names, 0) for surface in present]
-    if present:
-        blocks.append(
-            "The same with c_a fitted to ARQ's own COR instead, for every reading by itself: what "
-            "it would take, and what it does to the other numbers."
-        )
-        blocks += [_comparison(runs, "arq", surface, names, 1) for surface in present]
-    return Section("table", "The paper's Table III, side by side", tuple(blocks))
-
-
-def _comparison(
-    runs: Runs, robot: str, surface: str, names: Mapping[str, str], which: int
-) -> Table:
-    """A table of one robot and surface, a column for each reading."""
-    chosen = {}
-    for name in names:
-        own = runs.get((robot, surface, name), [])
-        chosen[name] = own[which] if which < len(own) else {}
-    rows = [
-        (Cell("c_a [s/m]"), Cell("–"), Cell("–"), *(_dissipation(run) for run in chosen.values()))
-    ]
-    for key, quantity in QUANTITIES.items():
-        row = next(
-            (
-                run[key]
-                for own in chosen
-                for run in runs.get((robot, surface, own), [])
-                if key in run
-            ),
-            None,
-        )
-        if row is None:
-            continue
-        label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
-        printed = (_printed(row, row.printed), _printed(row, row.printed_test))
-        rows.append((Cell(label), *printed, *(_ours(run.get(key)) for run in chosen.values())))
-    source = "Quad's c_a" if not which else "c_a from ARQ's own COR"
-    return Table(
-        f"{plots.ROBOTS[robot]} on the {surface}" + (f", {source}" if robot == "arq" else ""),
-        ("", "printed, simulation", "printed, test", *(names[name] for name in chosen)),
-        tuple(rows),
-    )
-
-
-def _dissipation(run: Mapping[str, Row]) -> Cell:
-    row = next(iter(run.values()), None)
-    if row is None:
-        return Cell("–", detail="no c_a gives this COR")
-    return Cell(_number(row.dissipation, 3), row.dissipation, f"from {row.dissipation_from}")
-
-
-def _over_time(results: SliderResults) -> Section:
-    robots = [r for r in plots.ROBOTS if any(case.robot == r for case in results.cases)]
-    pictures = [
-        Picture(
-            f"slider_{robot}",
-            f"{plots.ROBOTS[robot]} hits wall and mat, in the manner of the paper's figure. Position is "
-            "that of the main body past its place at first touch.",
-            plots.slider_figure(results, robot),
-        )
-        for robot in robots
-    ]
-    return Section("time", "Over time", tuple(pictures))
-
-
-def _disagreement(results: SliderResults, runs: Runs) -> Section:
-    head = ("printed number of ARQ", *(f"given on the {s} by" for s in plots.SURFACES))
-    rows = [
-        (Cell(number), *(Cell(_listed(_giving(runs, results, s, number))) for s in plots.SURFACES))
-        for number in PRINTED
-    ]
-    if gaps := _gap_rows(results):
-        good = [row.reading for row in gaps if row.mark is not Mark.CONTRADICTED]
-        rows.append((Cell("gap of the speed sweep"), Cell(_listed(good)), Cell("–")))
-    return Section(
-        "disagreement",
-        "What does not agree, and why",
-        (
-            "The printed parameters of ARQ can be read in more than one way. Each reading gives "
-            "some of its printed numbers, to within "
-            f"{100 * AGREEMENT:.0f} % and in any definition, with Quad's c_a:",
-            Table("Who gives what", head, tuple(rows)),
-            Picture(
-                "readings",
-                "Every reading against the four printed numbers of ARQ. Filled: when the cage "
-                "leaves. Open: when the main body is back where it was at first touch.",
-                plots.readings_figure(results),
-            ),
-            "Why they pull apart: an arm that slides along its own direction, oblique to the wall, "
-            "yields only to the part of the contact force along it; the rest reaches the main body "
-            "at once, and that is what sets a high peak acceleration. One spring in series along X "
-            "passes nothing on directly, so the body travels further, stops more softly and stays "
-            "longer. Peak acceleration asks for the first picture, travel and contact time for the "
-            "second.",
-            "c_a would also have to differ from number to number. If it were one property of the "
-            "surface, the entries of a row of this table would be equal:",
-            _wanted_dissipation(results, runs),
-        ),
-    )
-
-
-def _wanted_dissipation(results: SliderResults, runs: Runs) -> Table:
-    def wanted(run: Mapping[str, Row] | None) -> Cell:
-        row = next(iter((run or {}).values()), None)
-        return (
-            Cell("none does") if row is None else Cell(_number(row.dissipation, 3), row.dissipation)
-        )
-
-    names, rows = [r.name for r in results.readings], []
-    for surface in plots.SURFACES:
-        own = [runs.get(("arq", surface, name), []) for name in names]
-        quad = next(iter(runs.get(("quad", surface, "Quad"), [])), None)
-        rows.append(
-            (
-                Cell(f"COR on the {surface}"),
-                wanted(quad),
-                *(wanted(next(iter(r[1:]), None)) for r in own),
-            )
-        )
-    fitted = {
-        r.reading: r for r in results.rows if r.experiment == "Sweep" and r.mark is Mark.FITTED
+    blocks: dict[str, Blocks] = {
+        "answer": _answer(results, runs),
+        "table": _table_iii(results, runs),
+        "time": _over_time(results),
+        "disagreement": _disagreement(results, runs),
+        "sweep": _sweep(results),
+        "energy": _energy(results),
+        "method": _method(results),
+        "given": _given(results),
+        "data": _everything(results, about),
     }
-    gap = [wanted({"gap": fitted[n]} if n in fitted else None) for n in names]
-    rows.append((Cell("gap of the sweep, wall"), Cell("–"), *gap))
-    head = ("c_a [s/m] that gives the printed", "Quad", *(f"ARQ, {name}" for name in names))
-    return Table("c_a that each printed number asks for", head, tuple(rows))
+    return [Section(key, TEXT["titles"][key], found) for key, found in blocks.items() if found]
 
 
-def _speed_sweep(results: SliderResults) -> Section:
-    if not results.sweep:
-        return Section("sweep", "Faster", ())
-    names = list(dict.fromkeys(p.reading for p in results.sweep))
-    points = {(p.reading, p.speed): p for p in results.sweep}
-    rows = []
-    for speed in sorted({p.speed for p in results.sweep}):
-        here = [points[n, speed] for n in names if (n, speed) in points]
-        cells = [Cell(_number(v, 0), v) for p in here for v in (p.arq, p.gap)]
-        rows.append(
-            (Cell(_plain(speed), speed), Cell(_number(here[0].quad, 0), here[0].quad), *cells)
+def _over_time(results: SliderResults) -> Blocks:
+    flown = {case.robot: plots.ROBOTS[case.robot] for case in results.cases}
+    return tuple(
+        Picture(
+            f"slider_{robot}", _say("time_picture", robot=name), plots.slider_figure(results, robot)
         )
-    head = ["speed [m/s]", "Quad"]
-    for name in names:
-        head += [f"ARQ, {name}", f"less by, {name}"]
-    gaps = [
-        f"{row.reading} {_number(row.ours, 0)} m/s² ({_percent(row.deviation)}, {row.mark.word})"
-        for row in _gap_rows(results)
-    ]
-    return Section(
-        "sweep",
-        "Faster: the speed sweep",
-        (
-            "The paper repeats the collision with the wall in simulation, without the mass of the "
-            f"sliding bar, and prints that at {_plain(SWEEP_SPEEDS[-1])} m/s the peak acceleration of "
-            f"ARQ is {_plain(SWEEP_GAP)} m/s² below that of Quad. With Quad's c_a the readings give: "
-            f"{_listed(gaps)}.",
-            Picture(
-                "sweep",
-                "Peak accelerations, and how much less ARQ's is; the line is what is printed.",
-                plots.sweep_figure(results),
-            ),
-            Table("Peak accelerations [m/s²]", tuple(head), tuple(rows)),
-        ),
+        for robot, name in flown.items()
     )
 
 
-def _energy(results: SliderResults) -> Section:
+def _answer(results: SliderResults, runs: Runs) -> Blocks:
+    details, met, free = [], 0, [n for n in PRINTED if n != "COR"]
+    quads = {s: run for s in plots.SURFACES if (run := _nth(runs, "quad", s, "Quad", 0))}
+    for surface, run in quads.items():
+        met += sum(_agrees(run, number) for number in free)
+        numbers = _listed(_quad_number(number, run) for number in free)
+        c_a = _number(next(iter(run.values())).dissipation, 3)
+        details.append(_say("quad", surface=surface, c_a=c_a, numbers=numbers))
+    verdict, within = "", _plain(100 * AGREEMENT)
+    if quads:
+        verdict = _say("verdict_quad", met=met, all=len(free) * len(quads), agreement=within)
+    if names := [r.name for r in results.readings if ("arq", "wall", r.name) in runs]:
+        complete = [
+            f"reading {name} on the {surface}"
+            for name in names
+            for surface in plots.SURFACES
+            if all(_agrees(_nth(runs, "arq", surface, name, 0), number) for number in PRINTED)
+        ]
+        key = "verdict_arq_some" if complete else "verdict_arq_none"
+        verdict += _say(key, all=len(PRINTED), readings=len(names), complete=_listed(complete))
+    if _gaps(results):
+        details.append(_say("gap", **_gap_words(results)))
+    blocks: list[str | Table | Picture] = [_say("asked", speed=_plain(SLIDER_SPEED)), verdict]
+    if results.cases:
+        blocks.append(Picture("answer", _say("answer_picture"), plots.readme_figure(results)))
+    counts = {mark: sum(row.mark is mark for row in results.rows) for mark in Mark}
+    marks = [(Cell("", mark=m), Cell(str(n), n), Cell(m.value)) for m, n in counts.items()]
+    table = Table(_say("marks", count=len(results.rows)), _head("marks"), tuple(marks))
+    return (*blocks, *details, table)
+
+
+def _quad_number(number: str, run: Run) -> str:
+    row = run[PRINTED[number][0]]
+    printed, unit = _printed(row, row.printed), QUANTITIES[row.quantity].unit
+    return _say("quad_number", name=number, row=row, ours=_ours(row), printed=printed, unit=unit)
+
+
+def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
+    def comparison(robot: str, surface: str, caption: str, n: int) -> list[Table]:
+        own = {name: f"ARQ, {name}" for name in (r.name for r in results.readings)}
+        names = {"Quad": "Quad"} if robot == "quad" else own
+        chosen = {name: _nth(runs, robot, surface, name, n) or {} for name in names}
+        example = next((run for run in chosen.values() if run), None)
+        if example is None:
+            return []
+        damping = [_c_a(run, _say("no_dissipation")) for run in chosen.values()]
+        rows = [(Cell("c_a [s/m]"), Cell("–"), *damping, Cell("–"))]
+        for key, row in example.items():
+            quantity = QUANTITIES[key]
+            label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
+            simulated, tested = _printed(row, row.printed), _printed(row, row.printed_test)
+            ours = (_ours(run.get(key)) for run in chosen.values())
+            rows.append((Cell(label), simulated, *ours, tested))
+        title = _say(caption, robot=plots.ROBOTS[robot], surface=surface)
+        head = ("", "printed, simulation", *names.values(), "printed, test")
+        return [Table(title, head, tuple(rows))]
+
+    def both(robot: str, caption: str, n: int = 0) -> list[Table]:
+        return [t for s in plots.SURFACES for t in comparison(robot, s, caption, n)]
+
+    predicted = both("quad", "table_caption") + both("arq", "table_caption_predicted")
+    own = both("arq", "table_caption_own", 1)
+    if not predicted:
+        return ()
+    return (_say("table"), *predicted, *([_say("table_own")] if own else []), *own)
+
+
+def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
+    names = [r.name for r in results.readings if ("arq", "wall", r.name) in runs]
+    if not names:
+        return ()
+
+    def giving(number: str, surface: str) -> Cell:
+        found = [n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number)]
+        return Cell(_listed(found))
+
+    who = [(Cell(n), *(giving(n, surface) for surface in plots.SURFACES)) for n in PRINTED]
+    gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
+    good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
+    who.append((Cell("gap of the speed sweep"), Cell(_listed(good)), Cell("–")))
+    wanted = [
+        (
+            Cell(f"COR on the {surface}"),
+            _c_a(_nth(runs, "quad", surface, "Quad", 0)),
+            *(_c_a(_nth(runs, "arq", surface, name, 1), "none does") for name in names),
+        )
+        for surface in plots.SURFACES
+    ]
+    own = ({"gap": fitted[name]} if name in fitted else None for name in names)
+    cells = (_c_a(run, "none does") for run in own)
+    wanted.append((Cell("gap of the sweep, on the wall"), Cell("–"), *cells))
+    head = ("printed number of ARQ", *(f"given on the {s} by" for s in plots.SURFACES))
+    columns = ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
+    return (
+        _say("disagreement", agreement=_plain(100 * AGREEMENT)),
+        Table(_say("who"), head, tuple(who)),
+        Picture("readings", _say("readings_picture"), plots.readings_figure(results)),
+        _say("why"),
+        _say("wanted"),
+        Table(_say("wanted_caption"), columns, tuple(wanted)),
+    )
+
+
+def _sweep(results: SliderResults) -> Blocks:
+    if not results.sweep:
+        return ()
+    names = list(dict.fromkeys(point.reading for point in results.sweep))
+    points = {(point.reading, point.speed): point for point in results.sweep}
+    rows = []
+    for speed in sorted({point.speed for point in results.sweep}):
+        here = [points[name, speed] for name in names]
+        values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
+        rows.append((Cell(_plain(speed), speed), *(Cell(_number(v, 0), v) for v in values)))
+    columns = (word for name in names for word in (f"ARQ, {name}", f"gap, {name}"))
+    return (
+        _say("sweep", **_gap_words(results)),
+        Picture("sweep", _say("sweep_picture"), plots.sweep_figure(results)),
+        Table(_say("sweep_caption"), ("speed [m/s]", "Quad", *columns), tuple(rows)),
+    )
+
+
+def _gap_words(results: SliderResults) -> dict[str, str]:
+    gaps = [
+        _say("sweep_gap", row=row, ours=_number(row.ours, 0), deviation=_percent(row.deviation))
+        for row in _gaps(results).values()
+    ]
+    speed, printed = _plain(SWEEP_SPEEDS[-1]), _plain(SWEEP_GAP)
+    return {"speed": speed, "printed": printed, "gaps": _listed(gaps)}
+
+
+def _energy(results: SliderResults) -> Blocks:
     cases = [
         case
         for robot in plots.ROBOTS
@@ -568,127 +425,81 @@ def _energy(results: SliderResults) -> Section:
     ]
     on_wall = [case.flight for case in cases if case.surface == "wall"]
     if not on_wall:
-        return Section("energy", "Where the energy goes", ())
+        return ()
     worst = max(abs(case.flight.measures["ledger_residual"] or 0.0) for case in cases)
-    return Section(
-        "energy",
-        "Where the energy goes",
-        (
-            "Kinetic energy before the collision is taken by damping in the contact and in the "
-            "arms; the rest is what the robot leaves with. The ledger closes: at worst "
-            f"{worst:.0e} of the energy is unaccounted for.".replace("e-0", "e-").replace(
-                "e-", " · 10^-"
-            ),
-            Picture("energy", "Collisions with the wall.", plots.energy_figure(*on_wall)),
-            Table(
-                "Shares of the energy at the start",
-                ("", "energy [J]", "contact damping", "arm dampers", "left in motion"),
-                tuple(_energy_row(case) for case in cases),
-            ),
-        ),
+    digit, power = f"{max(worst, 1e-16):.0e}".split("e")
+    residual = f"{digit} · 10" + str(int(power)).translate(
+        str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    )
+    return (
+        _say("energy", residual=residual),
+        Picture("energy", _say("energy_picture"), plots.energy_figure(*on_wall)),
+        Table(_say("energy_caption"), _head("energy"), tuple(_energy_row(case) for case in cases)),
     )
 
 
 def _energy_row(case: Case) -> tuple[Cell, ...]:
     measures = case.flight.measures
-    start = measures["energy_start"]
-    cells = [Cell(_case_name(case)), Cell(_number(start, 2), start)]
-    for key in ("loss_contact", "loss_arm", "energy_kinetic"):
-        value = measures[key]
-        known = start and value is not None
-        cells.append(Cell(f"{100.0 * value / start:.1f} %", value) if known else Cell("–"))
-    return tuple(cells)
+    start = measures["energy_start"] or 0.0
+    parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
+    shares = (Cell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
+    robot = plots.ROBOTS[case.robot] + ("" if case.robot == "quad" else f", {case.reading.name}")
+    return (Cell(f"{robot} on the {case.surface}"), Cell(_number(start, 2), start), *shares)
 
 
-def _case_name(case: Case) -> str:
-    reading = "" if case.robot == "quad" else f", {case.reading.name}"
-    return f"{plots.ROBOTS[case.robot]}{reading} on the {case.surface}"
-
-
-def _method(results: SliderResults) -> Section:
-    blocks: list[str | Table | Picture] = []
+def _method(results: SliderResults) -> Blocks:
+    first: list[str] = []
     if results.cases:
-        s = results.cases[0].flight.scenario
-        surface = s.world.obstacles[0].surface
-        step, steps = (
-            s.simulation.impact_step,
-            [c.flight.measures["steps"] or 0 for c in results.cases],
+        scenario = results.cases[0].flight.scenario
+        surface = scenario.world.obstacles[0].surface
+        steps = [int(case.flight.measures["steps"] or 0) for case in results.cases]
+        first.append(
+            _say(
+                "method", arms=_say(scenario.model.arms), point=scenario.model.contact_point,
+                law=surface.law.title().replace("-", "–"), exponent=_plain(surface.exponent),
+                step=_plain(1e3 * scenario.simulation.impact_step), fewest=min(steps),
+                most=max(steps),
+            )
+        )  # fmt: skip
+    readings = tuple(
+        tuple(
+            map(Cell, (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or "–"))
         )
-        arms = {
-            "hybrid": "one rigid body in free flight, and with sliding arms from first touch until "
-            "they have settled",
-            "always-free": "with sliding arms throughout",
-        }[s.model.arms]
-        blocks.append(
-            "The robot is a main body with arms that slide along their own directions on a spring "
-            f"and a damper; it is simulated as {arms}. A slider lets it move along X only. Cages "
-            f"touch by the {s.model.contact_point} contact point, under the {surface.law} law "
-            f"f = k_c δⁿ (1 + 1.5 c_a δ̇), never pulling, with n = {_plain(surface.exponent)}. The "
-            "equations are integrated by the classical Runge–Kutta method in steps of "
-            f"{_plain(1e3 * step)} ms during the impact, landing on the instants of touch and "
-            f"separation: {int(min(steps))} to {int(max(steps))} steps for a test."
-        )
-    blocks += [
-        "c_a is fitted by the exact relation between restitution, c_a and speed of one mass on a "
-        "Hunt–Crossley contact, which holds for any mass, stiffness and exponent.",
-        Table(
-            "Readings of the printed parameters of ARQ",
-            ("reading", "what it is", "vehicle", "cages that share k_c", "changes"),
-            tuple(
-                (
-                    Cell(r.name), Cell(r.text), Cell(r.vehicle), Cell(str(r.shared_by)),
-                    Cell(" ".join(r.overrides) or "none"),
-                )
-                for r in results.readings
-            ),
-        ),
-        Table(
-            "What each compared number is",
-            ("number", "definition", "unit shown"),
-            tuple(
-                (Cell(q.name), Cell(MEASURES[key][1]), Cell(q.unit or "–"))
-                for key, q in QUANTITIES.items()
-            ),
-        ),
-    ]  # fmt: skip
-    return Section("method", "How it was computed", tuple(blocks))
+        for r in results.readings
+    )
+    definitions = tuple(
+        (Cell(quantity.name), Cell(MEASURES[key][1])) for key, quantity in QUANTITIES.items()
+    )
+    return (
+        *first,
+        _say("fit"),
+        Table(_say("readings_caption"), _head("readings"), readings),
+        Table(_say("definitions"), _head("definitions"), definitions),
+    )
 
 
-def _given(results: SliderResults) -> Section:
+def _given(results: SliderResults) -> Blocks:
     rows = tuple(
-        (Cell(row.quantity), Cell("–" if row.ours is None else _plain(row.ours), row.ours), Cell(row.unit or "–"),
-         Cell(row.note))
-        for row in results.rows
-        if row.mark is Mark.GIVEN
-    )  # fmt: skip
-    table = Table("Printed, and put in", ("parameter", "value", "unit", "place in the paper"), rows)
-    return Section("given", "Given parameters", (table,))
+        (Cell(r.quantity), Cell(_plain(r.ours), r.ours), Cell(r.unit or "–"), Cell(r.note))
+        for r in results.rows
+        if r.mark is Mark.GIVEN
+    )
+    return (Table(_say("given_caption"), _head("given"), rows),) if rows else ()
 
 
-def _everything(results: SliderResults, about: Mapping[str, Any]) -> Section:
+def _everything(results: SliderResults, about: Mapping[str, Any]) -> Blocks:
     rows = tuple(
         (
-            Cell(row.experiment), Cell(plots.ROBOTS.get(row.robot, row.robot)), Cell(row.surface),
-            Cell(row.reading), Cell(row.quantity),
-            Cell("–" if row.ours is None else f"{row.ours:.6g}", row.ours),
-            Cell("–" if row.printed is None else f"{row.printed:.6g}", row.printed),
-            Cell(row.unit or "–"), Cell(_percent(row.deviation)), Cell("", mark=row.mark),
-            Cell(_number(row.dissipation, 4), row.dissipation), Cell(row.dissipation_from),
+            *map(Cell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
+            *(Cell(_plain(value), value) for value in (r.ours, r.printed)),
+            Cell(_percent(r.deviation)), Cell("", mark=r.mark), _c_a({"": r}),
+            Cell(r.dissipation_from),
         )
-        for row in results.rows
+        for r in results.rows
     )  # fmt: skip
-    head = (
-        "experiment", "robot", "surface", "reading", "quantity", "ours", "printed", "unit",
-        "deviation", "mark", "c_a [s/m]", "c_a from",
-    )  # fmt: skip
-    versions = tuple((Cell(str(key)), Cell(str(value))) for key, value in about.items())
-    return Section(
-        "data",
-        "All numbers, and what made them",
-        (
-            Table(f"All {len(rows)} compared numbers, in SI units", head, rows, folded=True),
-            Table("Made with", ("", "version"), versions),
-            "The same numbers stand beside this page in comparison.json, comparison.csv and "
-            "sweep.csv, the figures in figures/ as PNG and PDF.",
-        ),
+    made_with = tuple((Cell(str(key)), Cell(str(value))) for key, value in about.items())
+    return (
+        Table(_say("all_caption", count=len(rows)), _head("all"), rows, folded=True),
+        Table(_say("made_with"), _head("made_with"), made_with),
+        _say("files"),
     )

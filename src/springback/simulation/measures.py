@@ -81,7 +81,7 @@ MEASURES = {
     "loss_contact": ("J", "taken by contact damping"),
     "loss_friction": ("J", "taken by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
-    "ledger_residual": ("", "unaccounted for, as a share of the start's kinetic energy"),
+    "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
 }  # fmt: skip
 
 
@@ -100,7 +100,8 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
     start = flown.before.total - ground_level
     end = flown.after.total - ground_level
     losses = work.arm + work.stop + work.contact + work.friction + work.settling
-    scale = max(flown.before.kinetic, abs(work.thrust), 1e-9)
+    fallen = abs(flown.after.gravity - ground_level)
+    scale = max(flown.before.kinetic, flown.after.kinetic, losses, abs(work.thrust), fallen)
     left, back = m.separation_time >= 0.0, m.return_time >= 0.0
 
     def time(value: float) -> float | None:
@@ -150,6 +151,6 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
         "loss_contact": work.contact,
         "loss_friction": work.friction,
         "loss_settling": work.settling,
-        "ledger_residual": (end - start - work.thrust + losses) / scale,
+        "ledger_residual": (end - start - work.thrust + losses) / scale if scale > 0.0 else 0.0,
     }
     return {name: None if value is None else _finite(value) for name, value in values.items()}

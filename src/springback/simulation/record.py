@@ -19,6 +19,8 @@ FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
 NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 
+#: A step is at most this share of the time in which friction brings a cage to rest.
+FRICTION_SHARE = 2.0
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
 
@@ -194,6 +196,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     fine = (touching > 0.0) | (largest(column(view.arms, "on_stop")) > 0.0)
     step = pick(phase > 0.0, pick(fine, timing.impact_step, timing.settle_step), timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
+    step = smaller(step, FRICTION_SHARE / larger(view.friction_rate, 1.0))
     left = timing.until - m.time
     finished = left <= 1e-12
     changed = (phase != m.phase) | strike

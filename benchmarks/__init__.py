@@ -1,0 +1,1 @@
+"""Speed against others, as ratios measured side by side: ``python -m benchmarks.run``."""

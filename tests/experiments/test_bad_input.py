@@ -1,0 +1,290 @@
+"""Bad input: one clear line each, with file, line, field, what was given, and what is allowed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from springback.errors import InputError
+from springback.experiments.result import as_scenario, fly
+from springback.experiments.scenario_file import read_scenario
+
+GOOD = """\
+name = "test"
+thrust = "hover"
+
+[vehicle]
+preset = "arq"
+
+[vehicle.body]
+mass = "1.2 kg"
+
+[vehicle.arms]
+stroke = "50 mm"
+
+[world]
+gravity = 9.81
+
+[[world.obstacles]]
+type = "wall"
+distance = "2.75 m"
+surface = "wall"
+
+[[world.obstacles]]
+type = "ground"
+surface = { preset = "mat", friction = 0.5 }
+
+[start]
+position = [2.2, 0, 1]
+velocity = ["2 m/s", 0, 0]
+pitch = "15 deg"
+
+[simulation]
+duration = "0.3 s"
+impact_step = 1e-4
+"""
+MASS, STROKE, GRAVITY = 'mass = "1.2 kg"', 'stroke = "50 mm"', "gravity = 9.81"
+WALL, PLACE, STEP = 'surface = "wall"', "position = [2.2, 0, 1]", "impact_step = 1e-4"
+DISTANCE, KIND, THRUST = 'distance = "2.75 m"', 'type = "wall"', 'thrust = "hover"'
+
+#: What stands in the file, what is put there instead, the field, and words of the message.
+BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
+    "negative mass": (MASS, 'mass = "-1.2 kg"', "vehicle.body.mass", ("more than 0 kg", "-1.2 kg")),
+    "no mass": (MASS, "mass = 0", "vehicle.body.mass", ("more than 0 kg", "got 0 kg")),
+    "infinite mass": (MASS, "mass = inf", "vehicle.body.mass", ("finite", "inf kg")),
+    "NaN mass": (MASS, "mass = nan", "vehicle.body.mass", ("finite", "nan kg")),
+    "NaN with a unit": (MASS, 'mass = "nan kg"', "vehicle.body.mass", ("finite",)),
+    "too large to hold": (MASS, 'mass = "1e400 kg"', "vehicle.body.mass", ("finite",)),
+    "wrong unit of mass": (MASS, 'mass = "1.2 m"', "vehicle.body.mass", ("wrong unit", "1.2 m", "kg")),
+    "unknown unit": (MASS, 'mass = "2 bananas"', "vehicle.body.mass", ("2 bananas", "kg")),
+    "no number": (MASS, 'mass = "heavy"', "vehicle.body.mass", ("heavy", "kg")),
+    "empty text": (MASS, 'mass = ""', "vehicle.body.mass", ("not a number", "kg")),
+    "truth as mass": (MASS, "mass = true", "vehicle.body.mass", ("True", "kg")),
+    "list as mass": (MASS, "mass = [1]", "vehicle.body.mass", ("[1]", "kg")),
+    "zero inertia": (MASS, "inertia = [0, 1, 1]", "vehicle.body.inertia", ("more than 0 kg m^2",)),
+    "inertia not symmetric": (
+        MASS, "inertia = [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]", "vehicle.body.inertia", ("symmetric",),
+    ),
+    "inertia not positive": (
+        MASS, "inertia = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "vehicle.body.inertia", ("positive",),
+    ),
+    "inertia of two": (MASS, "inertia = [1, 2]", "vehicle.body.inertia", ("3 x 3", "kg m²")),
+    "rest length 0": (STROKE, "length = 0", "vehicle.arms.length", ("more than 0 m", "got 0 m")),
+    "stroke longer than the arm": (
+        STROKE, 'stroke = "30 cm"', "vehicle.arms.stroke", ("less than the length", "0.19 m", "0.3 m"),
+    ),
+    "massless sliding arm": (STROKE, "mass = 0", "vehicle.arms.mass", ("more than 0 kg", "arm 1")),
+    "too few entries": (STROKE, "length = [0.1, 0.2]", "vehicle.arms.length", ("2 entries", "4 arms")),
+    "wrong unit of stiffness": (
+        STROKE, 'stiffness = "5 N"', "vehicle.arms.stiffness", ("wrong unit", "5 N", "N/m"),
+    ),
+    "negative damping": (STROKE, "damping = -1", "vehicle.arms.damping", ("at least 0 N s/m",)),
+    "no arms": (STROKE, "directions = []", "vehicle.arms.directions", ("at least one arm",)),
+    "one direction": (STROKE, "directions = 3", "vehicle.arms.directions", ("list", "3")),
+    "direction in metres": (
+        STROKE, 'directions = ["1 m", 0, 0, 0]', "vehicle.arms.directions", ("1 m", "rad"),
+    ),
+    "perhaps compliant": (
+        STROKE, 'compliant = "perhaps"', "vehicle.arms.compliant", ("true or false", "perhaps"),
+    ),
+    "spin of two": (STROKE, "spin = [1, 2, -1, 1]", "vehicle.arms.spin", ("-1", "2")),
+    "unknown key": (STROKE, "stifness = 5e3", "vehicle.arms.stifness", ("did you mean stiffness?",)),
+    "key like no other": (MASS, "xyzzy = 2", "vehicle.body.xyzzy", ("known keys: mass, inertia",)),
+    "unknown table": ("[start]", "[strat]", "strat", ("did you mean start?",)),
+    "unknown vehicle": ('preset = "arq"', 'preset = "arqq"', "", ("arqq", "did you mean arq?")),
+    "unknown surface": (WALL, 'surface = "wal"', "", ("'wal'", "did you mean wall?")),
+    "unknown law": (
+        WALL, 'surface = { preset = "wall", law = "hunt" }', "world.obstacles[0].surface.law",
+        ("hunt-crossley", "'hunt'"),
+    ),
+    "sticky surface": (
+        WALL, 'surface = { preset = "wall", friction = -1 }', "world.obstacles[0].surface.friction",
+        ("at least 0",),
+    ),
+    "restitution above 1": (
+        WALL, 'surface = { preset = "wall", restitution = 1.5 }',
+        "world.obstacles[0].surface.restitution", ("at most 1", "1.5"),
+    ),
+    "two dampings": (
+        WALL, 'surface = { restitution = 0.5, restitution_speed = 2, dissipation = 0.4 }',
+        "world.obstacles[0].surface.dissipation", ("beside restitution",),
+    ),
+    "surface of wrong type": (WALL, "surface = 3", "world.obstacles[0].surface", ("table", "3")),
+    "unknown obstacle": (KIND, 'type = "pole"', "world.obstacles[0].type", ("wall", "ground", "pole")),
+    "wall across nothing": (
+        DISTANCE, "position = [3, 0, 0]\nnormal = [0, 0, 0]", "world.obstacles[0].normal", ("zero",),
+    ),
+    "negative gravity": (GRAVITY, "gravity = -9.81", "world.gravity", ("at least 0 m/s^2",)),
+    "start inside the wall": (
+        PLACE, "position = [2.6, 0, 1]", "start.position", ("inside world.obstacles[0], a wall", "2.6"),
+    ),
+    "start under the ground": (
+        PLACE, "position = [2, 0, -1]", "start.position", ("inside world.obstacles[1], a ground",),
+    ),
+    "two coordinates": (PLACE, "position = [2.2, 0]", "start.position", ("three numbers in m",)),
+    "NaN position": (PLACE, "position = [2.2, nan, 1]", "start.position", ("finite", "nan m")),
+    "pitch in metres": ('pitch = "15 deg"', 'pitch = "15 m"', "start.pitch", ("wrong unit", "rad")),
+    "zero step": (STEP, "impact_step = 0", "simulation.impact_step", ("more than 0 s", "got 0 s")),
+    "negative step": (STEP, "impact_step = -1e-4", "simulation.impact_step", ("more than 0 s",)),
+    "step that cannot resolve the arms": (
+        STEP, "impact_step = 0.01", "simulation.impact_step", ("at most", "0.01 s"),
+    ),
+    "step without end": (STEP, "impact_step = 1e-30", "simulation.impact_step", ("at least", "1e-30 s")),
+    "zero duration": ('duration = "0.3 s"', "duration = 0", "simulation.duration", ("more than 0 s",)),
+    "thrust in words": (THRUST, 'thrust = "full"', "thrust", ("full", "N")),
+    "negative thrust": (THRUST, "thrust = -1", "thrust", ("at least 0 N", "-1 N")),
+    "thrust of two rotors": (THRUST, "thrust = [1, 2]", "thrust", ("2 entries", "4 rotors")),
+    "name of wrong type": ('name = "test"', "name = 3", "name", ("string", "3")),
+    "unknown model": (
+        "[simulation]", '[model]\ncontact_point = "rin"\n[simulation]', "model.contact_point",
+        ("ring", "'rin'"),
+    ),
+    "slider nowhere": (
+        "[simulation]", "[model]\nslider = [0, 0, 0]\n[simulation]", "model.slider", ("zero",),
+    ),
+}  # fmt: skip
+
+
+def problem_of(path: Path, *overrides: str) -> str:
+    """The one line that is said about a bad scenario."""
+    with pytest.raises(InputError) as caught:
+        read_scenario(path, overrides)
+    text = str(caught.value)
+    assert "\n" not in text
+    return text
+
+
+def test_the_scenario_itself_is_good(tmp_path: Path) -> None:
+    """Before anything is broken."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD)
+    assert read_scenario(path).vehicle.body.mass == 1.2
+
+
+@pytest.mark.parametrize(("old", "new", "field", "words"), BAD.values(), ids=BAD.keys())
+def test_file_line_field_and_range(
+    tmp_path: Path, old: str, new: str, field: str, words: tuple[str, ...]
+) -> None:
+    """The line names the file, the line of the value, the field, the value, and what is allowed."""
+    path = tmp_path / "scenario.toml"
+    text = GOOD.replace(old, new)
+    assert text != GOOD
+    path.write_text(text)
+    said = problem_of(path)
+    # The last line of the replacement is the culprit, but for whole tables put in before another.
+    culprit = new.splitlines()[1 if "[simulation]" in new else -1]
+    line = text.splitlines().index(culprit) + 1
+    assert said.startswith(f"{path}:{line}: {field}: " if field else f"{path}:{line}: ")
+    for word in words:
+        assert word in said
+
+
+OVERRIDES = {
+    "vehicle.body.mass=-1 kg": ("vehicle.body.mass", "more than 0 kg"),
+    "vehicle.body.mass=nan": ("vehicle.body.mass", "finite"),
+    "vehicle.body.inertia=[0, 1, 1]": ("vehicle.body.inertia", "more than 0 kg m^2"),
+    "vehicle.arms.length=0": ("vehicle.arms.length", "more than 0 m"),
+    "vehicle.arms.stroke=0.3 m": ("vehicle.arms.stroke", "0.19 m"),
+    "vehicle.arms.stiffness=5 N": ("vehicle.arms.stiffness", "N/m"),
+    "vehicle.arms.stifness=3": ("vehicle.arms.stifness", "did you mean stiffness?"),
+    "vehicle=arqq": ("", "did you mean arq?"),
+    "world.obstacles[0].surface=wal": ("", "did you mean wall?"),
+    "world.obstacles[0].surface.frction=1": ("world.obstacles[0].surface.frction", "friction"),
+    "world.obstacles[0].type=pole": ("world.obstacles[0].type", "wall"),
+    "world.obstacles=3": ("world.obstacles", "list"),
+    "start=3": ("start", "table"),
+    "start.position[0]=2.6": ("start.position", "inside world.obstacles[0]"),
+    "start.velocity=[1, inf, 0]": ("start.velocity", "finite"),
+    "simulation.impact_step=0": ("simulation.impact_step", "more than 0 s"),
+    "thrust=hoover": ("thrust", "hoover"),
+    "thrust=inf": ("thrust", "finite"),
+}
+
+
+@pytest.mark.parametrize(("word", "expected"), OVERRIDES.items(), ids=OVERRIDES.keys())
+def test_overrides_are_blamed_for_what_they_set(
+    tmp_path: Path, word: str, expected: tuple[str, str]
+) -> None:
+    """The line names the override, not the file, where the override is at fault."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD)
+    field, said_of_it = expected
+    said = problem_of(path, "vehicle.name=other", word)
+    assert said.startswith(f"override {word}: {field}: " if field else f"override {word}: ")
+    assert said_of_it in said
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["novalue", "=3", "world.obstacles[5].distance=3", "world.gravity.x=3", "start.position[7]=2"],
+)
+def test_words_that_are_no_overrides(tmp_path: Path, word: str) -> None:
+    """The word is quoted."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD)
+    assert repr(word) in problem_of(path, word)
+
+
+@pytest.mark.parametrize(
+    ("data", "expected"),
+    [
+        (b"[start", "is not TOML"),
+        (b"1, 2", "is not TOML"),
+        (b"a = 1\na = 2", "is not TOML"),
+        (b"\xff\xfe\x00", "is not text in UTF-8"),
+        (b"", "vehicle: is missing"),
+        (b'vehicle = "arq"\nworld = 3', "2: world: must be a table"),
+    ],
+)
+def test_files_that_are_no_scenarios(tmp_path: Path, data: bytes, expected: str) -> None:
+    """What is not TOML, not text, or empty."""
+    path = tmp_path / "scenario.toml"
+    path.write_bytes(data)
+    said = problem_of(path)
+    assert said.startswith(str(path))
+    assert expected in said
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    """No such file, and a folder."""
+    assert "No such file" in problem_of(tmp_path / "none.toml")
+    assert "directory" in problem_of(tmp_path)
+
+
+def test_missing_parts_are_named(tmp_path: Path) -> None:
+    """A wall without a surface or a type, and half a position."""
+    path = tmp_path / "scenario.toml"
+    header = GOOD.splitlines().index("[[world.obstacles]]") + 1
+    for old, field in ((WALL, "world.obstacles[0].surface"), (KIND, "world.obstacles[0].type")):
+        path.write_text(GOOD.replace(old + "\n", "", 1))
+        assert problem_of(path).startswith(f"{path}:{header}: {field}: is missing")
+    for half in (DISTANCE + "\nposition = [3, 0, 0]", "position = [3, 0, 0]"):
+        path.write_text(GOOD.replace(DISTANCE, half))
+        assert "either distance, or position and normal" in problem_of(path)
+
+
+def test_several_problems_are_several_lines(tmp_path: Path) -> None:
+    """Each is told at once, one line each, in plain words."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD.replace(MASS, "mass = -1").replace(STEP, "impact_step = 0"))
+    with pytest.raises(InputError) as caught:
+        read_scenario(path)
+    assert len(caught.value.problems) == 2
+    assert "vehicle.body.mass" in caught.value.problems[0]
+    assert "simulation.impact_step" in caught.value.problems[1]
+
+
+def test_tables_in_python_are_checked_alike() -> None:
+    """Plain tables have no file, so the path stands alone."""
+    tables = {"vehicle": {"preset": "arq", "body": {"mass": -1.0}}}
+    with pytest.raises(InputError, match=r"^vehicle\.body\.mass: must be more than 0 kg"):
+        as_scenario(tables)
+    with pytest.raises(InputError, match="override vehicle.body.mass=-2"):
+        fly({"vehicle": "arq"}, "vehicle.body.mass=-2")
+
+
+def test_a_ready_scenario_takes_no_overrides() -> None:
+    """It has been checked; a changed copy would not be."""
+    with pytest.raises(InputError, match="overrides"):
+        fly(as_scenario({"vehicle": "arq"}), "vehicle.body.mass=2")

@@ -1,0 +1,79 @@
+"""A run that diverges says so, keeps the last good state, and never leaves a NaN behind."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+from simulation.impacts import flown
+
+from springback.experiments.result import Flight
+from springback.simulation.measures import Outcome
+
+DIVERGING = {
+    "absurdly stiff surface": ("world.obstacles[0].surface.stiffness=1e30",),
+    "stiffness at the edge of floats": ("world.obstacles[0].surface.stiffness=1e300",),
+    "thrust at the edge of floats": ("thrust=1e300",),
+    "speed at the edge of floats": ("start.velocity=[1e200, 0, 0]",),
+    "fast beyond meaning": ("start.velocity=[1e7, 0, 0]",),
+    "spun beyond meaning": ("start.angular_velocity=[1e5, 0, 1e5]",),
+}
+
+
+def is_clean(flight: Flight) -> None:
+    """No NaN and no infinity in measures, summary and trajectory."""
+    for value in flight.measures.values():
+        assert value is None or math.isfinite(value)
+    json.dumps(flight.summary(), allow_nan=False)
+    for column in flight.columns.values():
+        assert np.isfinite(column).all()
+
+
+@pytest.mark.parametrize("vehicle", ["arq", "quad"])
+@pytest.mark.parametrize("overrides", DIVERGING.values(), ids=DIVERGING.keys())
+def test_divergence_is_an_outcome(vehicle: str, overrides: tuple[str, ...]) -> None:
+    """The outcome is named, the flight ends there, and every number is finite."""
+    flight = flown(vehicle, *overrides)
+    assert flight.outcome is Outcome.NOT_FINITE
+    assert not flight.success
+    assert flight.end_time < 0.25
+    is_clean(flight)
+
+
+def test_the_last_good_state_is_kept() -> None:
+    """Up to the step that fails, the flight is the one that was flying."""
+    good = flown("quad", "simulation.duration=0.012")
+    bad = flown("quad", "world.obstacles[0].surface.stiffness=1e30")
+    touch = bad.measures["touch_time"]
+    assert touch is not None
+    assert bad.end_time == pytest.approx(touch, abs=1e-3)
+    assert bad.columns["x"][-1] == pytest.approx(0.68 + 2.0 * bad.t[-1])
+    assert bad.columns["vx"][-1] == 2.0
+    assert good.outcome is Outcome.IN_CONTACT
+    assert bad.measures["energy_end"] == pytest.approx(bad.measures["energy_start"])
+
+
+def test_diverging_in_one_lane_leaves_its_neighbours_alone() -> None:
+    """Lanes share registers, not fates."""
+    from simulation.impacts import towards_wall
+
+    from springback.experiments.result import as_scenario
+    from springback.simulation.flight import fly_many, fly_one
+    from springback.simulation.measures import outcome_of
+
+    wild = "world.obstacles[0].surface.stiffness=1e300"
+    scenarios = [
+        as_scenario(towards_wall("arq", 1.5 + 0.3 * k), (wild,) if k in (1, 4) else ())
+        for k in range(6)
+    ]
+    models = [scenario.flight_model() for scenario in scenarios]
+    starts = [scenario.start_state() for scenario in scenarios]
+    abreast = fly_many(models, starts, width=4)
+    for k, flight in enumerate(abreast):
+        expected = Outcome.NOT_FINITE if k in (1, 4) else Outcome.SEPARATED
+        assert outcome_of(flight.record) is expected
+        single = fly_one(models[k], starts[k], trace=False)
+        assert flight.motion == single.motion
+        assert flight.record == single.record

@@ -1,0 +1,137 @@
+"""Executors are twins: plain Python, one compiled flight, and lanes give the same bits.
+
+One scalar source, every operation rounded as IEEE 754 says: so the comparison is for equality.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from simulation.impacts import towards_wall
+
+from springback.experiments.result import as_scenario
+from springback.kernels.trees import leaves, rows
+from springback.simulation.executor import advance
+from springback.simulation.flight import (
+    Flown,
+    _loaded,
+    _unloaded,
+    fly_buffers,
+    fly_many,
+    fly_one,
+    shape_of,
+)
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+#: Arms count as settled early, so that a short flight has all phases.
+SHORT = (
+    "simulation.duration=0.06",
+    "simulation.impact_step=4e-4",
+    "simulation.arm_tolerance=2 mm",
+    "simulation.rate_tolerance=0.2 m/s",
+    "world.obstacles[0].surface.stiffness=8e5",
+    "world.obstacles[0].surface.slip_speed=1",
+    "vehicle.arms.stiffness=20 N/mm",
+    "vehicle.arms.damping=30",
+)
+VARIANTS = {
+    "compliant, hybrid": (),
+    "compliant, always free": ("model.arms=always-free",),
+    "rigid": ("vehicle.arms.compliant=false",),
+    "half rigid": ("vehicle.arms.compliant=[true, false, true, false]",),
+}
+
+
+def scene(speed: float, tilt: float, *overrides: str) -> tuple[Model, State]:
+    """Model and start of a short tilted, spinning impact; the slow ones are the longer on their way."""
+    start = {"position": [0.697, 0.0, 0.0], "pitch": tilt, "yaw": 0.4, "angular_velocity": [1, 2, 3]}
+    scenario = as_scenario(towards_wall("arq", speed, **start), (*SHORT, *overrides))
+    return scenario.flight_model(), scenario.start_state()
+
+
+def same(a: Flown, b: Flown) -> bool:
+    """Whether motion and record are the same, bit for bit."""
+    return bool(
+        np.array_equal(leaves(a.motion), leaves(b.motion))
+        and np.array_equal(leaves(a.record), leaves(b.record))
+    )
+
+
+@pytest.mark.parametrize("overrides", VARIANTS.values(), ids=VARIANTS.keys())
+def test_plain_python_is_the_compiled_flight(overrides: tuple[str, ...]) -> None:
+    """Motion, ledger, record and the whole trajectory."""
+    model, start = scene(2.5, 0.2, *overrides)
+    plain, compiled = fly_one(model, start, executor="python"), fly_one(model, start)
+    assert plain.record.contacts >= 1.0
+    assert plain.record.separation_time > 0.0
+    assert same(plain, compiled)
+    assert plain.trace is not None
+    assert compiled.trace is not None
+    assert np.array_equal(plain.trace.values, compiled.trace.values)
+
+
+def fleet() -> tuple[list[Model], list[State]]:
+    """Twenty flights of different speed and tilt, of all variants."""
+    variants = list(VARIANTS.values())
+    scenes = [scene(1.5 + 0.2 * k, -0.4 + 0.05 * k, *variants[k % 4]) for k in range(20)]
+    models, starts = zip(*scenes, strict=True)
+    return list(models), list(starts)
+
+
+@pytest.fixture(scope="module")
+def alone() -> list[Flown]:
+    """Each flight of the fleet by itself."""
+    return [fly_one(model, start, trace=False) for model, start in zip(*fleet(), strict=True)]
+
+
+@pytest.mark.parametrize("width", [1, 4, 16])
+def test_a_flight_in_lanes_is_the_flight_alone(width: int, alone: list[Flown]) -> None:
+    """Whatever flies beside it, whenever that ends, and with lanes to spare."""
+    models, starts = fleet()
+    abreast = fly_many(models, starts, width=width)
+    assert len(abreast) == len(alone)
+    assert len({flown.record.steps for flown in alone}) > 10
+    for one, other in zip(alone, abreast, strict=True):
+        assert same(one, other)
+
+
+def test_nothing_is_read_before_it_is_written(alone: list[Flown]) -> None:
+    """Views are outputs: filled with infinity beforehand, they change no bit."""
+    models, starts = fleet()
+    shape, width = shape_of(models[0], starts[0]), 4
+    buffers = _loaded(shape, models, starts, width)
+    view = rows(shape.model) + 3 * rows(shape.motion)
+    lanes = buffers.reshape(len(buffers), -1, width)
+    lanes[:, view : view + rows(shape.seen)] = np.inf
+    fly_buffers(shape, buffers, width)
+    for one, other in zip(alone, _unloaded(shape, models, starts, buffers, width), strict=True):
+        assert same(one, other)
+
+
+def test_lanes_in_plain_python() -> None:
+    """The loop over lanes itself, uncompiled, flies each lane as if it were alone."""
+    models, starts = (part[:2] for part in fleet())
+    shape = shape_of(models[0], starts[0])
+    buffers = _loaded(shape, models, starts, 2)
+    loop: Any = getattr(advance, "py_func", advance)
+    logged = np.zeros(1, dtype=np.int64)
+    assert loop(shape, buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000) == 0
+    for k, flown in enumerate(_unloaded(shape, models, starts, buffers, 2)):
+        assert same(flown, fly_one(models[k], starts[k], trace=False))
+
+
+def test_interrupted_and_continued_is_the_same_flight() -> None:
+    """A flight advanced a few steps at a time ends with the same bits: nothing hides between calls."""
+    model, start = scene(2.0, 0.1)
+    shape = shape_of(model, start)
+    buffers = _loaded(shape, [model], [start], 1)
+    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
+    calls = 1
+    while advance(shape, buffers, 0, 1, (0,), log, logged, 7):
+        calls += 1
+    assert calls > 10
+    again = _unloaded(shape, [model], [start], buffers, 1)[0]
+    assert same(again, fly_one(model, start, trace=False))
