@@ -104,7 +104,7 @@ def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
     """
     k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
     elastic = k * power(surface.exponent, depth)
-    pressed = positive_part(elastic * (1.0 + d * rate) + b * rate)
+    pressed = positive_part(elastic + (d * elastic + b) * rate)
     force = pressed if depth > 0.0 else 0.0
     return NormalForce(force, (force - elastic) * rate)
 

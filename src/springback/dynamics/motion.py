@@ -186,11 +186,10 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
     One acts on an arm that has bottomed out, the other on one past its free length.
     """
     low, high = positive_part(arm.shortest - length), positive_part(length - arm.length)
-    side = 1.0 if low > 0.0 else -1.0
-    pressing = -side * rate
+    pressing = -rate if low > 0.0 else rate
     elastic = arm.stop_stiffness * (low + high)
     force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
-    return Stop(side * force, (force - elastic) * pressing)
+    return Stop(force if low > 0.0 else -force, (force - elastic) * pressing)
 
 
 @kernel
@@ -246,11 +245,12 @@ def arm_state(
     stop = end_stop(arm, length, rate)
 
     across = e.x * omega.y - e.y * omega.x
-    outward = m * length * (across * across + omega.z * omega.z)  # centrifugal force along the arm
+    ml = m * length
+    outward = ml * (across * across + omega.z * omega.z)  # centrifugal force along the arm
     own = spring_damper_force(arm, length, rate) + stop.force
     h = e @ touch.force + outward + own
 
-    carried, drift, sliding = m * lever, (m * rate) * e, (u * m) * e
+    carried, drift, sliding = ml * e, (m * rate) * e, (u * m) * e
     share = ArmShare(
         force=touch.force,
         moment=touch.moment,
@@ -262,7 +262,7 @@ def arm_state(
         sliding=planar_product(sliding, e),
         inertia=planar_product(carried, lever),
         inertia_rate=planar_product(drift + drift, lever),
-        arm_loss=u * arm.damping * rate * rate,
+        arm_loss=u * (arm.damping * rate * rate),
         stop_loss=u * stop.loss,
         contact_loss=touch.contact_loss,
         friction_loss=touch.friction_loss,
@@ -357,9 +357,9 @@ def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelera
     n, s = planar_inverse(system.mass, system.sliding), system.carried
     alone = times(n, system.force)
     j = system.inertia
-    jxx, jyy = j.x.x - n.zz * s.y * s.y, j.y.y - n.zz * s.x * s.x
-    jxy = j.x.y + n.zz * s.x * s.y
-    jzz = j.z.z - (n.xx * s.y * s.y - 2.0 * n.xy * s.x * s.y + n.yy * s.x * s.x)
+    sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y
+    jxx, jyy, jxy = j.x.x - n.zz * syy, j.y.y - n.zz * sxx, j.x.y + n.zz * sxy
+    jzz = j.z.z - (n.xx * syy - 2.0 * n.xy * sxy + n.yy * sxx)
     reduced = Mat(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
     alpha = solve_symmetric(reduced, system.moment - (s ^ alone))
     return Accelerations(alone - times(n, alpha ^ s), alpha)

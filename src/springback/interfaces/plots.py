@@ -97,9 +97,6 @@ def save(figure: Figure, path: Path) -> list[Path]:
     return files
 
 
-# -- one flight -----------------------------------------------------------------------------------
-
-
 @_styled
 def flight_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
@@ -197,9 +194,6 @@ def _alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]
         else:
             twin[0].append(arm)
     return [(f"{what} {', '.join(map(str, names))}", values) for names, values in groups]
-
-
-# -- the slider tests -----------------------------------------------------------------------------
 
 
 def predictions(results: SliderResults, robot: str, surface: str) -> list[Case]:

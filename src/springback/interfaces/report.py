@@ -160,9 +160,6 @@ def _write_csv(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
         writer.writerows(rows)
 
 
-# -- numbers and words ----------------------------------------------------------------------------
-
-
 class Quantity(NamedTuple):
     """How a compared quantity is shown; the scale takes SI to the unit."""
 
@@ -254,9 +251,6 @@ def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
         if row.experiment == "Sweep" and mark in (None, row.mark):
             found.setdefault(row.reading, row)
     return found
-
-
-# -- the sections ---------------------------------------------------------------------------------
 
 
 def slider_sections(results: SliderResults, about: Mapping[str, Any]) -> list[Section]:

@@ -105,11 +105,6 @@ def along_strictly(x: T, rate: T, h: float) -> T:
     return along(x, rate, h)
 
 
-def scaled(tree: T, factor: float) -> T:
-    """Factor · tree, leaf by leaf."""
-    return rebuilt(tree, [factor * leaf for leaf in leaves(tree)])
-
-
 def square(tree: Any) -> float:
     """Sum of the squares of all leaves; NaN or infinite where a leaf is."""
     result = 0.0
@@ -221,14 +216,6 @@ def _along(x: Any, rate: Any, h: Any) -> Any:
     scope: dict[str, Any] = {}
     text = _construct(x, texts, scope)
     return _function("x, rate, h", [f"return {text}"], scope)
-
-
-@compiled(scaled)
-def _scaled(tree: Any, factor: Any) -> Any:
-    texts = [f"factor * {leaf}" for leaf in _paths(tree, "tree")]
-    scope: dict[str, Any] = {}
-    text = _construct(tree, texts, scope)
-    return _function("tree, factor", [f"return {text}"], scope)
 
 
 @compiled(square, GUARDING)
