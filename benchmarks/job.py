@@ -19,7 +19,7 @@ from springback.dynamics.motion import Free
 from springback.kernels.trees import leaves, names, rows
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
-from springback.simulation.executor import advance
+from springback.simulation.executor import advance, empty_groups
 from springback.simulation.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
@@ -29,8 +29,8 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 IMPACT_STEP = 1e-4  # [s]
 
 
-def reference_model(until: float = 0.2, free_step: float = IMPACT_STEP) -> Model:
-    """The paper's vehicle before a wall at x = 1 m, hovering thrust; the only place that builds one.
+def reference_model(until: float = 0.1, free_step: float = IMPACT_STEP) -> Model:
+    """The paper's vehicle before a wall at x = 1 m, at hovering thrust; built only here.
 
     Args:
         until: Duration of a flight [s].
@@ -114,7 +114,7 @@ class Lanes:
         """Lay the flights into buffers."""
         self.shape, self.width, self.count = flight.shape_of(model, states[0]), width, len(states)
         self.loaded = flight._loaded(self.shape, [model], states, width)
-        self.buffers = flight.empty_groups(self.shape, len(states), width)
+        self.buffers = empty_groups(self.shape, len(states), width)
         self.columns = ["motion." + n for n in names(self.shape.motion)], names(self.shape.record)
 
     def run(self, threads: int) -> Outcome:
@@ -143,7 +143,7 @@ class Single:
 
     def run(self) -> float:
         """Seconds a step."""
-        buffers = flight.empty_groups(self.shape, 1, 1)
+        buffers = empty_groups(self.shape, 1, 1)
         buffers[:] = self.loaded
         log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
         began = time.perf_counter()
@@ -158,5 +158,3 @@ def inputs(model: Model, states: list[State], wanted: list[str]) -> Array:
     order = [labels.index(name) for name in wanted]
     numbers = leaves(model)
     return np.array([[*numbers, *leaves(state)] for state in states])[:, order]
-
-

@@ -113,11 +113,13 @@ typedef struct {
     Vec touched_normal;
     V landing, largest_normal, deepest, most_compressed, least_compressed;
     V bottomed, on_stop, on_ground;
+    V friction_rate; /* at most how fast friction brings a sliding cage to rest */
 } View;
 
 #define ROWS(T) ((int)(sizeof(T) / sizeof(V)))
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
+static const double FRICTION_SHARE = 2;
 
 INLINE V crossing_time(V value, V rate)
 {
@@ -167,6 +169,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
     V j_xx = thrust, j_yy = thrust, j_xy = thrust, dj_xx = thrust, dj_yy = thrust, dj_xy = thrust;
     V arm_loss = thrust, stop_loss = thrust, contact_loss = thrust, friction_loss = thrust;
     V drive[ARMS], hold[ARMS];
+    V gripping = thrust, gripping_turn = thrust, gripping_arms = thrust;
 
     if (view) {
         memset(view, 0, sizeof *view);
@@ -174,6 +177,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         view->largest_normal = view->deepest = view->most_compressed = all(-NEVER);
         view->least_compressed = all(NEVER);
     }
+#pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         const Arm *a = &m->arm[j];
         const V c = a->cosine, q = a->sine, l = s->length[j], dl = s->rate[j];
@@ -257,6 +261,10 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
             view->bottomed = larger(view->bottomed, one_if(slides & (l < a->shortest)));
             view->on_stop = larger(view->on_stop,
                                    one_if(stopped & ((l > a->length) | (l < a->shortest))));
+            const V along = c * n.x + q * n.y, reach = l + a->cage_radius;
+            gripping += grip;
+            gripping_turn += grip * (reach * reach);
+            gripping_arms += grip * u * a->inverse_mass * (all(1) - along * along);
             view->on_ground += sel(gap < all(0), m->is_ground, all(0));
         }
     }
@@ -305,6 +313,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
     ds->qz = s->qw * hw.z + s->qx * hw.y - s->qy * hw.x;
     ds->velocity = acceleration;
     ds->omega = alpha;
+#pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         ds->length[j] = s->rate[j];
         ds->rate[j] = drive[j] - hold[j] * (m->arm[j].cosine * felt.x + m->arm[j].sine * felt.y);
@@ -317,6 +326,8 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         view->specific_force = felt;
         view->mass_centre_velocity = plus(s->velocity, to_world(&r, times(moving, nzz)));
         view->touched_normal = to_world(&r, view->touched_normal);
+        view->friction_rate = gripping * nzz + gripping_turn / smaller(jxx, smaller(jyy, jzz))
+                            + gripping_arms;
     }
 }
 
@@ -326,6 +337,7 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const State *s = &x->state;
     const V zero = all(0), one = all(1);
     V touching = zero, unsettled = zero;
+#pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         touching = larger(touching, v->touching[j]);
         const V away = m->arm[j].length - s->length[j], rate = s->rate[j];
@@ -363,6 +375,7 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const M fine = in_touch | (v->on_stop > zero);
     V step = sel(phase > zero, sel(fine, m->impact_step, m->settle_step), m->free_step);
     step = smaller(step, larger(landing, all(SHORTEST) * m->impact_step));
+    step = smaller(step, all(FRICTION_SHARE) / larger(v->friction_rate, one));
     const V left = m->until - k->time;
     const M finished = left <= all(1e-12), flies = k->status == zero;
     const M halted = finished | (phase != k->phase) | (k->status != zero);
@@ -436,6 +449,7 @@ static Spread spread(const Plain *m, const Plainly *s)
     memset(&p, 0, sizeof p);
     for (int i = 0; i < 9; i++)
         p.second[i / 3][i % 3] = m->inertia[i];
+#pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         const double *a = m->arm[j], c = a[COSINE], q = a[SINE], ml = a[MASS] * s->length[j];
         const double mll = ml * s->length[j], md = a[MASS] * s->rate[j];
@@ -462,6 +476,7 @@ static double energy(const Plain *m, const Plainly *s, const D3 rows[3], double 
     e += dot3(body_velocity, add3(cross3(s->omega, p.first), p.drift));
     e += 0.5 * dot3(s->omega, transform((double(*)[3])p.second, s->omega));
     e += gravity * (m->mass * s->position.z + dot3(rows[2], p.first));
+#pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         const double *a = m->arm[j], off = a[LENGTH] - s->length[j];
         e += 0.5 * a[MASS] * s->rate[j] * s->rate[j] + 0.5 * a[COMPLIANCE] * a[STIFFNESS] * off * off;
@@ -525,6 +540,7 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
         observe(m, x, &view, k);
         total = rate;
         released = one_if((m->hybrid == all(0)) | (k->phase > all(0)));
+#pragma GCC unroll 1
         for (int stage = 1; stage < 4; stage++) {
             const V h = k->step * reach[stage];
             const V *from = (V *)&x->state, *slope = (V *)&rate.state;

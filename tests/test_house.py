@@ -30,7 +30,11 @@ def test_modules_stay_small_and_silent(path: Path) -> None:
 
 
 def index() -> list[tuple[str, str, str]]:
-    rows = re.findall(r"^\| \((\d+)\) \|.*?\| `(.*?)` \| `(.*?)` \|$", (ROOT / "docs/paper/equations.md").read_text(), re.M)
+    rows = re.findall(
+        r"^\| \((\d+)\) \|.*?\| `(.*?)` \| `(.*?)` \|$",
+        (ROOT / "docs/paper/equations.md").read_text(),
+        re.M,
+    )
     assert len(rows) >= 12
     return rows
 
@@ -54,4 +58,6 @@ def test_pages_that_the_source_points_to_exist() -> None:
         for page in re.findall(r"\b(?:docs|tests|studies)/[\w/.-]+\.(?:md|py)\b", path.read_text()):
             assert (ROOT / page).is_file(), f"{path}: {page}"
         for number in re.findall(r"docs/decisions/(\d{4})", path.read_text()):
-            assert list((ROOT / "docs/decisions").glob(f"{number}-*.md")), f"{path}: decision {number}"
+            assert list((ROOT / "docs/decisions").glob(f"{number}-*.md")), (
+                f"{path}: decision {number}"
+            )

@@ -1,4 +1,4 @@
-"""Write the reproduction table of README.md from the slider tests themselves.
+"""Write the reproduction table and the figure of README.md from the slider tests themselves.
 
 usage: python tools/readme.py
 """
@@ -7,8 +7,10 @@ from pathlib import Path
 
 from springback.experiments.comparison import Mark
 from springback.experiments.paper.slider import SliderResults, slider_experiments
+from springback.interfaces.plots import png, readme_figure
 
 README = Path(__file__).parents[1] / "README.md"
+FIGURE = README.parent / "docs/figures/slider.png"
 BEGIN = "<!-- reproduction: written by tools/readme.py -->\n"
 END = "<!-- end of reproduction -->"
 SIGNS = {Mark.FITTED: " *f*", Mark.PREDICTED: " ✓", Mark.CONTRADICTED: " ✗", Mark.GIVEN: ""}
@@ -66,5 +68,7 @@ def between(text: str) -> tuple[str, str, str]:
 
 
 if __name__ == "__main__":
+    results = slider_experiments()
     before, _, after = between(README.read_text(encoding="utf-8"))
-    README.write_text(before + table(slider_experiments()) + after, encoding="utf-8")
+    README.write_text(before + table(results) + after, encoding="utf-8")
+    FIGURE.write_bytes(png(readme_figure(results)))

@@ -40,9 +40,7 @@ def surface(
     """A surface by its numbers; `dissipation` is d = 1.5 c_a."""
     law = EXPONENTS.get(exponent, AnyExponent)(exponent)
     axes = VerticalTangent(0.0) if vertical_only else BothTangents(0.0)
-    return Surface(
-        stiffness, dissipation, viscosity, law, friction, axes, slip_speed, restitution
-    )
+    return Surface(stiffness, dissipation, viscosity, law, friction, axes, slip_speed, restitution)
 
 
 def one_arm(

@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contact.own_obstacles import Ball, Pole
-from contact.scenes import CAGE, FACE, LENGTH, surface
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from contact.own_obstacles import Ball, Pole
+from contact.scenes import CAGE, FACE, LENGTH, surface
 from springback.contact.cage import ArmTip, Meeting, Ring, meeting, support
 from springback.contact.obstacles import Obstacle, Plane, obstacle_seen
 from springback.kernels.vectors import Mat, Vec, norm
@@ -92,7 +92,9 @@ def test_rounding_moves_the_support_point_by_next_to_nothing(seed: int) -> None:
     assert 0.0 <= depth_change <= min(ROUNDING, ROUNDING**2 / tilt) * CAGE
 
 
-@pytest.mark.parametrize("shape", [FACE, Plane(Vec(0.36, -0.48, 0.8), 0.3)], ids=["wall", "leaning"])
+@pytest.mark.parametrize(
+    "shape", [FACE, Plane(Vec(0.36, -0.48, 0.8), 0.3)], ids=["wall", "leaning"]
+)
 @pytest.mark.parametrize("model", [ROUNDED, PAPER], ids=["ring", "paper"])
 @given(seed=seeds)
 def test_gap_changes_at_its_rate(shape: Plane, model: Any, seed: int) -> None:

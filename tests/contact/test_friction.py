@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
-from contact.scenes import surface
 from hypothesis import given
 from hypothesis import strategies as st
 
+from contact.scenes import surface
 from springback.contact import cage
 from springback.contact.surfaces import Surface
 from springback.contact.surfaces import friction_force as friction_of

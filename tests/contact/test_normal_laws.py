@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from contact.scenes import surface
 from hypothesis import given
 from hypothesis import strategies as st
 
+from contact.scenes import surface
 from springback.contact.surfaces import Surface, elastic_energy, normal_force, power
 
 LAWS = {

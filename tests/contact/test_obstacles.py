@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contact.own_obstacles import Ball, Pole
-from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from contact.own_obstacles import Ball, Pole
+from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Plane, outward_normal, seen, signed_distance
 from springback.dynamics.motion import Free
@@ -89,11 +89,17 @@ def test_own_obstacle_is_hit_and_the_ledger_closes(shape: Any) -> None:
 
 def test_own_obstacle_hit_centrally_is_a_wall_there() -> None:
     """A central hit on a pole, a ball and a wall are one and the same impact."""
-    flat = fly_one(towards(Plane(Vec(-1.0, 0.0, 0.0), 0.0)), approaching(2.0, 1e-3), executor="python")
+    flat = fly_one(
+        towards(Plane(Vec(-1.0, 0.0, 0.0), 0.0)), approaching(2.0, 1e-3), executor="python"
+    )
     for shape in OWN.values():
         curved = fly_one(towards(shape), approaching(2.0, 1e-3), executor="python")
-        assert curved.record.separation_speed == pytest.approx(flat.record.separation_speed, abs=1e-9)
-        assert curved.record.peak_penetration == pytest.approx(flat.record.peak_penetration, abs=1e-9)
+        assert curved.record.separation_speed == pytest.approx(
+            flat.record.separation_speed, abs=1e-9
+        )
+        assert curved.record.peak_penetration == pytest.approx(
+            flat.record.peak_penetration, abs=1e-9
+        )
 
 
 def test_own_obstacle_compiles_and_gives_the_same_bits() -> None:

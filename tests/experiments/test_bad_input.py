@@ -280,7 +280,7 @@ def test_tables_in_python_are_checked_alike() -> None:
     tables = {"vehicle": {"preset": "arq", "body": {"mass": -1.0}}}
     with pytest.raises(InputError, match=r"^vehicle\.body\.mass: must be more than 0 kg"):
         as_scenario(tables)
-    with pytest.raises(InputError, match="override vehicle.body.mass=-2"):
+    with pytest.raises(InputError, match=r"override vehicle\.body\.mass=-2"):
         fly({"vehicle": "arq"}, "vehicle.body.mass=-2")
 
 

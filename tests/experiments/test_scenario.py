@@ -117,7 +117,12 @@ def test_a_file_and_its_tables_are_one_scenario(tmp_path: Path) -> None:
 
 def test_wall_by_distance_and_by_position() -> None:
     """`distance` is short for a wall across X; the length of the normal does not count."""
-    wall = {"type": "wall", "surface": "wall", "position": [2.75, 7.0, 0.0], "normal": [-3.0, 0.0, 0.0]}
+    wall = {
+        "type": "wall",
+        "surface": "wall",
+        "position": [2.75, 7.0, 0.0],
+        "normal": [-3.0, 0.0, 0.0],
+    }
     placed = as_scenario({**BASE, "world": {"obstacles": [wall]}}).flight_model()
     assert placed.world.obstacles == as_scenario(BASE).flight_model().world.obstacles
 

@@ -87,7 +87,11 @@ def test_json_is_the_summary_and_quiet_is_quiet(folder: Path) -> None:
 
 
 def test_overrides_reach_the_flight(folder: Path) -> None:
-    words = ("vehicle.arms.compliant=false", 'start.velocity=["1 m/s",0,0]', "world.obstacles.0.distance=2.7 m")
+    words = (
+        "vehicle.arms.compliant=false",
+        'start.velocity=["1 m/s",0,0]',
+        "world.obstacles.0.distance=2.7 m",
+    )
     done = run("fly", "s.toml", *words, "--out", "out", "--no-figures", "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     summary = json.loads(done.stdout)
@@ -112,8 +116,14 @@ def test_bad_input_leaves_nothing_behind(folder: Path) -> None:
     before = sorted(folder.rglob("*"))
     refused(run("fly", "s.toml", "vehicle.body.mass=-1 kg", "--out", "a/b/out", cwd=folder),
             "vehicle.body.mass", "more than 0 kg", "-1 kg")  # fmt: skip
-    refused(run("fly", "nothing.toml", "--out", "out", cwd=folder), "nothing.toml", "cannot be read")
-    refused(run("fly", "s.toml", "vehicle=arqq", "--out", "out", cwd=folder), "arqq", "did you mean arq?")
+    refused(
+        run("fly", "nothing.toml", "--out", "out", cwd=folder), "nothing.toml", "cannot be read"
+    )
+    refused(
+        run("fly", "s.toml", "vehicle=arqq", "--out", "out", cwd=folder),
+        "arqq",
+        "did you mean arq?",
+    )
     assert sorted(folder.rglob("*")) == before
 
 
@@ -131,14 +141,22 @@ def test_out_must_be_a_folder_that_can_be_written(folder: Path) -> None:
 
 
 def test_wrong_usage_exits_with_2(folder: Path) -> None:
-    for words in (("fly", "s.toml"), ("flyy",), ("fly", "s.toml", "--outt", "x"), ("reproduce", "moon", "--out", "x")):
+    for words in (
+        ("fly", "s.toml"),
+        ("flyy",),
+        ("fly", "s.toml", "--outt", "x"),
+        ("reproduce", "moon", "--out", "x"),
+    ):
         done = run(*words, cwd=folder)
         assert done.returncode == 2
         assert "Traceback" not in done.stderr
 
 
 def test_a_diverging_flight_ends_with_1_and_its_last_good_state(folder: Path) -> None:
-    words = ("world.obstacles.0.surface.stiffness=1e30", "world.obstacles.0.surface.dissipation=1e9")
+    words = (
+        "world.obstacles.0.surface.stiffness=1e30",
+        "world.obstacles.0.surface.dissipation=1e9",
+    )
     done = run("fly", "s.toml", *words, "--out", "out", "--no-figures", "--json", cwd=folder)
     assert done.returncode == 1
     assert json.loads(done.stdout)["outcome"] == "not_finite"

@@ -17,7 +17,9 @@ def results() -> SliderResults:
     return slider_experiments([heavy_arms])
 
 
-def number(results: SliderResults, robot: str, surface: str, reading: str, quantity: str, fit: str = "Quad") -> float:
+def number(
+    results: SliderResults, robot: str, surface: str, reading: str, quantity: str, fit: str = "Quad"
+) -> float:
     found = [
         row.ours for row in results.rows
         if (row.robot, row.surface, row.reading, row.quantity) == (robot, surface, reading, quantity)
@@ -28,7 +30,9 @@ def number(results: SliderResults, robot: str, surface: str, reading: str, quant
     return found[0]
 
 
-def test_quad_against_the_wall_is_reproduced_from_its_restitution_alone(results: SliderResults) -> None:
+def test_quad_against_the_wall_is_reproduced_from_its_restitution_alone(
+    results: SliderResults,
+) -> None:
     """Table III and text: 224 m/s², 14 mm, 31 ms, with c_a fitted to 0.547."""
     assert fitted_dissipation("wall") == pytest.approx(0.432, abs=0.001)
     quad = ("quad", "wall", "Quad")
@@ -51,11 +55,18 @@ def test_quad_against_the_mat_fits_in_all_but_the_acceleration(results: SliderRe
     [("A", 0.464, 83.2, 0.0284, 0.0703), ("B", 0.488, 142.5, 0.0185, 0.0440), ("C", 0.434, 166.5, 0.0151, 0.0385)],
 )  # fmt: skip
 def test_arq_against_the_wall_by_reading(
-    results: SliderResults, reading: str, restitution: float, acceleration: float, travel: float, to_return: float
+    results: SliderResults,
+    reading: str,
+    restitution: float,
+    acceleration: float,
+    travel: float,
+    to_return: float,
 ) -> None:
     """What each reading predicts with Quad's c_a; the values agree with an independent 1-D and 45° model."""
     arq = ("arq", "wall", reading)
-    assert number(results, *arq, "restitution_at_separation") == pytest.approx(restitution, abs=0.001)
+    assert number(results, *arq, "restitution_at_separation") == pytest.approx(
+        restitution, abs=0.001
+    )
     assert number(results, *arq, "peak_acceleration") == pytest.approx(acceleration, abs=0.5)
     assert number(results, *arq, "travel") == pytest.approx(travel, abs=0.0002)
     assert number(results, *arq, "time_to_return") == pytest.approx(to_return, abs=0.0003)
@@ -76,7 +87,11 @@ def test_no_reading_gives_all_four_numbers_of_arq(results: SliderResults) -> Non
 
 def test_the_sweep_of_reading_c_gives_the_printed_gap(results: SliderResults) -> None:
     """493 m/s² at 6 m/s without the sliding bar: C near c_a = 0.40, B near 0.19."""
-    fitted = {row.reading: row.dissipation for row in results.rows if row.experiment == "Sweep" and row.mark is Mark.FITTED}
+    fitted = {
+        row.reading: row.dissipation
+        for row in results.rows
+        if row.experiment == "Sweep" and row.mark is Mark.FITTED
+    }
     assert fitted["C"] == pytest.approx(0.40, abs=0.01)
     assert fitted["B"] == pytest.approx(0.19, abs=0.01)
     for reading in ("A", "B", "C"):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from simulation.impacts import flown, value
 
+from simulation.impacts import flown, value
 from springback.experiments.result import as_scenario, fly
 from springback.simulation.measures import Outcome
 
@@ -86,7 +86,10 @@ def test_stiff_arms_are_rigid_arms() -> None:
     gaps = []
     for k in (2e5, 8e5):
         stiff = flown(
-            "arq", f"vehicle.arms.stiffness={k}", "simulation.impact_step=2e-5", "simulation.settle_step=2e-5"
+            "arq",
+            f"vehicle.arms.stiffness={k}",
+            "simulation.impact_step=2e-5",
+            "simulation.settle_step=2e-5",
         )
         gaps.append(abs(value(stiff, "travel") - value(rigid, "travel")))
     assert gaps[1] < gaps[0] / 3.0

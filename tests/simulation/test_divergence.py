@@ -7,10 +7,11 @@ import math
 
 import numpy as np
 import pytest
-from simulation.impacts import flown
 
-from springback.experiments.result import Flight
-from springback.simulation.measures import Outcome
+from simulation.impacts import flown, towards_wall
+from springback.experiments.result import Flight, as_scenario
+from springback.simulation.flight import fly_many, fly_one
+from springback.simulation.measures import Outcome, outcome_of
 
 DIVERGING = {
     "absurdly stiff surface": ("world.obstacles[0].surface.stiffness=1e30",),
@@ -44,11 +45,9 @@ def test_divergence_is_an_outcome(vehicle: str, overrides: tuple[str, ...]) -> N
 
 def test_the_last_good_state_is_kept() -> None:
     """Up to the step that fails, the flight is the one that was flying."""
-    good = flown("quad", "simulation.duration=0.012")
+    good = flown("quad", "simulation.duration=0.045")
     bad = flown("quad", "world.obstacles[0].surface.stiffness=1e30")
-    touch = bad.measures["touch_time"]
-    assert touch is not None
-    assert bad.end_time == pytest.approx(touch, abs=1e-3)
+    assert bad.end_time == pytest.approx(good.touch_time, abs=2e-3)
     assert bad.columns["x"][-1] == pytest.approx(0.68 + 2.0 * bad.t[-1])
     assert bad.columns["vx"][-1] == 2.0
     assert good.outcome is Outcome.IN_CONTACT
@@ -57,12 +56,6 @@ def test_the_last_good_state_is_kept() -> None:
 
 def test_diverging_in_one_lane_leaves_its_neighbours_alone() -> None:
     """Lanes share registers, not fates."""
-    from simulation.impacts import towards_wall
-
-    from springback.experiments.result import as_scenario
-    from springback.simulation.flight import fly_many, fly_one
-    from springback.simulation.measures import outcome_of
-
     wild = "world.obstacles[0].surface.stiffness=1e300"
     scenarios = [
         as_scenario(towards_wall("arq", 1.5 + 0.3 * k), (wild,) if k in (1, 4) else ())
@@ -76,4 +69,5 @@ def test_diverging_in_one_lane_leaves_its_neighbours_alone() -> None:
         assert outcome_of(flight.record) is expected
         single = fly_one(models[k], starts[k], trace=False)
         assert flight.motion == single.motion
-        assert flight.record == single.record
+        # A lane is looked at once more after it has failed, and then takes no step.
+        assert flight.record._replace(step=0.0) == single.record._replace(step=0.0)

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
+
 from contact.scenes import FACE, approaching, one_arm, surface
 from simulation.impacts import flown, towards_wall, value
-
 from springback.experiments.result import as_scenario, fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import MEASURES, Outcome, measures_of
@@ -29,7 +29,9 @@ def test_linear_spring_has_a_closed_form() -> None:
     assert measured["travel"] == pytest.approx(v / root, rel=3e-5)
     assert measured["penetration"] == pytest.approx(v / root, rel=3e-5)
     assert measured["peak_normal_force"] == pytest.approx(m * v * root, rel=3e-5)
-    assert measured["peak_acceleration_time"] == pytest.approx(1e-3 / v + math.pi / root / 2, abs=1e-4)
+    assert measured["peak_acceleration_time"] == pytest.approx(
+        1e-3 / v + math.pi / root / 2, abs=1e-4
+    )
     assert measured["impulse_x"] == pytest.approx(-2.0 * m * v, rel=1e-7)
     for name in ("at_separation", "at_return", "of_mass_centre"):
         assert measured[f"restitution_{name}"] == pytest.approx(1.0, abs=1e-7)
@@ -50,9 +52,9 @@ def test_kelvin_voigt_has_a_closed_form_until_it_would_pull() -> None:
         math.cos(omega * let_go) - zeta * natural / omega * math.sin(omega * let_go)
     )  # fmt: skip
     measured = measures_of(flight)
-    # Where the force ends it has a kink, so the step across it is of first order there.
+    # Where the force ends it has a kink; the step across it is of a lower order.
     assert measured["restitution_at_separation"] == pytest.approx(-leaving / v, abs=1e-5)
-    assert abs(measured["ledger_residual"] or 0.0) < 1e-6
+    assert abs(measured["ledger_residual"] or 0.0) < 2e-5
 
 
 def test_one_cage_is_counted_for_its_own_arm() -> None:
@@ -123,9 +125,9 @@ def test_restitution_is_named_where_it_is_read() -> None:
 
 def test_a_slow_return_is_still_a_return() -> None:
     """The main body may need longer to come back than the dwell time."""
-    flight = flown("arq", "simulation.duration=0.5", pitch="30 deg")
+    flight = flown("quad", "simulation.duration=0.5", "simulation.dwell=2 ms", pitch="26 deg")
     assert value(flight, "contacts") == 1.0
-    assert flight.columns["x"][-1] < flight.columns["x"][0]
+    assert value(flight, "return_time") > value(flight, "separation_time") + 0.01
     assert 0.0 < value(flight, "restitution_at_return") < 1.0
 
 

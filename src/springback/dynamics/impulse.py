@@ -1,8 +1,10 @@
 """The impulse–momentum law of the planning literature: an instant, no force.
 
-The vehicle is taken as one rigid body.  Newton's restitution acts along each touched normal and a
-Coulomb impulse against the slip, all cages that touch at that instant together (projected
-Gauss–Seidel).
+The vehicle is taken as one rigid body.  Normal impulses of all cages that touch at that instant
+grow together, in small parts, with a Coulomb impulse against the slip of each (Routh).  A cage is
+done when the work that its normal impulse gives back is e² of what compression took (Stronge).  For
+central or frictionless hits that is Newton's v⁺ = −e v⁻; where friction and lever arms couple,
+Newton's law can add energy and this one cannot.
 """
 
 from __future__ import annotations
@@ -20,7 +22,12 @@ from springback.kernels.trees import each, total
 from springback.kernels.vectors import Mat, Vec, positive_part, rotation, solve_symmetric
 from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
-SWEEPS = 100
+#: Speeds below this are rounding [m/s].
+STILL = 1e-12
+#: Parts into which the impulse of compression is divided.
+PARTS = 200
+#: Most parts in all, should cages strike again and again.
+MOST_PARTS = 100 * PARTS
 
 
 class Hit(NamedTuple):
@@ -60,83 +67,110 @@ def _hits_of_arm(
 
 
 @rare_kernel
+def _give(mass: float, inertia: Mat, r: Mat, lever: Vec, along: Vec) -> float:
+    """Velocity that a unit impulse along a direction gives to its own point along it [1/kg]."""
+    turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
+    return 1.0 / mass + along @ (turn ^ lever)
+
+
+@rare_kernel
 def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
     """The motion just after the impulses of all cages that touch and close in.
 
-    Along each normal v⁺ = −e v⁻; tangentially the impulse opposes the slip and is at most μ times
-    the normal one.  A cage that has sunk in is put back on the face.  The energy lost is booked,
-    the work of the tangential impulses as friction, the rest as contact loss.
+    Tangentially the impulse opposes the slip and is at most μ times the normal one.  A cage that
+    has sunk in is put back on the face.  The energy lost is booked, the work of the tangential impulses
+    as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
     r, m = rotation(state.attitude), airframe.mass
     arms = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
-    centre = arms.first * (1.0 / m)
-    inertia = about_mass_centre(airframe.inertia + arms_inertia(arms.second), m, centre)
-    omega = r @ state.angular_velocity
-    velocity = state.velocity + (omega ^ (r @ centre)) + r @ (arms.drift * (1.0 / m))
+    centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
+    inertia = airframe.inertia + arms_inertia(arms.second)
+    inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
-    vertical = Vec(0.0, 0.0, 1.0)
+    up = Vec(0.0, 0.0, 1.0)
     hits = each(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, contact_point, state, r),
     )
     count = len(hits) * len(hits[0])
-    normal_impulse = [0.0] * count
-    friction_impulse = [Vec(0.0, 0.0, 0.0)] * count
-    target = [0.0] * count
-    slip_before = [Vec(0.0, 0.0, 0.0)] * count
-    sunk = Vec(0.0, 0.0, 0.0)
-    v, w = velocity, omega
-    for sweep in range(SWEEPS + 2):
-        for k in range(count):
-            hit = hits[k // len(hits[0])][k % len(hits[0])]
-            if hit.active == 0.0:
-                continue
-            n, rho = hit.normal, hit.lever - r @ centre
-            u = v + (w ^ rho)
-            slip = slip_velocity(hit.surface, u, n, vertical)
-            if sweep == 0:
-                target[k] = -hit.surface.restitution * (u @ n)
-                slip_before[k] = slip
-                push = n * (positive_part(-hit.gap) - sunk @ n)
-                sunk = sunk + push if push @ n > 0.0 else sunk
-                continue
-            if sweep == SWEEPS + 1:
-                slip_before[k] = slip_before[k] + slip
-                continue
-            turn = r @ solve_symmetric(inertia, (rho ^ n) @ r)
-            give = 1.0 / m + n @ (turn ^ rho)
-            pressed = positive_part(normal_impulse[k] + (target[k] - u @ n) / give)
-            impulse = n * (pressed - normal_impulse[k])
-            normal_impulse[k] = pressed
-            v = v + impulse * (1.0 / m)
-            w = w + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
+    w = r @ state.angular_velocity
+    v = state.velocity + (w ^ centre) + drift
 
-            slip = slip_velocity(hit.surface, v + (w ^ rho), n, vertical)
-            speed = math.sqrt(slip @ slip)
-            if speed > 0.0:
-                t = slip * (1.0 / speed)
-                turn = r @ solve_symmetric(inertia, (rho ^ t) @ r)
-                give = 1.0 / m + t @ (turn ^ rho)
-                rubbed = friction_impulse[k] - t * (speed / give)
-                limit = hit.surface.friction * pressed
-                size = math.sqrt(rubbed @ rubbed)
-                rubbed = rubbed * (limit / size) if size > limit else rubbed
-                impulse = rubbed - friction_impulse[k]
-                friction_impulse[k] = rubbed
-                v = v + impulse * (1.0 / m)
-                w = w + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
-
-    given, rubbed_off = Vec(0.0, 0.0, 0.0), 0.0
+    part, open_, active, sunk = [0.0] * count, [False] * count, 0, Vec(0.0, 0.0, 0.0)
+    taken, given_back, rubbed_off, given = [0.0] * count, [0.0] * count, 0.0, Vec(0.0, 0.0, 0.0)
     for k in range(count):
         hit = hits[k // len(hits[0])][k % len(hits[0])]
-        given = given + hit.normal * normal_impulse[k] + friction_impulse[k]
-        rubbed_off -= 0.5 * (friction_impulse[k] @ slip_before[k])
+        if hit.active > 0.0:
+            n, rho = hit.normal, hit.lever - centre
+            closing = -((v + (w ^ rho)) @ n)
+            part[k] = closing / _give(m, inertia, r, rho, n) / PARTS
+            open_[k], active = True, active + 1
+            push = n * (positive_part(-hit.gap) - sunk @ n)
+            sunk = sunk + push if push @ n > 0.0 else sunk
+
+    for _ in range(MOST_PARTS):
+        if active == 0:
+            break
+        # What a whole part does: all cages push from the same instant, so that none comes first.
+        dv, dw = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
+        rub = [Vec(0.0, 0.0, 0.0)] * count
+        for k in range(count):
+            if open_[k]:
+                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                n, rho = hit.normal, hit.lever - centre
+                slip = slip_velocity(hit.surface, v + (w ^ rho), n, up)
+                speed = math.sqrt(slip @ slip)
+                if speed > 0.0:
+                    t = slip * (1.0 / speed)
+                    stopping = speed / (_give(m, inertia, r, rho, t) * active)
+                    limit = hit.surface.friction * part[k]
+                    rub[k] = t * -(stopping if stopping < limit else limit)
+                impulse = n * part[k] + rub[k]
+                dv = dv + impulse * (1.0 / m)
+                dw = dw + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
+        # The share of it up to the next end of a compression or of a restitution.
+        share, next_ = 1.0, -1
+        for k in range(count):
+            if open_[k]:
+                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                n, rho = hit.normal, hit.lever - centre
+                speed, gain = (v + (w ^ rho)) @ n, (dv + (dw ^ rho)) @ n
+                if speed < -STILL and speed + gain > 0.0 and -speed / gain < share:
+                    share, next_ = -speed / gain, -1
+                if speed >= -STILL:
+                    speed = positive_part(speed)
+                    e = hit.surface.restitution
+                    owed = positive_part(e * e * taken[k] - given_back[k]) / part[k]
+                    root = math.sqrt(speed * speed + 2.0 * positive_part(gain) * owed)
+                    ends = 2.0 * owed / (speed + root) if speed + root > 0.0 else 0.0
+                    if owed == 0.0 or ends < share:
+                        share, next_ = (ends if owed > 0.0 else 0.0), k
+        new_v, new_w = v + dv * share, w + dw * share
+        for k in range(count):
+            if open_[k]:
+                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                n, rho = hit.normal, hit.lever - centre
+                mean = (v + new_v + ((w + new_w) ^ rho)) * 0.5
+                done = share * part[k] * (mean @ n)
+                taken[k] -= done if done < 0.0 else 0.0
+                given_back[k] += done if done > 0.0 else 0.0
+                rubbed_off -= share * (rub[k] @ mean)
+                given = given + (n * part[k] + rub[k]) * share
+        v, w = new_v, new_w
+        if next_ >= 0:
+            open_[next_], active = False, active - 1
+        for k in range(count):  # a cage that another one throws back strikes again
+            hit = hits[k // len(hits[0])][k % len(hits[0])]
+            if hit.active > 0.0 and not open_[k]:
+                if (v + (w ^ (hit.lever - centre))) @ hit.normal < -1e3 * STILL:
+                    open_[k], active, taken[k], given_back[k] = True, active + 1, 0.0, 0.0
+
     after = State(
         state.position + sunk,
         state.attitude,
-        v - (w ^ (r @ centre)) - r @ (arms.drift * (1.0 / m)),
+        v - (w ^ centre) - drift,
         w @ r,
         state.arm_length,
         state.arm_rate,

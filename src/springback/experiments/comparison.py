@@ -15,8 +15,8 @@ class Mark(Enum):
 
     GIVEN = "printed, and put in"
     FITTED = "a free number was chosen to make it so"
-    PREDICTED = f"computed, and within {AGREEMENT:.0%} of the printed value"
-    CONTRADICTED = f"computed, and more than {AGREEMENT:.0%} off the printed value"
+    PREDICTED = f"computed, and within {100 * AGREEMENT:g} % of the printed value"
+    CONTRADICTED = f"computed, and more than {100 * AGREEMENT:g} % off the printed value"
 
     @property
     def word(self) -> str:

@@ -112,9 +112,8 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     if figures:
         from springback.interfaces import plots
 
-        plots.save(plots.flight_figure(flight), folder / "flight")
-        plots.save(plots.energy_figure(flight), folder / "energy")
-        written += [
-            folder / f"{name}.{kind}" for name in ("flight", "energy") for kind in ("png", "pdf")
-        ]
+        drawn = {"flight": plots.flight_figure(flight), "energy": plots.energy_figure(flight)}
+        for name, figure in drawn.items():
+            (folder / f"{name}.png").write_bytes(plots.png(figure))
+            written.append(folder / f"{name}.png")
     return written

@@ -98,7 +98,7 @@ def page(title: str, sections: Sequence[Section]) -> str:
 
 def _symbols(text: str) -> Markup:
     """Text, escaped, with the symbols of the paper set as such."""
-    known = r"\b([ackl])_(a|c|l|max)\b"
+    known = r"\b([abcklmv])_(a|b|c|l|n|max|rigid)\b"
     return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
 
 

@@ -87,6 +87,9 @@ class Generic(Protocol[P, R]):
     def register(self, cls: type) -> Callable[[F], F]:
         """Decorator that makes a function the one for ``cls``."""
 
+    def dispatch(self, cls: type) -> Callable[..., R]:
+        """The function for ``cls``."""
+
 
 def generic(function: Callable[P, R]) -> Generic[P, R]:
     """A kernel that is chosen by the type of its first argument, in Python and when compiled.
@@ -137,6 +140,17 @@ def is_writable(folder: Path) -> bool:
     return os.access(folder, os.W_OK)
 
 
+def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
+    """Compile an entry point, kept in a folder between processes, or not kept."""
+    before = _config.CACHE_DIR
+    try:
+        _config.CACHE_DIR = str(folder) if folder else before
+        entry: F = njit(cache=folder is not None, **{**STRICT, **options})(function)
+    finally:
+        _config.CACHE_DIR = before
+    return entry
+
+
 def executor(**options: Any) -> Callable[[F], F]:
     """Compile an entry point, kept on disk between processes.
 
@@ -145,13 +159,27 @@ def executor(**options: Any) -> Callable[[F], F]:
 
     def compile_entry(function: F) -> F:
         folder = cache_folder()
-        cached = is_writable(folder)
-        before = _config.CACHE_DIR
-        try:
-            _config.CACHE_DIR = str(folder) if cached else before
-            entry: F = njit(cache=cached, **{**STRICT, **options})(function)
-        finally:
-            _config.CACHE_DIR = before
-        return entry
+        return _entry(function, folder if is_writable(folder) else None, options)
 
     return compile_entry
+
+
+@functools.cache
+def own_executor(function: F, sources: tuple[str, ...] | None, **options: Any) -> F:
+    """An entry point for models that hold a user's types, apart from the package's own kernels.
+
+    A kept kernel can be read only where its types can be imported, and must follow edits of their
+    source.  So these are kept in a folder named after the source, or not at all.
+
+    Args:
+        function: The undecorated entry point.
+        sources: Files of the user's code; None if there is none to be relied on.
+        **options: As for `executor`.
+    """
+    if sources is None:
+        return _entry(function, None, options)
+    digest = hashlib.sha256(source_digest().encode())
+    for path in sources:
+        digest.update(path.encode() + Path(path).read_bytes())
+    folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:16]
+    return _entry(function, folder if is_writable(folder) else None, options)

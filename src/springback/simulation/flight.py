@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from springback.contact.obstacles import outward_normal, signed_distance
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
+from springback.kernels.compiler import own_executor
 from springback.kernels.trees import Buffer, leaves, names, rebuilt, rows
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import Shape, advance, empty_groups
@@ -109,9 +112,32 @@ def _unloaded(
     return flown
 
 
-def _entry(executor: Executor) -> Callable[..., int]:
-    chosen: Any = advance if executor == "compiled" else getattr(advance, "py_func", advance)
-    return chosen  # type: ignore[no-any-return]
+def _own_types(tree: Any) -> set[type]:
+    """Types in a model that are not the package's: shapes of the user's."""
+    if not isinstance(tree, tuple):
+        return set()
+    own = {type(tree)} if hasattr(tree, "_fields") else set()
+    own = {cls for cls in own if not cls.__module__.startswith("springback.")}
+    return own.union(*(_own_types(branch) for branch in tree))
+
+
+def _sources(types: set[type]) -> tuple[str, ...] | None:
+    """Files that own types and their functions come from; None if kernels had better not be kept."""
+    functions = [rule.dispatch(cls) for cls in types for rule in (signed_distance, outward_normal)]
+    modules = {entry.__module__ for entry in (*types, *functions)}
+    files = {getattr(sys.modules.get(module), "__file__", None) for module in modules}
+    if "__main__" in modules or None in files:
+        return None
+    return tuple(sorted(str(file) for file in files))
+
+
+def entry_for(model: Model, executor: Executor = "compiled") -> Any:
+    """The executor for a model: compiled, or the same source as plain Python."""
+    plain = getattr(advance, "py_func", advance)
+    own = _own_types(model)
+    if executor == "python":
+        return plain
+    return own_executor(plain, _sources(own), nogil=True) if own else advance
 
 
 def fly_one(
@@ -135,7 +161,7 @@ def fly_one(
     buffers = _loaded(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
     logs: list[Buffer] = []
-    run = _entry(executor)
+    run = entry_for(model, executor)
     record_row = -rows(shape.record)
     while True:
         log = np.zeros((LOG_ROWS if trace else 0, width))
@@ -185,14 +211,14 @@ def fly_buffers(
     progress: Callable[[float], None] | None = None,
 ) -> None:
     """Fly every group of some buffers to the end, in place."""
-    lanes, log = (0,) * width, np.zeros((0, 1))
+    lanes, log, run = (0,) * width, np.zeros((0, 1)), entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))
 
     def fly_chunk(first: int) -> int:
         last = min(first + chunk, len(buffers))
         logged = np.zeros(1, dtype=np.int64)
-        while advance(shape, buffers, first, last, lanes, log, logged, SLICE):
+        while run(shape, buffers, first, last, lanes, log, logged, SLICE):
             pass
         return last - first
 

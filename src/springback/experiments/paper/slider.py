@@ -239,6 +239,10 @@ def slider_experiments(
     gives ARQ's own printed restitution, which shows what that would take.
     """
     results = SliderResults(readings=(*READINGS, *extra_readings))
+    taken = [QUAD.name, *(reading.name for reading in results.readings)]
+    twice = {name for name in taken if taken.count(name) > 1}
+    if twice:
+        raise InputError(f"reading {', '.join(sorted(twice))} is named twice; names must differ")
     results.rows += _given_rows()
     total = 2 + 4 * len(results.readings) + len(SWEEP_SPEEDS) * len(results.readings)
     done = 0
