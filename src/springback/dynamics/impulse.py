@@ -78,8 +78,8 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     """The motion just after the impulses of all cages that touch and close in.
 
     Tangentially the impulse opposes the slip and is at most μ times the normal one.  A cage that
-    has sunk in is put back on the face.  The energy lost is booked, the work of the tangential impulses
-    as friction, the rest as contact loss.
+    has sunk in is put back on the face.  The energy lost is booked, the work of the tangential
+    impulses as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
     r, m = rotation(state.attitude), airframe.mass
@@ -163,9 +163,9 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
             open_[next_], active = False, active - 1
         for k in range(count):  # a cage that another one throws back strikes again
             hit = hits[k // len(hits[0])][k % len(hits[0])]
-            if hit.active > 0.0 and not open_[k]:
-                if (v + (w ^ (hit.lever - centre))) @ hit.normal < -1e3 * STILL:
-                    open_[k], active, taken[k], given_back[k] = True, active + 1, 0.0, 0.0
+            away = (v + (w ^ (hit.lever - centre))) @ hit.normal
+            if hit.active > 0.0 and not open_[k] and away < -1e3 * STILL:
+                open_[k], active, taken[k], given_back[k] = True, active + 1, 0.0, 0.0
 
     after = State(
         state.position + sunk,

@@ -122,7 +122,7 @@ def _own_types(tree: Any) -> set[type]:
 
 
 def _sources(types: set[type]) -> tuple[str, ...] | None:
-    """Files that own types and their functions come from; None if kernels had better not be kept."""
+    """Files of own types and their functions; None if their kernels had better not be kept."""
     functions = [rule.dispatch(cls) for cls in types for rule in (signed_distance, outward_normal)]
     modules = {entry.__module__ for entry in (*types, *functions)}
     files = {getattr(sys.modules.get(module), "__file__", None) for module in modules}
