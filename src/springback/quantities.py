@@ -35,8 +35,7 @@ def _number(text: str, unit: str) -> float:
     except Exception as error:  # pint raises many kinds for malformed text
         raise problem(f"is not a number with a unit (got {text!r}); expected {wanted}") from error
     try:
-        bare = not parsed.units and not any(letter.isalpha() for letter in text.replace("e", ""))
-        return float(parsed.magnitude if bare else parsed.to(unit or "").magnitude)
+        return float(parsed.to(unit or "").magnitude)
     except pint.DimensionalityError as error:
         raise problem(f"has the wrong unit (got {text!r}); expected {wanted}") from error
 

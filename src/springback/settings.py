@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
+from collections.abc import Iterator
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict, model_validator
@@ -12,6 +14,15 @@ from pydantic_core import PydanticCustomError
 def problem(message: str, field: str = "") -> PydanticCustomError:
     """What is wrong, in words, and with which key of the table (dotted for inner tables)."""
     return PydanticCustomError("problem", "{message}", {"message": message, "field": field})
+
+
+@contextlib.contextmanager
+def naming(field: str) -> Iterator[None]:
+    """Name the key at fault in problems of checks that do not know it."""
+    try:
+        yield
+    except PydanticCustomError as error:
+        raise problem(error.message(), field) from None
 
 
 class Settings(BaseModel):

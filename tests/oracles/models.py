@@ -315,25 +315,29 @@ def random_inertia(rng: np.random.Generator) -> Array:
     return np.asarray(squares * np.eye(3) - np.einsum("k,ki,kj->ij", masses, points, points))
 
 
+def random_arm(rng: np.random.Generator, azimuth: float, *, stops: bool, slides: bool) -> ArmSpec:
+    """An arm unlike the others; it bottoms out after some 10 mm, so that random states reach it."""
+    length = rng.uniform(0.15, 0.25)
+    return ArmSpec(
+        azimuth=azimuth,
+        mass=rng.uniform(0.02, 0.15),
+        stiffness=rng.uniform(2e3, 2e4),
+        damping=rng.uniform(20.0, 200.0),
+        length=length,
+        shortest=length - rng.uniform(0.005, 0.015),
+        stop_stiffness=rng.uniform(1e4, 1e5) if stops else 0.0,
+        stop_dissipation=rng.uniform(0.1, 1.0) if stops else 0.0,
+        slides=slides,
+        cage_radius=rng.uniform(0.07, 0.13),
+        torque_ratio=rng.uniform(-0.03, 0.03),
+    )
+
+
 def random_craft(rng: np.random.Generator, *, stops: bool = False, slides: bool = True) -> Craft:
     """Four different arms in any directions of the body plane, and products of inertia."""
     turn = rng.uniform(-math.pi, math.pi)
-    arms = tuple(
-        ArmSpec(
-            azimuth=turn + 0.5 * math.pi * j + rng.uniform(-0.6, 0.6),
-            mass=rng.uniform(0.02, 0.15),
-            stiffness=rng.uniform(2e3, 2e4),
-            damping=rng.uniform(20.0, 200.0),
-            length=rng.uniform(0.15, 0.25),
-            shortest=rng.uniform(0.10, 0.14),
-            stop_stiffness=rng.uniform(1e4, 1e5) if stops else 0.0,
-            stop_dissipation=rng.uniform(0.1, 1.0) if stops else 0.0,
-            slides=slides,
-            cage_radius=rng.uniform(0.07, 0.13),
-            torque_ratio=rng.uniform(-0.03, 0.03),
-        )
-        for j in range(4)
-    )
+    azimuths = turn + 0.5 * math.pi * np.arange(4) + rng.uniform(-0.6, 0.6, size=4)
+    arms = tuple(random_arm(rng, float(a), stops=stops, slides=slides) for a in azimuths)
     return Craft(rng.uniform(0.8, 2.0), random_inertia(rng), arms)
 
 

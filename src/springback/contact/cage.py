@@ -16,6 +16,9 @@ from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec, positive_part
 from springback.vehicle.state import ArmPose
 
+#: A gap closer to zero than this counts as at zero [m].
+LANDED = 1e-9
+
 
 class Ring(NamedTuple):
     """Contact at the support point of the tilted cage circle."""
@@ -139,7 +142,8 @@ def meeting(
 
     gap = signed_distance(shape, end + at.point) + at.inset
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
-    pressed = normal_force(surface, positive_part(-gap), rate)
+    # A step lands on the face to within rounding; a law that jumps there must see it at once.
+    pressed = normal_force(surface, positive_part(LANDED - gap), rate)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 

@@ -48,13 +48,19 @@ class SurfaceSettings(Settings):
     friction: Factor = 0.0
     friction_axes: Literal["both", "vertical"] = "both"
     """`vertical` is the paper's friction, along the vertical tangent only."""
-    slip_speed: Speed = 0.1
-    """Below it friction fades to zero."""
+    slip_speed: Speed = 0.03
+    """Below it friction fades to zero (studies/convergence.py)."""
 
     @model_validator(mode="after")
     def _consistent(self) -> SurfaceSettings:
         if self.law == "impulse" and self.restitution is None:
             raise problem("is missing; law impulse needs it", "restitution")
+        if self.law == "hunt-crossley" and self.restitution is None and self.dissipation is None:
+            raise problem(
+                "is missing; law hunt-crossley needs it, or restitution with restitution_speed "
+                "(law hertz has no damping)",
+                "dissipation",
+            )
         if self.law == "hunt-crossley" and self.restitution is not None:
             if self.dissipation is not None:
                 raise problem("stands beside restitution; give one of them", "dissipation")
@@ -108,8 +114,8 @@ class Facing(Settings):
 
     @model_validator(mode="after")
     def _placed(self) -> Facing:
-        placed = self.position is not None and self.normal is not None
-        if placed == (self.distance is not None):
+        parts = (self.position is not None, self.normal is not None)
+        if any(parts) if self.distance is not None else not all(parts):
             raise problem("needs either distance, or position and normal")
         if self.normal is not None and not math.hypot(*self.normal) > 0.0:
             raise problem("must not be zero", "normal")
@@ -184,7 +190,7 @@ def obstacles(
     all_faces += [(shape, surface, 0.0) for shape, surface in own]
     exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
     if not all_faces:
-        nowhere = SurfaceSettings().surface(ThreeHalves)
+        nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
     return tuple(
         Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces

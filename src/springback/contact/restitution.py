@@ -15,18 +15,21 @@ from scipy.optimize import brentq
 from springback.errors import InputError
 
 
-def _excess(e: float, h: float) -> float:
-    """Left minus right side of the relation for h = d v_0; grows with e."""
-    return math.log1p(h) - math.log1p(-e * h) - h * (1.0 + e)
+def _excess(h: float, x: float) -> float:
+    """Left minus right side of the relation for h = d v_0 and x = −ln(1 − e h).
+
+    In x, because under strong damping e h comes closer to 1 than floats can tell.
+    """
+    return math.log1p(h) + x - h + math.expm1(-x)
 
 
 def restitution(dissipation: float, speed: float) -> float:
     """Restitution e of a contact with c_a [s/m] touched at some speed [m/s]."""
     h = 1.5 * dissipation * speed
-    if h == 0.0:
-        return 1.0
-    highest = min(1.0, 1.0 / h) * (1.0 - 1e-15)
-    return float(brentq(_excess, 0.0, highest, args=(h,), xtol=1e-15, rtol=1e-14))
+    if h < 1e-8:
+        return 1.0 - h / 1.5
+    x = brentq(lambda x: _excess(h, x), 0.0, h + 1.0, xtol=1e-15, rtol=1e-14)
+    return -math.expm1(-float(x)) / h
 
 
 def dissipation_for(target: float, speed: float) -> float:
@@ -41,9 +44,10 @@ def dissipation_for(target: float, speed: float) -> float:
         raise InputError(f"restitution_speed must be more than 0 m/s (got {speed:g} m/s)")
     if target == 1.0:
         return 0.0
-    highest = (1.0 - 1e-12) / target  # e h < 1
-    lowest = 1e-9
-    if _excess(target, lowest) * _excess(target, highest) > 0.0:
-        return 0.0
-    h = brentq(lambda value: _excess(target, value), lowest, highest, xtol=1e-15, rtol=1e-14)
-    return float(h) / (1.5 * speed)
+    lowest, highest = 1e-8, 2.0 / target  # x < h (1 + e) < 2/e, as e h < 1
+    if _excess(-math.expm1(-lowest) / target, lowest) >= 0.0:
+        return (1.0 - target) / speed  # next to no damping: e = 1 − c_a v_0
+    x = brentq(
+        lambda x: _excess(-math.expm1(-x) / target, x), lowest, highest, xtol=1e-15, rtol=1e-14
+    )
+    return -math.expm1(-float(x)) / target / (1.5 * speed)

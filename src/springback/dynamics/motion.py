@@ -25,6 +25,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.kernels.compiler import generic, kernel
@@ -39,8 +40,6 @@ from springback.kernels.vectors import (
 )
 from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
-#: A switching function closer to zero than this counts as at zero [m].
-LANDED = 1e-9
 #: Time to the next crossing when none is ahead [s].
 NEVER = 1e9
 
@@ -288,7 +287,7 @@ def arm_state(
         landing=landing,
         touching=largest(each(_touching, (met,), ())),
         impulsive=largest(each(_impulsive, (met,), ())),
-        bottomed=1.0 if (u > 0.0) & (length < arm.shortest) else 0.0,
+        bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         on_stop=1.0 if on_stop else 0.0,
         inward=r @ inward,
         grip=touch.grip,

@@ -19,16 +19,18 @@ from springback.errors import InputError
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.quantities import Angle, Duration, checked, quantity, triple
-from springback.settings import Settings, problem
+from springback.settings import Settings, naming, problem
 from springback.simulation.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import State, arm_pose
 
 #: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
-RING_ROUNDING = 1e-3
+RING_ROUNDING = 5e-3
 #: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
 STABLE = 2.5
+#: More steps than this are a slip of the pen.
+MOST_STEPS = 1e9
 
 
 class WorldSettings(Settings):
@@ -103,11 +105,11 @@ class Scenario(Settings):
         count = self.vehicle.arm_count
         if self.thrust == "hover":
             return (self.vehicle.mass * self.world.gravity / count,) * count
-        if isinstance(self.thrust, list | tuple):
-            if len(self.thrust) != count:
-                raise problem(f"has {len(self.thrust)} entries for {count} rotors", "thrust")
-            return tuple(checked(entry, "N", least=0.0) for entry in self.thrust)
-        return (checked(self.thrust, "N", least=0.0),) * count
+        if isinstance(self.thrust, list | tuple) and len(self.thrust) != count:
+            raise problem(f"has {len(self.thrust)} entries for {count} rotors", "thrust")
+        given = self.thrust if isinstance(self.thrust, list | tuple) else (self.thrust,) * count
+        with naming("thrust"):
+            return tuple(checked(entry, "N", least=0.0) for entry in given)
 
     def world_numbers(self, own: Sequence[Own] = ()) -> World:
         """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
@@ -171,6 +173,14 @@ class Scenario(Settings):
             raise problem("must be zero on a slider", "start.angular_velocity")
 
     def _check_steps(self) -> None:
+        shortest = self.simulation.duration / MOST_STEPS
+        for name in ("impact_step", "settle_step", "free_step"):
+            step = getattr(self.simulation, name)
+            if step is not None and step < shortest:
+                raise problem(
+                    f"must be at least {shortest:.3g} s for a flight this long (got {step:g} s)",
+                    f"simulation.{name}",
+                )
         rate = self.vehicle.fastest_arm_rate()
         steps = {"impact_step": self.simulation.impact_step, "settle_step": self.settle_step()}
         for name, step in steps.items():
@@ -292,6 +302,15 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
             path = (*path, *key_path(str(detail["ctx"]["field"])))
         elif detail["type"] == "missing":
             message = "is missing"
+        elif detail["type"] == "union_tag_not_found":
+            path, message = (*path, "type"), "is missing; wall, ground or mat"
+        elif detail["type"] == "union_tag_invalid":
+            tag = detail["ctx"]["tag"]
+            path, message = (*path, "type"), f"must be wall, ground or mat (got {tag!r})"
+        elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
+            message = f"must be a table (got {detail['input']!r})"
+        elif detail["type"] == "tuple_type":
+            message = f"must be a list (got {detail['input']!r})"
         elif isinstance(detail.get("input"), str | int | float | bool):
             message = f"{message} (got {detail['input']!r})"
         found.append((path, message))

@@ -134,7 +134,8 @@ def checked_scenario(
         return Scenario.model_validate(expanded(given))
     except InputError as error:
         quoted = re.search(r"'([^']+)'", str(error))
-        lines = [n for n, line in enumerate(text.splitlines(), 1) if quoted and quoted[1] in line]
+        value = f"""[=\\s{{\\[]["']?{re.escape(quoted[1])}["']?\\s*([,}}#]|$)""" if quoted else "$^"
+        lines = [n for n, line in enumerate(text.splitlines(), 1) if re.search(value, line)]
         where = next((f"override {w}" for w in overrides if quoted and quoted[1] in w), None)
         raise InputError(f"{where or f'{name}:{lines[0] if lines else 1}'}: {error}") from None
     except ValidationError as error:

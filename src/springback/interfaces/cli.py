@@ -19,6 +19,8 @@ from springback.errors import InputError
 from springback.version import __version__
 
 OUT = click.Path(file_okay=True, path_type=Path)
+UNEASY = 1e-3
+"""Share of the energy that the ledger may leave before the user is warned."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 
@@ -133,6 +135,9 @@ def fly(
         names = [path.name for path in written]
     _print(flight.summary() if as_json else repr(flight), as_json)
     _say(f"written to {out}: {', '.join(names)}", quiet)
+    if abs(flight.measures["ledger_residual"] or 0.0) > UNEASY:
+        left = flight.measures["ledger_residual"]
+        _say(f"warning: the energy ledger leaves {left:.1e}; try a smaller impact_step", False)
     if not flight.success:
         sys.exit(1)
 

@@ -170,7 +170,8 @@ def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
     turned = Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
     s = new.state
     state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
-    write(pick(good, Motion(state, new.work), old), b, at.motion, w, i)
+    # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
+    write(pick(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0
     b[at.status * w + i] = b[at.status * w + i] if good else NOT_FINITE
 

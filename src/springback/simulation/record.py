@@ -23,6 +23,8 @@ NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 FRICTION_SHARE = 2.0
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
+#: Against division by zero.
+TINY = 1e-9
 
 
 class Timing(NamedTuple):
@@ -128,6 +130,12 @@ def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
 
 
 @kernel
+def _reach(arm: Arm) -> float:
+    """Distance of the cage's farthest point from the main body [m]."""
+    return arm.length + arm.cage_radius
+
+
+@kernel
 def _rises(now: float, before: float) -> float:
     return 1.0 if now > before else 0.0
 
@@ -187,16 +195,22 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     impacts = m.impacts + _rises(impact_open, m.impact_open)
     of_first = (impacts == 1.0) & (impact_open > 0.0)
     leaves = ended & of_first
-    ahead = of_first & (m.return_time < 0.0) & (m.touch_time >= 0.0)
+    ahead = (impacts == 1.0) & (m.return_time < 0.0) & (m.touch_time >= 0.0)
     returns = ahead & (depth - touch_depth <= LANDED) & (speed < 0.0)
 
     # The next step lands on the next crossing: touch, separation, stop, return.
     landing = least(column(view.arms, "landing"))
     landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
-    fine = (touching > 0.0) | (largest(column(view.arms, "on_stop")) > 0.0)
-    step = pick(phase > 0.0, pick(fine, timing.impact_step, timing.settle_step), timing.free_step)
+    impact_step = pick(touching > 0.0, timing.impact_step, timing.settle_step)
+    step = pick(phase > 0.0, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
-    step = smaller(step, FRICTION_SHARE / larger(view.friction_rate, 1.0))
+    # No point moves faster than this, so no cage can touch unnoticed within the step.
+    reach = largest(each(_reach, (model.airframe.arms,), ()))
+    fastest = norm(state.velocity) + reach * norm(state.angular_velocity)
+    near = least(column(view.arms, "gap"))
+    step = smaller(step, larger(near / larger(fastest, TINY), timing.impact_step))
+    calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
+    step = smaller(step, larger(calm, SHORTEST * timing.impact_step))
     left = timing.until - m.time
     finished = left <= 1e-12
     changed = (phase != m.phase) | strike

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, model_validator
 
 from springback.kernels.vectors import Mat, Vec
 from springback.quantities import Mass, checked, quantity, spread
-from springback.settings import Settings, problem
+from springback.settings import Settings, naming, problem
 from springback.vehicle.state import Airframe, Arm
 
 
@@ -33,6 +33,24 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(row) for row in rows)
 
 
+def _flags(value: Any) -> bool | tuple[bool, ...]:
+    """One yes or no, or one for each arm."""
+    if isinstance(value, bool):
+        return value
+    if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
+        return tuple(value)
+    raise problem(f"must be true or false, or a list of them, one for each arm (got {value!r})")
+
+
+def _signs(value: Any) -> tuple[int, ...] | None:
+    """Minus or plus one for each rotor."""
+    if value is None:
+        return None
+    if isinstance(value, list | tuple) and all(entry in (-1, 1) for entry in value):
+        return tuple(int(entry) for entry in value)
+    raise problem(f"must be a list of -1 and 1, one for each rotor (got {value!r})")
+
+
 class Body(Settings):
     """The main body: everything but the arms."""
 
@@ -53,7 +71,7 @@ class Arms(Settings):
     """Free length L, from the centre of the main body to the arm's end."""
     mass: spread("kg", least=0.0)  # type: ignore[valid-type]
     cage_radius: spread("m", above=0.0)  # type: ignore[valid-type]
-    compliant: bool | tuple[bool, ...] = True
+    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
     """True: the arm slides against its spring.  False: it is fixed, and the vehicle rigid there."""
     stiffness: spread("N/m", above=0.0) = 5e3  # type: ignore[valid-type]
     damping: spread("N s/m", least=0.0) = 0.0  # type: ignore[valid-type]
@@ -66,7 +84,7 @@ class Arms(Settings):
     """d of the stops' force k δ (1 + d δ̇)."""
     torque_ratio: spread("m", least=0.0) = 0.0  # type: ignore[valid-type]
     """c_τ, rotor torque per thrust."""
-    spin: tuple[int, ...] | None = None
+    spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
     """Sign of each rotor's torque about body z; alternating −, + by default, as in eq. (2)."""
 
     @model_validator(mode="after")
@@ -95,7 +113,8 @@ class Arms(Settings):
     @classmethod
     def _angles(cls, given: Any) -> Any:
         if isinstance(given, dict) and isinstance(given.get("directions"), list | tuple):
-            angles = tuple(checked(angle, "rad") for angle in given["directions"])
+            with naming("directions"):
+                angles = tuple(checked(angle, "rad") for angle in given["directions"])
             return {**given, "directions": angles}
         return given
 
