@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from oracles import models
+from oracles import models, routh
+from oracles.rigid import rigid
 from springback.dynamics.energy import Energy, angular_momentum, energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import NEVER, Motion
@@ -368,11 +369,12 @@ def kicked(scene: models.Scene, start: models.Start) -> tuple[models.Start, Moti
 
 @pytest.mark.parametrize("cages", [1, 2])
 @pytest.mark.parametrize("friction", [0.0, 0.3, 1.0])
-def test_impulses_obey_newton_and_coulomb(cages: int, friction: float) -> None:
-    """v_n⁺ = −e v_n⁻ at each cage; what is given is the momentum gained, within the friction cone."""
+def test_impulses_are_pushes_within_the_friction_cone(cages: int, friction: float) -> None:
+    """What is given is the momentum gained; afterwards no cage closes in or is in the wall."""
     for seed in range(25):
-        restitution = seed % 5 / 5.0
-        scene, start, closing = at_the_wall(seed, cages, friction=friction, restitution=restitution)
+        scene, start, closing = at_the_wall(
+            seed, cages, friction=friction, restitution=seed % 5 / 5.0
+        )
         end, after = kicked(scene, start)
         n = scene.wall.normal
         before, then = Cloud(scene.craft, start), Cloud(scene.craft, end)
@@ -381,13 +383,7 @@ def test_impulses_obey_newton_and_coulomb(cages: int, friction: float) -> None:
         pressed, rubbed = given @ n, np.linalg.norm(given - (given @ n) * n)
         assert pressed > 0.0
         assert rubbed <= friction * pressed + 1e-12
-        for k in closing:
-            old = _contact_velocity(scene, start, k) @ n
-            new = _contact_velocity(scene, end, k) @ n
-            if cages == 1:
-                assert new == pytest.approx(-restitution * old, abs=1e-6)
-            else:  # one cage may be thrown off by the impulse of the other
-                assert new >= -restitution * old - 1e-6
+        assert min(_contact_velocity(scene, end, k) @ n for k in closing) > -1e-8
         assert _depth(scene, end) < 1e-12
         if cages == 1:
             # The impulse goes through the contact point: nothing turns about it.
@@ -399,6 +395,53 @@ def test_impulses_obey_newton_and_coulomb(cages: int, friction: float) -> None:
                 rtol=0,
                 atol=1e-9,
             )
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
+def test_frictionless_impulses_are_newtons(restitution: float) -> None:
+    """Without friction v_n⁺ = −e v_n⁻, however far off centre the cage is."""
+    for seed in range(25):
+        scene, start, (k,) = at_the_wall(seed, 1, friction=0.0, restitution=restitution)
+        end, _ = kicked(scene, start)
+        old, new = (_contact_velocity(scene, now, k) @ scene.wall.normal for now in (start, end))
+        assert new == pytest.approx(-restitution * old, abs=1e-9)
+
+
+def test_two_cages_that_hit_squarely_obey_newton_too() -> None:
+    """The slider's case: level, straight ahead, both front cages at once."""
+    craft = models.compliant_craft(slides=False)
+    wall = models.Wall(np.array([-1.0, 0.0, 0.0]), 0.0, friction=0.8, restitution=0.6)
+    ahead = np.array([1.85, 0.0, 0.0])
+    level = models.quaternion(0.0, 0.0, 0.0)
+    start = models.Start(np.zeros(3), level, ahead, np.zeros(3), np.full(4, 0.19), np.zeros(4))
+    scene = models.touching(models.Scene(craft, wall, OFF), start, 2, 1e-9)
+    end, after = kicked(scene, start)
+    np.testing.assert_allclose(end.velocity, -0.6 * ahead, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(end.omega, 0.0, rtol=0, atol=1e-9)
+    assert after.work.contact == pytest.approx(
+        (1 - 0.36) * after.work.impulse.x**2 / (2 * craft.mass * 2.56)
+    )
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
+def test_one_cage_with_friction_bounces_as_routh_and_stronge_say(
+    friction: float, restitution: float
+) -> None:
+    """Against an ODE solver; the package's 200 parts are good to 6e-3 of the speed, and converge."""
+    for seed in range(12):
+        scene, start, (k,) = at_the_wall(seed, 1, friction=friction, restitution=restitution)
+        if scene.friction_axes == "vertical":
+            continue
+        end, _ = kicked(scene, start)
+        body, r = rigid(scene.craft, start.lengths), start.rotation
+        lever = _lever(scene, start, k) - r @ body.centre
+        hat = np.cross(np.eye(3), lever)  # hat @ x = −lever × x
+        give = np.eye(3) / body.mass + hat @ np.linalg.solve(r @ body.inertia @ r.T, hat.T)
+        old = _contact_velocity(scene, start, k)
+        expected = routh.velocity_after(old, give, scene.wall.normal, friction, restitution)
+        new = _contact_velocity(scene, end, k)
+        assert np.abs(new - expected).max() < 1e-2 * np.linalg.norm(old)
 
 
 def _depth(scene: models.Scene, now: models.Start) -> float:

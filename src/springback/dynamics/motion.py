@@ -87,7 +87,6 @@ class ArmView(NamedTuple):
     touching: float  # 1 while the cage touches
     impulsive: float  # 1 where it touches a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
-    on_stop: float  # 1 while an end stop is pressed
     inward: Vec  # normal of the most deeply touched obstacle, world
     grip: float  # of friction as a damper, on the vehicle's mass [N s/m] ...
     grip_on_arm: float  # ... on the mass of the arm [1/s] ...
@@ -268,7 +267,6 @@ def arm_state(
         on_ground=touch.on_ground,
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
-    on_stop = has_stops & ((length > arm.length) | (length < arm.shortest))
     landing = least(
         (
             least(each(_landing, (met,), ())),
@@ -288,7 +286,6 @@ def arm_state(
         touching=largest(each(_touching, (met,), ())),
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
-        on_stop=1.0 if on_stop else 0.0,
         inward=r @ inward,
         grip=touch.grip,
         grip_on_arm=touch.grip * u * arm.inverse_mass * (1.0 - along_arm * along_arm),
