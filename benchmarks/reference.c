@@ -112,14 +112,14 @@ typedef struct {
     V touching[ARMS];
     Vec touched_normal;
     V landing, largest_normal, deepest, most_compressed, least_compressed;
-    V bottomed, on_stop, on_ground;
+    V bottomed, on_ground, nearest;
     V friction_rate; /* at most how fast friction brings a sliding cage to rest */
 } View;
 
 #define ROWS(T) ((int)(sizeof(T) / sizeof(V)))
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
-static const double FRICTION_SHARE = 2;
+static const double FRICTION_SHARE = 2, TINY = 1e-9;
 
 INLINE V crossing_time(V value, V rate)
 {
@@ -175,7 +175,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         memset(view, 0, sizeof *view);
         view->landing = all(NEVER);
         view->largest_normal = view->deepest = view->most_compressed = all(-NEVER);
-        view->least_compressed = all(NEVER);
+        view->least_compressed = view->nearest = all(NEVER);
     }
 #pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
@@ -189,7 +189,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         const V gap = distance - (n.x * px + n.y * py) - inset * a->cage_radius;
         const Vec at = vec(v.x + dl * c - w.z * py, v.y + dl * q + w.z * px, v.z + w.x * py - w.y * px);
         const V approach = dot(at, n);
-        const V depth = positive(-gap);
+        const V depth = positive(all(LANDED) - gap);
         const V elastic = m->stiffness * (depth * root(depth));
         const V pressed = positive(elastic + (m->dissipation * elastic + m->viscosity) * approach);
         const V normal = sel(depth > all(0), pressed, all(0));
@@ -255,12 +255,11 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
             view->touching[j] = one_if(touches);
             view->touched_normal = plus(view->touched_normal, times(n, one_if(touches)));
             view->largest_normal = larger(view->largest_normal, normal);
-            view->deepest = larger(view->deepest, depth);
+            view->deepest = larger(view->deepest, positive(-gap));
+            view->nearest = smaller(view->nearest, gap);
             view->most_compressed = larger(view->most_compressed, compression);
             view->least_compressed = smaller(view->least_compressed, compression);
-            view->bottomed = larger(view->bottomed, one_if(slides & (l < a->shortest)));
-            view->on_stop = larger(view->on_stop,
-                                   one_if(stopped & ((l > a->length) | (l < a->shortest))));
+            view->bottomed = larger(view->bottomed, one_if(stopped & (l < a->shortest)));
             const V along = c * n.x + q * n.y, reach = l + a->cage_radius;
             gripping += grip;
             gripping_turn += grip * (reach * reach);
@@ -336,10 +335,11 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
 {
     const State *s = &x->state;
     const V zero = all(0), one = all(1);
-    V touching = zero, unsettled = zero;
+    V touching = zero, unsettled = zero, reach = zero;
 #pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         touching = larger(touching, v->touching[j]);
+        reach = larger(reach, m->arm[j].length + m->arm[j].cage_radius);
         const V away = m->arm[j].length - s->length[j], rate = s->rate[j];
         const M busy = (away * away > m->arm_tolerance * m->arm_tolerance)
                      | (rate * rate > m->rate_tolerance * m->rate_tolerance);
@@ -367,15 +367,18 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     k->impacts += one_if(open > k->impact_open);
     k->impact_open = open;
     const M of_first = (k->impacts == one) & (open > zero), leaves = ended & of_first;
-    const M ahead = of_first & (k->return_time < zero) & touched_before;
+    const M ahead = (k->impacts == one) & (k->return_time < zero) & touched_before;
     const V past = depth - k->touch_depth;
     const M returns = ahead & (past <= all(LANDED)) & (speed < zero);
 
     const V landing = smaller(v->landing, sel(ahead, crossing_time(past, speed), all(NEVER)));
-    const M fine = in_touch | (v->on_stop > zero);
-    V step = sel(phase > zero, sel(fine, m->impact_step, m->settle_step), m->free_step);
-    step = smaller(step, larger(landing, all(SHORTEST) * m->impact_step));
-    step = smaller(step, all(FRICTION_SHARE) / larger(v->friction_rate, one));
+    const V shortest = all(SHORTEST) * m->impact_step;
+    V step = sel(phase > zero, sel(in_touch, m->impact_step, m->settle_step), m->free_step);
+    step = smaller(step, larger(landing, shortest));
+    /* No point moves faster than this, so no cage can touch unnoticed within the step. */
+    const V fastest = norm(s->velocity) + reach * norm(s->omega);
+    step = smaller(step, larger(v->nearest / larger(fastest, all(TINY)), m->impact_step));
+    step = smaller(step, larger(all(FRICTION_SHARE) / larger(v->friction_rate, one), shortest));
     const V left = m->until - k->time;
     const M finished = left <= all(1e-12), flies = k->status == zero;
     const M halted = finished | (phase != k->phase) | (k->status != zero);
@@ -566,7 +569,7 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
         s->qz *= scale;
         const M good = size < all(DIVERGED);
         for (int i = 0; i < ROWS(Motion); i++)
-            ((V *)x)[i] = sel(good, ((V *)&next)[i], ((V *)x)[i]);
+            ((V *)x)[i] = sel(good & (k->step > all(0)), ((V *)&next)[i], ((V *)x)[i]);
         k->time += sel(good, k->step, all(0));
         k->status = sel(good, k->status, all(NOT_FINITE));
         int running = 0, locking = 0;

@@ -36,7 +36,8 @@ def velocity_after(
         u = y[:3]
         slip = u - (u @ n) * n
         impulse = n - friction * slip / np.sqrt(slip @ slip + CREEP**2)
-        return np.array([*(give @ impulse), -min(u @ n, 0.0), max(u @ n, 0.0)])
+        speed = float(u @ n)
+        return np.array([*(give @ impulse), max(-speed, 0.0), max(speed, 0.0)])
 
     def paid_back(_: float, y: Array) -> float:
         compressing = y[:3] @ n < 0.0
@@ -44,7 +45,7 @@ def velocity_after(
 
     paid_back.terminal = True  # type: ignore[attr-defined]
     paid_back.direction = 1.0  # type: ignore[attr-defined]
-    longest = -(velocity @ n) / np.linalg.eigvalsh(give)[0] * 100.0
+    longest = -float(velocity @ n) / float(np.linalg.eigvalsh(give)[0]) * 100.0
     solved = solve_ivp(
         slope,
         (0.0, longest),

@@ -13,11 +13,13 @@ from typing import Any, NamedTuple
 from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Vec, positive_part
+from springback.kernels.vectors import Vec
 from springback.vehicle.state import ArmPose
 
 #: A gap closer to zero than this counts as at zero [m].
 LANDED = 1e-9
+#: Depth of a cage that is just touching: too small for any elastic force [m].
+AT_TOUCH = 1e-30
 
 
 class Ring(NamedTuple):
@@ -143,7 +145,8 @@ def meeting(
     gap = signed_distance(shape, end + at.point) + at.inset
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
     # A step lands on the face to within rounding; a law that jumps there must see it at once.
-    pressed = normal_force(surface, positive_part(LANDED - gap), rate)
+    least_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
+    pressed = normal_force(surface, -gap if gap < -AT_TOUCH else least_depth, rate)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 
