@@ -1,7 +1,8 @@
 """The same vehicle in MuJoCo: a free body with four point masses on slides, and a wall.
 
-Its contact is MuJoCo's own soft constraint, a sphere for each cage: another law, but the
-work of a step is what is compared here, not its result.
+Its contact is MuJoCo's own soft constraint: another law, but the work of a step is what is
+compared here, not its result.  A cage is a thin disc, which is the circle of our model, or for
+comparison a sphere, MuJoCo's cheapest shape, which touches elsewhere once the vehicle tilts.
 """
 
 from __future__ import annotations
@@ -18,9 +19,12 @@ from springback.vehicle.state import Arm, State
 
 #: MuJoCo asks for some inertia of every moving body [kg m²].
 POINT = 1e-7
+#: Half the thickness of a disc [m].
+THIN = 0.001
+CAGES = {"disc": "cylinder", "sphere": "sphere"}
 
 
-def _arm(arm: Arm) -> str:
+def _arm(arm: Arm, cage: str) -> str:
     reach = f"{arm.cosine * arm.length!r} {arm.sine * arm.length!r} 0"
     stroke = arm.length - arm.shortest
     return f"""
@@ -28,16 +32,18 @@ def _arm(arm: Arm) -> str:
           <joint type="slide" axis="{arm.cosine!r} {arm.sine!r} 0" stiffness="{arm.stiffness!r}"
                  damping="{arm.damping!r}" limited="true" range="{-stroke!r} 0.001"/>
           <inertial pos="0 0 0" mass="{arm.mass!r}" diaginertia="{POINT} {POINT} {POINT}"/>
-          <geom type="sphere" size="{arm.cage_radius!r}" contype="1" conaffinity="2"/>
+          <geom type="{CAGES[cage]}" size="{arm.cage_radius!r} {THIN}" contype="1"
+                conaffinity="2"/>
         </body>"""
 
 
-def xml(model: Model, integrator: str) -> str:
+def xml(model: Model, integrator: str, cage: str) -> str:
     """The vehicle and its wall as an MJCF document.
 
     Args:
         model: Ours.
         integrator: ``implicitfast`` or ``RK4``.
+        cage: ``disc`` or ``sphere``.
     """
     frame = model.airframe
     body_mass = frame.mass - sum(arm.mass for arm in frame.arms)
@@ -45,7 +51,7 @@ def xml(model: Model, integrator: str) -> str:
     full = " ".join(repr(x) for x in (i.x.x, i.y.y, i.z.z, i.x.y, i.x.z, i.y.z))
     surface = model.world.obstacles[0].surface
     wall = -model.world.obstacles[0].shape.offset * model.world.obstacles[0].shape.normal.x
-    arms = "".join(_arm(arm) for arm in frame.arms)
+    arms = "".join(_arm(arm, cage) for arm in frame.arms)
     return f"""
     <mujoco>
       <option timestep="{model.timing.impact_step!r}" integrator="{integrator}"
@@ -73,16 +79,23 @@ class Rollout:
         integrator: ``implicitfast`` or ``RK4``.
         steps: Of every flight.
         threads: In the pool.
+        cage: ``disc`` or ``sphere``.
     """
 
     def __init__(
-        self, model: Model, states: list[State], integrator: str, steps: int, threads: int
+        self,
+        model: Model,
+        states: list[State],
+        integrator: str,
+        steps: int,
+        threads: int,
+        cage: str = "disc",
     ) -> None:
         """Compile the model and lay out the start states."""
         import mujoco
         from mujoco import rollout
 
-        self.model = mujoco.MjModel.from_xml_string(xml(model, integrator))
+        self.model = mujoco.MjModel.from_xml_string(xml(model, integrator, cage))
         self.data = [mujoco.MjData(self.model) for _ in range(threads)]
         self.pool: Any = rollout.Rollout(nthread=threads)
         self.steps = steps

@@ -119,7 +119,7 @@ typedef struct {
 #define ROWS(T) ((int)(sizeof(T) / sizeof(V)))
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
-static const double FRICTION_SHARE = 2, TINY = 1e-9;
+static const double FRICTION_SHARE = 2, TINY = 1e-9, AT_TOUCH = 1e-30;
 
 INLINE V crossing_time(V value, V rate)
 {
@@ -189,7 +189,8 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         const V gap = distance - (n.x * px + n.y * py) - inset * a->cage_radius;
         const Vec at = vec(v.x + dl * c - w.z * py, v.y + dl * q + w.z * px, v.z + w.x * py - w.y * px);
         const V approach = dot(at, n);
-        const V depth = positive(all(LANDED) - gap);
+        const M at_touch = (gap <= all(LANDED)) & (approach > all(0));
+        const V depth = sel(gap < all(-AT_TOUCH), -gap, sel(at_touch, all(AT_TOUCH), all(0)));
         const V elastic = m->stiffness * (depth * root(depth));
         const V pressed = positive(elastic + (m->dissipation * elastic + m->viscosity) * approach);
         const V normal = sel(depth > all(0), pressed, all(0));

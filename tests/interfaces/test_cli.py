@@ -188,7 +188,8 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
-    words = ["fly", "s.toml", "simulation.duration=9e4 s", "--out", "out", "--no-figures"]
+    long = ("simulation.duration=9e4 s", "world.gravity=0", "thrust=0")
+    words = ["fly", "s.toml", *long, "--out", "out", "--no-figures"]
     process = subprocess.Popen(
         [sys.executable, "-m", "springback", *words],
         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,

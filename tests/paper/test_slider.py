@@ -1,5 +1,8 @@
 """The paper's slider tests: printed numbers by name, and the known contradictions as contradictions."""
 
+import runpy
+from pathlib import Path
+
 import pytest
 
 from springback.experiments.comparison import Mark
@@ -108,3 +111,11 @@ def test_a_users_reading_stands_beside_the_others(results: SliderResults) -> Non
 
 def test_arq_is_gentler_than_quad_at_every_speed_and_reading(results: SliderResults) -> None:
     assert all(point.arq < point.quad for point in results.sweep)
+
+
+def test_the_table_of_the_readme_is_the_computed_one(results: SliderResults) -> None:
+    """Written by tools/readme.py, never by hand."""
+    root = Path(__file__).parents[2]
+    tool = runpy.run_path(str(root / "tools/readme.py"))
+    _, within, _ = tool["between"]((root / "README.md").read_text(encoding="utf-8"))
+    assert within == tool["table"](results)

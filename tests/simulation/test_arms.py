@@ -7,6 +7,7 @@ import pytest
 
 from simulation.impacts import flown, value
 from springback.experiments.result import as_scenario, fly
+from springback.simulation.flight import fly_one
 from springback.simulation.measures import Outcome
 
 COMPARED = (
@@ -138,3 +139,18 @@ def test_three_and_six_arms_fly() -> None:
         assert abs(value(flight, "ledger_residual")) < 1e-6
         assert f"l{count}" in flight.columns
         assert f"l{count + 1}" not in flight.columns
+
+
+@pytest.mark.parametrize("mode", ["hybrid", "always-free"])
+def test_arms_that_start_bent_and_moving_are_in_the_ledger(mode: str) -> None:
+    """No energy appears when a flight begins with compressed, moving arms, whatever the model."""
+    scenario = as_scenario(
+        {"vehicle": "arq", "model": {"arms": mode}, "simulation": {"duration": 0.2}},
+    )
+    start = scenario.start_state()
+    start = start._replace(arm_length=(0.18,) * 4, arm_rate=(0.1, 0.0, 0.0, 0.0))
+    flown = fly_one(scenario.flight_model(), start, executor="python")
+    work = flown.motion.work
+    lost = work.arm + work.stop + work.settling
+    assert flown.before.total - flown.after.total == pytest.approx(lost, abs=1e-6)
+    assert flown.motion.state.arm_length == pytest.approx((0.19,) * 4, abs=2e-5)

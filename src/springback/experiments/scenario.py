@@ -121,12 +121,11 @@ class Scenario(Settings):
         """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
         s, m = self.simulation, self.model
         hybrid = m.arms == "hybrid"
-        settle = self.settle_step()
         timing = Timing(
             until=s.duration,
-            free_step=s.free_step if hybrid else min(s.free_step, settle),
+            free_step=s.free_step,
             impact_step=s.impact_step,
-            settle_step=settle,
+            settle_step=self.settle_step(),
             arm_tolerance=s.arm_tolerance,
             rate_tolerance=s.rate_tolerance,
             dwell=s.dwell,

@@ -17,7 +17,7 @@ from springback.kernels.compiler import own_executor
 from springback.kernels.trees import Buffer, leaves, names, rebuilt, rows
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import Shape, advance, empty_groups
-from springback.simulation.record import FLYING, Model, Record, blank_record
+from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
 
 Executor = Literal["compiled", "python"]
@@ -78,19 +78,31 @@ def _loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], widt
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
     record = leaves(shape.record)
-    status = names(shape.record).index("status")
+    status, phase = (names(shape.record).index(name) for name in ("status", "phase"))
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
     work, record_row = leaves(shape.motion.work), -len(record)
     spare = len(buffers) * width - len(states)
     for k in range(len(states) + spare):
         group, lane = divmod(k, width)
         flight = min(k, len(states) - 1)
-        lanes[group, :model_rows, lane] = leaves(models[min(flight, len(models) - 1)])
+        model = models[min(flight, len(models) - 1)]
+        lanes[group, :model_rows, lane] = leaves(model)
         lanes[group, model_rows : model_rows + motion_rows, lane] = leaves(states[flight]) + work
         lanes[group, record_row:, lane] = record
+        lanes[group, record_row + phase, lane] = _first_phase(model, states[flight])
         if k >= len(states):
             lanes[group, record_row + status, lane] = FLYING + 1.0
     return buffers
+
+
+def _first_phase(model: Model, state: State) -> float:
+    """An impact is taken to be on where arms start away from their free length, or moving."""
+    for arm, length, rate in zip(
+        model.airframe.arms, state.arm_length, state.arm_rate, strict=True
+    ):
+        if arm.compliance > 0.0 and (length != arm.length or rate != 0.0):
+            return IMPACT
+    return FREE_FLIGHT
 
 
 def _unloaded(

@@ -202,7 +202,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     landing = least(column(view.arms, "landing"))
     landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
     impact_step = pick(touching > 0.0, timing.impact_step, timing.settle_step)
-    step = pick(phase > 0.0, impact_step, timing.free_step)
+    sliding = (phase > 0.0) | (timing.hybrid == 0.0)
+    step = pick(sliding, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so no cage can touch unnoticed within the step.
     reach = largest(each(_reach, (model.airframe.arms,), ()))
