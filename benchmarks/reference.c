@@ -374,7 +374,8 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
 
     const V landing = smaller(v->landing, sel(ahead, crossing_time(past, speed), all(NEVER)));
     const V shortest = all(SHORTEST) * m->impact_step;
-    V step = sel(phase > zero, sel(in_touch, m->impact_step, m->settle_step), m->free_step);
+    const M sliding = (phase > zero) | (m->hybrid == zero);
+    V step = sel(sliding, sel(in_touch, m->impact_step, m->settle_step), m->free_step);
     step = smaller(step, larger(landing, shortest));
     /* No point moves faster than this, so no cage can touch unnoticed within the step. */
     const V fastest = norm(s->velocity) + reach * norm(s->omega);

@@ -186,17 +186,26 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
     assert "fly" in run("--help", cwd=folder).stdout
 
 
+def heed_interrupts() -> None:
+    """Jobs in the background inherit an ignored SIGINT; a user at a terminal does not."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
     long = ("simulation.duration=9e4 s", "world.gravity=0", "thrust=0")
     words = ["fly", "s.toml", *long, "--out", "out", "--no-figures"]
-    process = subprocess.Popen(
+    with subprocess.Popen(
         [sys.executable, "-m", "springback", *words],
         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-    )  # fmt: skip
-    time.sleep(4.0)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=60)
+        preexec_fn=heed_interrupts,
+    ) as process:  # fmt: skip
+        try:
+            time.sleep(4.0)
+            process.send_signal(signal.SIGINT)
+            _, errors = process.communicate(timeout=60)
+        finally:
+            process.kill()
     assert process.returncode == 130, errors
     assert "Traceback" not in errors
     assert sorted(path.name for path in folder.iterdir()) == ["s.toml"]
