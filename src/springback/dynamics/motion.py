@@ -29,7 +29,7 @@ from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import column, each, largest, least, total
+from springback.kernels.trees import column, each, each_summed, largest, least, total
 from springback.kernels.vectors import (
     Mat,
     Vec,
@@ -413,12 +413,12 @@ def rates(
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
-    arms = each(
+    arms, a = each_summed(
         arm_state,
+        "share",
         (airframe.arms, state.arm_length, state.arm_rate, thrust),
         (obstacles, contact_point, state, r, velocity, released),
     )
-    a = total(column(arms, "share"))
 
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)

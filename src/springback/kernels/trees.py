@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numba import types
 
-from springback.kernels.compiler import GUARDING, compiled
+from springback.kernels.compiler import GUARDING, compiled, kernel
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -62,6 +62,18 @@ def each(
 ) -> tuple[R, ...]:
     """``function(*one of each zipped, *shared)`` for every position of the zipped tuples."""
     return tuple(function(*some, *shared) for some in zip(*zipped, strict=True))
+
+
+def each_summed(
+    function: Callable[..., R], field: str, zipped: tuple[Any, ...], shared: tuple[Any, ...]
+) -> tuple[tuple[R, ...], Any]:
+    """`each`, and the `total` of one field of the results.
+
+    Compiled, every result is added as soon as it is known: what is only summed then need not be
+    kept, and the vector registers hold more of the rest.
+    """
+    results = each(function, zipped, shared)
+    return results, total(column(results, field))
 
 
 def column(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
@@ -113,6 +125,7 @@ def square(tree: Any) -> float:
     return result
 
 
+@kernel
 def pick(claim: bool, a: T, b: T) -> T:
     """``a`` where the claim holds, else ``b``: a selection, not a branch, in compiled code."""
     return a if claim else b
@@ -141,13 +154,25 @@ def _branches(tree: Any) -> list[Any]:
     return [tree.types[k] for k in range(len(tree))]
 
 
-def _paths(tree: Any, stem: str) -> list[str]:
-    """Source text that reaches every leaf."""
-    if isinstance(tree, types.BaseTuple):
-        return [
-            p for k, branch in enumerate(_branches(tree)) for p in _paths(branch, f"{stem}[{k}]")
-        ]
-    return [stem]
+def _reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
+    """Source text of every leaf, after lines that give each branch a name.
+
+    A branch is taken out of its parent once: the compiler copies whatever is taken out, and taking
+    every leaf from the root would copy most of the tree for each.
+    """
+    texts = []
+    for k, branch in enumerate(_branches(tree)):
+        if isinstance(branch, types.BaseTuple):
+            lines.append(f"{stem}_{k} = {stem}[{k}]")
+            texts += _reached(branch, f"{stem}_{k}", lines)
+        else:
+            texts.append(f"{stem}[{k}]")
+    return texts
+
+
+def _count(tree: Any) -> int:
+    """Number of leaves."""
+    return sum(map(_count, _branches(tree))) if isinstance(tree, types.BaseTuple) else 1
 
 
 def _construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
@@ -179,6 +204,20 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
     return _function("function, zipped, shared", [f"return ({', '.join(calls)},)"], {})
 
 
+@compiled(each_summed, literal=True)
+def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
+    if not isinstance(field, types.StringLiteral):
+        return None
+    name, count, lines = field.literal_value, len(zipped[0]), []
+    for j in range(count):
+        given = [f"zipped[{k}][{j}]" for k in range(len(zipped))]
+        given += [f"shared[{k}]" for k in range(len(shared))]
+        lines.append(f"r{j} = function({', '.join(given)})")
+        lines.append(f"sum{j} = " + (f"total((sum{j - 1}, r{j}.{name}))" if j else f"r0.{name}"))
+    lines.append(f"return ({', '.join(f'r{j}' for j in range(count))},), sum{count - 1}")
+    return _function("function, field, zipped, shared", lines, {"total": total})
+
+
 @compiled(column, literal=True)
 def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
@@ -189,10 +228,15 @@ def _column(trees: Any, field: Any) -> Any:
 
 @compiled(total)
 def _total(trees: Any) -> Any:
-    columns = zip(*(_paths(trees[j], f"trees[{j}]") for j in range(len(trees))), strict=True)
+    if not isinstance(trees[0], types.BaseTuple):
+        return _function(
+            "trees", [f"return {' + '.join(f'trees[{j}]' for j in range(len(trees)))}"], {}
+        )
+    lines = [f"t{j} = trees[{j}]" for j in range(len(trees))]
+    columns = zip(*(_reached(trees[j], f"t{j}", lines) for j in range(len(trees))), strict=True)
     scope: dict[str, Any] = {}
     text = _construct(trees[0], [" + ".join(column) for column in columns], scope)
-    return _function("trees", [f"return {text}"], scope)
+    return _function("trees", [*lines, f"return {text}"], scope)
 
 
 def _fold(sign: str) -> Callable[[Any], Any]:
@@ -212,45 +256,36 @@ compiled(largest)(_fold(">"))
 @compiled(along_strictly, GUARDING)
 @compiled(along)
 def _along(x: Any, rate: Any, h: Any) -> Any:
-    texts = [f"{a} + h * {b}" for a, b in zip(_paths(x, "x"), _paths(rate, "rate"), strict=True)]
+    lines: list[str] = []
+    pairs = zip(_reached(x, "x", lines), _reached(rate, "rate", lines), strict=True)
     scope: dict[str, Any] = {}
-    text = _construct(x, texts, scope)
-    return _function("x, rate, h", [f"return {text}"], scope)
+    text = _construct(x, [f"{a} + h * {b}" for a, b in pairs], scope)
+    return _function("x, rate, h", [*lines, f"return {text}"], scope)
 
 
 @compiled(square, GUARDING)
 def _square(tree: Any) -> Any:
-    terms = " + ".join(["0.0", *(f"{leaf} * {leaf}" for leaf in _paths(tree, "tree"))])
-    return _function("tree", [f"return {terms}"], {})
-
-
-@compiled(pick)
-def _pick(claim: Any, a: Any, b: Any) -> Any:
-    pairs = zip(_paths(a, "a"), _paths(b, "b"), strict=True)
-    texts = [f"({x} if claim else {y})" for x, y in pairs]
-    scope: dict[str, Any] = {}
-    text = _construct(a, texts, scope)
-    return _function("claim, a, b", [f"return {text}"], scope)
+    lines: list[str] = []
+    terms = ["0.0", *(f"{leaf} * {leaf}" for leaf in _reached(tree, "tree", lines))]
+    return _function("tree", [*lines, f"return {' + '.join(terms)}"], {})
 
 
 @compiled(rows)
 def _rows(like: Any) -> Any:
-    count = len(_paths(like, "like"))
-    return _function("like", [f"return {count}"], {})
+    return _function("like", [f"return {_count(like)}"], {})
 
 
 @compiled(read)
 def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    texts = [f"buffer[(row + {k}) * width + lane]" for k in range(len(_paths(like, "like")))]
+    texts = [f"buffer[start + {k} * width]" for k in range(_count(like))]
     scope: dict[str, Any] = {}
-    text = _construct(like, texts, scope)
-    return _function("like, buffer, row, width, lane", [f"return {text}"], scope)
+    lines = ["start = row * width + lane", f"return {_construct(like, texts, scope)}"]
+    return _function("like, buffer, row, width, lane", lines, scope)
 
 
 @compiled(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = [
-        f"buffer[(row + {k}) * width + lane] = {leaf}"
-        for k, leaf in enumerate(_paths(tree, "tree"))
-    ]
+    lines = ["start = row * width + lane"]
+    texts = _reached(tree, "tree", lines)
+    lines += [f"buffer[start + {k} * width] = {leaf}" for k, leaf in enumerate(texts)]
     return _function("tree, buffer, row, width, lane", [*lines, "return None"], {})
