@@ -7,20 +7,28 @@ is nose down.  SI units and radians.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 
 def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
     """Quaternion (w, x, y, z), body to world, of ZYX Euler angles [rad]."""
-    w, x, y, z = Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_quat(scalar_first=True)
-    return float(w), float(x), float(y), float(z)
+    a, b, c = math.cos(0.5 * roll), math.cos(0.5 * pitch), math.cos(0.5 * yaw)
+    p, q, r = math.sin(0.5 * roll), math.sin(0.5 * pitch), math.sin(0.5 * yaw)
+    return (
+        a * b * c + p * q * r,
+        p * b * c - a * q * r,
+        a * q * c + p * b * r,
+        a * b * r - p * q * c,
+    )
 
 
 def euler_from_attitude(attitude: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
     """Roll, pitch and yaw [rad] of quaternions (w, x, y, z), shape (..., 4) to (..., 3)."""
+    from scipy.spatial.transform import Rotation  # slow to import, and few flights need it
+
     flat = np.asarray(attitude, dtype=float).reshape(-1, 4)
     angles = Rotation.from_quat(flat, scalar_first=True).as_euler("ZYX")
     return np.asarray(angles[:, ::-1]).reshape(*np.shape(attitude)[:-1], 3)

@@ -30,7 +30,7 @@ from springback.experiments.paper.slider import (
 )
 from springback.experiments.result import Flight
 from springback.experiments.scenario import scenario_from
-from springback.interfaces import plots
+from springback.interfaces import canvas, plots
 from springback.simulation.measures import MEASURES, Outcome
 
 TOUCH, LASTS = 0.03, 0.04
@@ -200,7 +200,7 @@ def test_a_flight_without_contact_arms_or_motion_is_shown_too() -> None:
 def test_a_single_instant_can_be_shown() -> None:
     flight = made_up_flight(hit=False)
     short = replace(flight, columns={name: values[:1] for name, values in flight.columns.items()})
-    assert plots.png(plots.flight_figure(short))
+    assert canvas.png(plots.flight_figure(short))
 
 
 def test_a_flight_without_trajectory_says_so() -> None:
@@ -241,7 +241,7 @@ def test_any_number_of_readings_with_any_names() -> None:
     for figure in (
         plots.slider_figure(results, "arq"), plots.sweep_figure(results), plots.readings_figure(results),
     ):  # fmt: skip
-        assert plots.png(figure)
+        assert canvas.png(figure)
     legend = plots.readings_figure(results).legends[0]
     words = [text.get_text() for text in legend.get_texts()]
     assert "reading $\\frac$" in words
@@ -281,28 +281,28 @@ def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
     names = [tick.get_text() for tick in ax.get_yticklabels()]
     assert names == ["fall put in", "rotors took", "contact damping", "left in motion"]
     fallen.measures.update(dict.fromkeys(MEASURES))
-    assert plots.png(plots.energy_figure(fallen))
+    assert canvas.png(plots.energy_figure(fallen))
 
 
 def test_the_users_own_style_is_neither_used_nor_changed() -> None:
-    plain = plots.png(plots.energy_figure(made_up_flight()))
+    plain = canvas.png(plots.energy_figure(made_up_flight()))
     with mpl.rc_context({"font.size": 30.0, "axes.grid": False, "text.usetex": True}):
         before = dict(mpl.rcParams)
-        assert plots.png(plots.energy_figure(made_up_flight())) == plain
+        assert canvas.png(plots.energy_figure(made_up_flight())) == plain
         assert dict(mpl.rcParams) == before
 
 
 def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None:
-    (png, pdf) = plots.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
+    (png, pdf) = canvas.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
     assert [png.name, pdf.name] == ["energy.v1.png", "energy.v1.pdf"]
     assert b"Date" not in pdf.read_bytes()
     assert b"tEXt" not in png.read_bytes()
     assert b"/FontFile2" in pdf.read_bytes()  # TrueType, embedded
-    assert png.read_bytes()[16:20] == math.ceil(plots.WIDTH * plots.RESOLUTION).to_bytes(4)
+    assert png.read_bytes()[16:20] == math.ceil(canvas.WIDTH * canvas.RESOLUTION).to_bytes(4)
     program = (
         "import sys, runpy, hashlib, pathlib; here = runpy.run_path(sys.argv[1])\n"
-        "plots = here['plots']\n"
-        "files = plots.save(plots.energy_figure(here['made_up_flight']()), pathlib.Path(sys.argv[2]))\n"
+        "plots, canvas = here['plots'], here['canvas']\n"
+        "files = canvas.save(plots.energy_figure(here['made_up_flight']()), pathlib.Path(sys.argv[2]))\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "print(*(hashlib.sha256(f.read_bytes()).hexdigest() for f in files))\n"
     )
@@ -319,6 +319,6 @@ def test_notebooks_show_figures() -> None:
 
 
 def test_readme_figure_has_the_size_of_its_place() -> None:
-    data = plots.png(plots.readme_figure(made_up_results()))
+    data = canvas.png(plots.readme_figure(made_up_results()))
     assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (1600, 600)
     assert len(data) < 200_000

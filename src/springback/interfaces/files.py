@@ -110,10 +110,13 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
         write_parquet(folder / "trajectory.parquet", flight.columns, flight.units, about)
         written.append(folder / "trajectory.parquet")
     if figures:
-        from springback.interfaces import plots
+        from springback.interfaces import canvas, plots
 
-        drawn = {"flight": plots.flight_figure(flight), "energy": plots.energy_figure(flight)}
-        for name, figure in drawn.items():
-            (folder / f"{name}.png").write_bytes(plots.png(figure))
-            written.append(folder / f"{name}.png")
+        pictures = {
+            "flight.png": canvas.picture(plots.flight_figure, flight),
+            "energy.png": canvas.picture(plots.energy_figure, flight),
+        }
+        for name, picture in pictures.items():
+            (folder / name).write_bytes(picture)
+            written.append(folder / name)
     return written

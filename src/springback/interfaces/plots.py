@@ -1,103 +1,49 @@
 """Figures of flights and of the paper's experiments, in one house style.
 
 Nothing here computes physics: every number shown is a measure, a trajectory column or a printed
-value.  Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display
-and leave no global state behind.  Colours are those of Okabe and Ito, which colour-blind readers
-tell apart; curves differ in line style, too, so that they survive a black-and-white printer.
+value.
 """
 
 from __future__ import annotations
 
-import functools
-import io
 from collections.abc import Callable, Iterable, Sequence
-from pathlib import Path
-from typing import Any, ParamSpec
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from springback.experiments.comparison import AGREEMENT
 from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
-from springback.experiments.paper.slider import Case, SliderResults
 from springback.experiments.result import Flight
+from springback.interfaces.canvas import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    LOOKS,
+    ORANGE,
+    PINK,
+    RED,
+    SHADE,
+    SKY,
+    WIDTH,
+    HouseFigure,
+    Look,
+    styled,
+)
+
+if TYPE_CHECKING:
+    from springback.experiments.paper.slider import Case, SliderResults
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
-P = ParamSpec("P")
-Look = tuple[str, Any]
-"""Colour and line style of a curve."""
-
-INK, BLUE, ORANGE, GREEN = "#222222", "#0072B2", "#E69F00", "#009E73"
-PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
-SHADE = "#E4E8EE"
-LOOKS: tuple[Look, ...] = (
-    (BLUE, "-"), (ORANGE, (0, (5, 1.5))), (GREEN, (0, (5, 1.5, 1, 1.5))), (PINK, (0, (1.2, 1))),
-    (SKY, (0, (8, 2))), (GREY, (0, (3, 1, 1, 1, 1, 1))),
-)  # fmt: skip
-"""Of curves in one panel, in this order."""
 ROBOTS = {"quad": "Quad", "arq": "ARQ"}
 ROBOT_LOOKS: dict[str, Look] = {"quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-")}
 SURFACES = ("wall", "mat")
 
-WIDTH = 4.8
-"""Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
-RESOLUTION = 200
-"""Of PNG files [dots per inch]."""
-STYLE = ["default", "springback.interfaces.templates.house"]
 
-
-class HouseFigure(Figure):
-    """A figure that notebooks show without pyplot."""
-
-    def _repr_png_(self) -> bytes:
-        return png(self)
-
-
-def _styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
-
-    @functools.wraps(draw)
-    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
-        with style.context(STYLE):
-            figure = draw(*args, **kwargs)
-            figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
-            figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
-        return figure
-
-    return drawn
-
-
-def png(figure: Figure) -> bytes:
-    """The figure as a PNG file, the same bytes for the same figure."""
-    buffer = io.BytesIO()
-    with style.context(STYLE):
-        figure.savefig(buffer, format="png", dpi=RESOLUTION, metadata={"Software": None})
-    return buffer.getvalue()
-
-
-def save(figure: Figure, path: Path) -> list[Path]:
-    """Write a figure as PNG and PDF, with no dates in them: the same figure gives the same files.
-
-    Args:
-        figure: Any figure.
-        path: Without suffix; the folder is made if it is not there.
-
-    Returns:
-        The files written.
-    """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
-    files[0].write_bytes(png(figure))
-    nobody = {"Creator": None, "Producer": None, "CreationDate": None}
-    with style.context(STYLE):
-        figure.savefig(files[1], format="pdf", metadata=nobody)
-    return files
-
-
-@_styled
+@styled
 def flight_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
@@ -211,7 +157,7 @@ def _reading_looks(results: SliderResults) -> dict[str, Look]:
     return {r.name: order[k % len(order)] for k, r in enumerate(results.readings)}
 
 
-@_styled
+@styled
 def slider_figure(results: SliderResults, robot: str) -> Figure:
     """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
 
@@ -307,7 +253,7 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     column[2].axhline(-printed.peak_acceleration, **line)
 
 
-@_styled
+@styled
 def sweep_figure(results: SliderResults) -> Figure:
     """Peak acceleration against speed, without the sliding bar, and how much less ARQ's is."""
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
@@ -351,7 +297,7 @@ def _bars(
     ax.grid(visible=False, axis="x")
 
 
-@_styled
+@styled
 def readings_figure(results: SliderResults) -> Figure:
     """Every reading against the four printed numbers of ARQ: ours over print, 1 is agreement."""
     rows = {
@@ -399,7 +345,7 @@ def readings_figure(results: SliderResults) -> Figure:
     return figure
 
 
-@_styled
+@styled
 def energy_figure(*flights: Flight) -> Figure:
     """Where the energy went: what was put in, what each loss took, what was left.
 
@@ -468,7 +414,7 @@ def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
     ]
 
 
-@_styled
+@styled
 def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
     """ARQ and Quad hit the wall on the slider: velocity and acceleration, for a front page."""
     cases = predictions(results, "quad", "wall") + [

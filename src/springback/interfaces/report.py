@@ -23,7 +23,7 @@ from matplotlib.figure import Figure
 from springback.experiments.comparison import AGREEMENT, Mark, Row
 from springback.experiments.paper.printed import PAPER, SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS
 from springback.experiments.paper.slider import Case, SliderResults
-from springback.interfaces import plots
+from springback.interfaces import canvas, plots
 from springback.interfaces.files import write_json
 from springback.simulation.measures import MEASURES
 
@@ -64,7 +64,7 @@ class Picture:
     @property
     def source(self) -> str:
         """The PNG file as a data URI."""
-        return "data:image/png;base64," + base64.b64encode(plots.png(self.figure)).decode("ascii")
+        return "data:image/png;base64," + base64.b64encode(canvas.png(self.figure)).decode("ascii")
 
     @property
     def size(self) -> tuple[int, int]:
@@ -128,7 +128,7 @@ def write_report(results: SliderResults, folder: Path, *, about: Mapping[str, An
     for section in sections:
         for block in section.blocks:
             if isinstance(block, Picture):
-                written += plots.save(block.figure, folder / "figures" / block.name)
+                written += canvas.save(block.figure, folder / "figures" / block.name)
     return written
 
 
