@@ -59,7 +59,7 @@ OUTPUT = [
     *(f"motion.state.{name}" for name in _STATE),
     *(
         f"motion.work.{name}"
-        for name in ("thrust", "arm", "stop", "contact", "friction", "settling")
+        for name in ("thrust", "arm", "stop", "contact", "friction", "settling", "air")
     ),
     *(f"motion.work.impulse.{k}" for k in "xyz"),
     "time", "step", "status", "phase", "request", "steps", "touching", "contacts",

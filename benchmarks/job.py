@@ -15,8 +15,10 @@ import numpy as np
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
+from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
-from springback.kernels.trees import leaves, names, rows
+from springback.kernels.layout import Like, rows
+from springback.kernels.trees import leaves, names
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
 from springback.simulation.executor import advance, empty_groups
@@ -64,6 +66,7 @@ def reference_model(until: float = 0.1, free_step: float = IMPACT_STEP) -> Model
         world=World((wall,), Forces(0.0), 9.81),
         contact_point=Ring(1e-3),
         guide=Free(0.0),
+        air=Still(0.0),
         thrust=(hover,) * len(airframe.arms),
         timing=timing,
     )
@@ -113,7 +116,7 @@ class Lanes:
     def __init__(self, model: Model, states: list[State], width: int) -> None:
         """Lay the flights into buffers."""
         self.shape, self.width, self.count = flight.shape_of(model, states[0]), width, len(states)
-        self.loaded = flight._loaded(self.shape, [model], states, width)
+        self.loaded = flight.loaded(self.shape, [model], states, width)
         self.buffers = empty_groups(self.shape, len(states), width)
         self.columns = ["motion." + n for n in names(self.shape.motion)], names(self.shape.record)
 
@@ -138,7 +141,7 @@ class Single:
     def __init__(self, model: Model, state: State) -> None:
         """Lay the flight into a buffer."""
         self.shape = flight.shape_of(model, state)
-        self.loaded = flight._loaded(self.shape, [model], [state], 1)
+        self.loaded = flight.loaded(self.shape, [model], [state], 1)
         self.steps = names(self.shape.record).index("steps") - rows(self.shape.record)
 
     def run(self) -> float:
@@ -147,7 +150,7 @@ class Single:
         buffers[:] = self.loaded
         log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
         began = time.perf_counter()
-        while advance(self.shape, buffers, 0, 1, (0,), log, logged, flight.SLICE):
+        while advance(Like(self.shape), buffers, 0, 1, (0,), log, logged, flight.SLICE, 0.0):
             pass
         return (time.perf_counter() - began) / float(buffers[0, self.steps])
 

@@ -88,7 +88,7 @@ typedef struct {
 } State;
 
 typedef struct {
-    V thrust, arm, stop, contact, friction, settling;
+    V thrust, arm, stop, contact, friction, settling, air;
     Vec impulse;
 } Work;
 
@@ -319,7 +319,7 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         ds->rate[j] = drive[j] - hold[j] * (m->arm[j].cosine * felt.x + m->arm[j].sine * felt.y);
     }
     rate->work = (Work){thrust * v.z + dot(rotor, w), arm_loss, stop_loss, contact_loss, friction_loss,
-                        all(0), to_world(&r, force)};
+                        all(0), all(0), to_world(&r, force)};
     if (view) {
         const Vec moving = vec(turning.x + drift_x, turning.y + drift_y, turning.z);
         view->acceleration = acceleration;

@@ -14,6 +14,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
+from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Slider
 from springback.kernels.vectors import Mat, Vec
 from springback.simulation.flight import still_state
@@ -70,6 +71,7 @@ def one_arm(
         world=World((Obstacle(shape, material, 0.0),), Forces(0.0), 0.0),
         contact_point=ArmTip(0.0) if contact_point is None else contact_point,
         guide=Slider(Vec(1.0, 0.0, 0.0)) if guide is None else guide,
+        air=Still(0.0),
         thrust=(0.0,),
         timing=timing,
     )

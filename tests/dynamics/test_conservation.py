@@ -165,7 +165,7 @@ def impact(seed: int, **scene: Any) -> tuple[models.Scene, models.Start]:
 def unbooked(flown: Flown) -> float:
     """Energy that appeared from nowhere, as a share of the kinetic energy at the start."""
     w = flown.motion.work
-    losses = w.arm + w.stop + w.contact + w.friction + w.settling
+    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
     return (flown.after.total - flown.before.total + losses - w.thrust) / flown.before.kinetic
 
 

@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
+from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat, Quat, Vec
@@ -216,6 +217,7 @@ def model_of(
         world_of(scene),
         contact_point_of(scene),
         Free(0.0),
+        Still(0.0),
         thrust_of(scene),
         timing,
     )
@@ -241,6 +243,7 @@ def rates_of(
         world_of(scene),
         contact_point_of(scene),
         Free(0.0) if slider is None else Slider(vec(slider)),
+        Still(0.0),
         state_of(start),
         thrust_of(scene),
         1.0 if released else 0.0,

@@ -12,17 +12,18 @@ import pytest
 
 from simulation.impacts import towards_wall
 from springback.experiments.result import as_scenario
+from springback.kernels.layout import Like
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, normalised
 from springback.simulation.executor import advance, places
 from springback.simulation.flight import (
     Flown,
-    _loaded,
-    _unloaded,
     fly_buffers,
     fly_many,
     fly_one,
+    loaded,
     shape_of,
+    unloaded,
 )
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -125,12 +126,12 @@ def test_nothing_is_read_before_it_is_written(width: int, alone: list[Flown]) ->
     """Rates, sums and views are outputs: filled with infinity beforehand, they change no bit."""
     models, starts = fleet()
     shape = shape_of(models[0], starts[0])
-    buffers = _loaded(shape, models, starts, width)
+    buffers = loaded(shape, models, starts, width)
     at = places(shape, width)
     lanes = buffers.reshape(len(buffers), -1, width)
     lanes[:, at.total : at.record] = np.inf
     fly_buffers(shape, buffers, width)
-    for one, other in zip(alone, _unloaded(shape, models, starts, buffers, width), strict=True):
+    for one, other in zip(alone, unloaded(shape, models, starts, buffers, width), strict=True):
         assert same(one, other)
 
 
@@ -138,11 +139,11 @@ def test_lanes_in_plain_python() -> None:
     """The loop over lanes itself, uncompiled, flies each lane as if it were alone."""
     models, starts = (part[:2] for part in fleet())
     shape = shape_of(models[0], starts[0])
-    buffers = _loaded(shape, models, starts, 2)
+    buffers = loaded(shape, models, starts, 2)
     loop: Any = getattr(advance, "py_func", advance)
     logged = np.zeros(1, dtype=np.int64)
     assert loop(shape, buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000) == 0
-    for k, flown in enumerate(_unloaded(shape, models, starts, buffers, 2)):
+    for k, flown in enumerate(unloaded(shape, models, starts, buffers, 2)):
         assert same(flown, fly_one(models[k], starts[k], trace=False))
 
 
@@ -150,11 +151,11 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
     """A flight advanced a few steps at a time ends with the same bits: nothing hides between calls."""
     model, start = scene(2.0, 0.1)
     shape = shape_of(model, start)
-    buffers = _loaded(shape, [model], [start], 1)
+    buffers = loaded(shape, [model], [start], 1)
     log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
     calls = 1
-    while advance(shape, buffers, 0, 1, (0,), log, logged, 7):
+    while advance(Like(shape), buffers, 0, 1, (0,), log, logged, 7, 0.0):
         calls += 1
     assert calls > 10
-    again = _unloaded(shape, [model], [start], buffers, 1)[0]
+    again = unloaded(shape, [model], [start], buffers, 1)[0]
     assert same(again, fly_one(model, start, trace=False))

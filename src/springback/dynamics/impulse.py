@@ -185,6 +185,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
         work.contact + lost - rubbed_off,
         work.friction + rubbed_off,
         work.settling,
+        work.air,
         work.impulse + given,
     )
     return Motion(after, booked)

@@ -14,8 +14,8 @@ so l̈_j leaves the system before it is solved, and six equations remain:
     [ ŝ    J ] [α ] = [ τ − ω × J ω − J̇ ω                     ]     J = I + Σ m_j l_j² (1 − e_j
     e_jᵀ)
 
-with the arms' first moment s = Σ m_j r_j and its rate d = Σ m_j l̇_j e_j, F and τ the contact
-forces and thrusts and their moments about the main body.
+with the arms' first moment s = Σ m_j r_j and its rate d = Σ m_j l̇_j e_j, F and τ the forces of
+contact, rotors and air and their moments about the main body.
 
 u_j is 1 for an arm that slides and 0 for one that is locked.  All locked: the rigid Newton–Euler
 equations (1), with the centre of mass wherever the arms put it.
@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.dynamics.air import aerodynamics
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import column, each, each_summed, largest, least, total
 from springback.kernels.vectors import (
@@ -53,6 +54,7 @@ class Work(NamedTuple):
     contact: float  # taken by contact damping [J]
     friction: float  # taken by friction [J]
     settling: float  # lost when settled arms are locked again [J]
+    air: float  # taken by the air; negative where wind gives [J]
     impulse: Vec  # of the contact forces, world [N s]
 
 
@@ -395,6 +397,7 @@ def rates(
     world: World,
     contact_point: Any,
     guide: Any,
+    air: Any,
     state: State,
     thrust: tuple[float, ...],
     released: float,
@@ -406,6 +409,7 @@ def rates(
         world: Obstacles and gravity.
         contact_point: `Ring` or `ArmTip`.
         guide: `Free` or `Slider`.
+        air: `Still` or `Air`.
         state: Present state.
         thrust: Of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
@@ -420,12 +424,13 @@ def rates(
         (obstacles, contact_point, state, r, velocity, released),
     )
 
+    blown = aerodynamics(air, velocity, r, a.thrust)
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)
     spin_rate = (omega ^ (inertia @ omega)) + arms_inertia(a.inertia_rate) @ omega
     force = a.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
     moment = a.moment + a.rotor_moment - spin_rate
-    system = System(airframe.mass, a.sliding, a.carried, inertia, force, moment)
+    system = System(airframe.mass, a.sliding, a.carried, inertia, force + blown.force, moment)
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
@@ -441,7 +446,14 @@ def rates(
     thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
     push = r @ a.force
     work_rate = Work(
-        thrust_power, a.arm_loss, a.stop_loss, a.contact_loss, a.friction_loss, 0.0, push
+        thrust_power,
+        a.arm_loss,
+        a.stop_loss,
+        a.contact_loss,
+        a.friction_loss,
+        0.0,
+        blown.loss,
+        push,
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
     views = column(arms, "seen")

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError
+from springback.experiments.guidance import OwnPilot, board_of
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
-from springback.simulation.flight import Executor, Flown, fly_one
+from springback.simulation.flight import Executor, Flown, Trace, fly_one
+from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
 from springback.simulation.measures import MEASURES, Outcome, measures_of, outcome_of
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -38,7 +41,9 @@ class Flight:
     columns: dict[str, Array]
     """Trajectory by column, each of shape (instants,); empty if none was kept."""
     units: dict[str, str]
-    """Unit of each column."""
+    """Unit of each column, of the diary too."""
+    diary: dict[str, Array] = field(default_factory=dict)
+    """What was measured, believed, wanted and commanded, tick by tick; empty without a pilot."""
 
     def __getattr__(self, name: str) -> float | None:
         measures: dict[str, float | None] = self.__dict__.get("measures", {})
@@ -156,10 +161,51 @@ def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
     return columns, units
 
 
+#: Columns of a diary: name, where it comes from, unit.  An `n` stands for the number of an arm.
+_DIARY = (
+    ("t", "time", "s"),
+    ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
+    ("imu_a{a}", "measurement.inertial.specific_force.{a}", "m/s^2"),
+    ("imu_w{a}", "measurement.inertial.angular_velocity.{a}", "rad/s"),
+    ("imu_fresh", "measurement.inertial.fresh", ""),
+    ("pose_{a}", "measurement.pose.position.{a}", "m"),
+    ("pose_q{q}", "measurement.pose.attitude.{q}", ""),
+    ("pose_fresh", "measurement.pose.fresh", ""), ("pose_age", "measurement.pose.age", "s"),
+    ("hall{n}", "measurement.arm_length.{n}", "m"),
+    ("est_{a}", "told.estimate.position.{a}", "m"),
+    ("est_q{q}", "told.estimate.attitude.{q}", ""),
+    ("est_v{a}", "told.estimate.velocity.{a}", "m/s"),
+    ("est_w{a}", "told.estimate.angular_velocity.{a}", "rad/s"),
+    ("ref_{a}", "told.wanted.position.{a}", "m"), ("ref_v{a}", "told.wanted.velocity.{a}", "m/s"),
+    ("ref_a{a}", "told.wanted.acceleration.{a}", "m/s^2"), ("ref_yaw", "told.wanted.yaw", "rad"),
+    ("aim_q{q}", "told.aim.attitude.{q}", ""), ("aim_thrust", "told.aim.thrust", "N"),
+    ("aim_w{a}", "told.setpoint.{a}", "rad/s"),
+)  # fmt: skip
+
+
+def _diary(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns of the diary under their file names, with units; those that the pilot told."""
+    columns: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    if trace is None:
+        return columns, units
+    for name, source, unit in _DIARY:
+        for n in range(1, arms + 1) if "{n}" in source else (0,):
+            for a in "xyz" if "{a}" in source else ("",):
+                for q in "wxyz" if "{q}" in source else ("",):
+                    known = source.format(n=n, a=a, q=q)
+                    if known in trace.columns:
+                        column = name.format(n=n, a=a, q=q)
+                        columns[column] = np.ascontiguousarray(trace[known])
+                        units[column] = unit
+    return columns, units
+
+
 def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,
     own: Sequence[Own] = (),
+    pilot: PlainPilot | OwnPilot | None = None,
     trajectory: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -171,6 +217,9 @@ def fly(
         *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a ready `Scenario`.
         own: Obstacles of one's own beside the scenario's: pairs of a shape, registered with
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
+        pilot: A pilot of one's own in place of the scenario's: a plain function
+            ``(time, measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or
+            an `OwnPilot`, which is compiled.
         trajectory: Keep the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called now and then with the simulated time [s].
@@ -181,21 +230,49 @@ def fly(
     ready = as_scenario(scenario, overrides)
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
-    flown = fly_one(
-        model,
-        start,
-        trace=trajectory,
-        executor=executor,
-        progress=progress,
-    )
+    if ready.reference is not None or pilot is not None:
+        return _guided(ready, model, start, pilot, trajectory, executor, progress)
+    flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
     return Flight(ready, outcome_of(flown.record), measures_of(flown), columns, units)
+
+
+def _guided(
+    ready: Scenario,
+    model: Model,
+    start: State,
+    pilot: PlainPilot | OwnPilot | None,
+    trajectory: bool,
+    executor: Executor,
+    progress: Callable[[float], None] | None,
+) -> Flight:
+    """Fly with a pilot aboard."""
+    own = pilot if isinstance(pilot, OwnPilot) else None
+    plain = None if isinstance(pilot, OwnPilot) else pilot
+    if pilot is not None and ready.reference is None and not any(model.thrust):
+        model = model._replace(thrust=ready.hover_thrusts())
+    try:
+        board = board_of(ready, model, start, pilot=own, relay=plain is not None)
+    except PydanticCustomError as error:  # of a scenario that was not meant to have a pilot
+        raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
+    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
+    noise = noise_table(ready.seed, 0, ticks, board.noise)
+    guided = fly_guided(
+        model, start, board.cabin, noise,
+        pilot=plain, trace=trajectory, executor=executor, progress=progress,
+    )  # fmt: skip
+    columns, units = _columns(guided.flown)
+    diary, diary_units = _diary(guided.diary, len(start.arm_length))
+    record = guided.flown.record
+    return Flight(
+        ready, outcome_of(record), measures_of(guided.flown), columns, units | diary_units, diary
+    )
 
 
 def _check_start(model: Model, start: State) -> None:
     """Refuse a start inside an obstacle of the user's own; others are checked with the scenario."""
     m = model
-    seen = rates(m.airframe, m.world, m.contact_point, m.guide, start, m.thrust, 0.0).seen
+    seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
     for j, arm in enumerate(seen.arms):
         if arm.gap < 0.0:
             raise InputError(

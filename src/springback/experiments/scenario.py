@@ -6,24 +6,30 @@ import difflib
 import math
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import ValidationError, model_validator
+import numpy as np
+from pydantic import ConfigDict, Field, ValidationError, model_validator
 
 from springback.contact.cage import ArmTip, Ring, meeting
 from springback.contact.library import SURFACES
 from springback.contact.obstacles import Forces, Impulses, World, obstacle_seen
 from springback.contact.parameters import ObstacleSettings, Own, faces, obstacles
+from springback.control.parameters import ControlSettings
+from springback.control.reference_parameters import ReferenceSettings
+from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.errors import InputError
 from springback.frames import attitude_from_euler
-from springback.kernels.vectors import Quat, Vec, rotation
+from springback.kernels.vectors import Quat, Vec, norm, rotation
 from springback.quantities import Angle, Duration, checked, quantity, triple
+from springback.sensing.estimation import EstimatorSettings
+from springback.sensing.parameters import SensorSettings
 from springback.settings import Settings, naming, problem
 from springback.simulation.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import State, arm_pose
+from springback.vehicle.state import Airframe, State, arm_pose
 
 #: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -62,6 +68,40 @@ class ModelSettings(Settings):
     """World axis of a slider that guides the vehicle, as on the testbed; none: free flight."""
 
 
+class Payload(Settings):
+    """What the vehicle carries in truth, unknown to who flies it."""
+
+    mass: quantity("kg", least=0.0) = 0.0  # type: ignore[valid-type]
+    inertia: triple("kg m^2") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Its own moments about its centre of mass, body axes; a point mass has none."""
+    position: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Of its centre of mass in body axes; only the main body's centre of mass is possible."""
+
+    @model_validator(mode="after")
+    def _possible(self) -> Payload:
+        if any(self.position):
+            raise problem(
+                "must be [0, 0, 0] m: the equations have the main body's centre of mass in the "
+                f"plane of arms and rotors, where a payload aside would move it out (got "
+                f"{list(self.position)} m)",
+                "position",
+            )
+        if min(self.inertia) < 0.0:
+            raise problem(
+                f"must be at least 0 kg m^2 each (got {list(self.inertia)} kg m^2)", "inertia"
+            )
+        return self
+
+
+class ModelError(Settings):
+    """True over believed numbers of the whole vehicle; `vehicle` is what is believed of it."""
+
+    mass: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    """Of the mass; the difference is in the main body, the arms are as believed."""
+    inertia: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    """Of the inertia about the main body with the arms at their free length."""
+
+
 class SimulationSettings(Settings):
     """Duration and steps.  The defaults come from studies/convergence.py."""
 
@@ -81,21 +121,44 @@ class SimulationSettings(Settings):
 class Scenario(Settings):
     """Everything one flight needs."""
 
+    # Else pydantic before 2.10 takes model_error for a name of its own.
+    model_config = ConfigDict(protected_namespaces=())
+
     name: str = "flight"
     vehicle: Vehicle
     world: WorldSettings = WorldSettings()
     start: Start = Start()
     thrust: Any = 0.0
-    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all."""
+    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
+
+    That is the weight of `vehicle`, whatever it carries in truth.
+    """
+    reference: ReferenceSettings | None = None
+    """Where a pilot should fly; none: the rotors give a constant thrust."""
+    control: ControlSettings = ControlSettings()
+    estimator: EstimatorSettings = EstimatorSettings()
+    sensors: SensorSettings = SensorSettings()
+    clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
+    """Ticks per second of everything aboard [Hz]."""
+    seed: Annotated[int, Field(ge=0)] = 0
+    """Of the noise."""
+    air: AirSettings = AirSettings()
+    payload: Payload = Payload()
+    model_error: ModelError = ModelError()
     model: ModelSettings = ModelSettings()
     simulation: SimulationSettings = SimulationSettings()
 
     @model_validator(mode="after")
     def _can_be_flown(self) -> Scenario:
+        self._check_pilot()
         self.thrusts()
         self._check_slider()
+        self.true_vehicle()
         self._check_steps()
+        self._check_drag()
         self._check_start()
+        if self.reference is not None:
+            self._check_aboard()
         return self
 
     # -- made ready -------------------------------------------------------------------------------
@@ -103,19 +166,50 @@ class Scenario(Settings):
     def thrusts(self) -> tuple[float, ...]:
         """Thrust of each rotor [N]."""
         count = self.vehicle.arm_count
-        if self.thrust == "hover":
-            return (self.vehicle.mass * self.world.gravity / count,) * count
+        if self.thrust == "hover" or self.reference is not None:
+            return self.hover_thrusts()
         if isinstance(self.thrust, list | tuple) and len(self.thrust) != count:
             raise problem(f"has {len(self.thrust)} entries for {count} rotors", "thrust")
         given = self.thrust if isinstance(self.thrust, list | tuple) else (self.thrust,) * count
         with naming("thrust"):
             return tuple(checked(entry, "N", least=0.0) for entry in given)
 
+    def hover_thrusts(self) -> tuple[float, ...]:
+        """The weight of `vehicle`, shared by all rotors [N]."""
+        count = self.vehicle.arm_count
+        return (self.vehicle.mass * self.world.gravity / count,) * count
+
     def world_numbers(self, own: Sequence[Own] = ()) -> World:
         """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
         built = obstacles(self.world.obstacles, own)
         impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
         return World(built, Impulses(0.0) if impulsive else Forces(0.0), self.world.gravity)
+
+    def true_vehicle(self) -> Vehicle:
+        """The vehicle as it is: `vehicle` with the errors of what is believed, and the payload."""
+        believed, error, load = self.vehicle, self.model_error, self.payload
+        if error == ModelError() and load == Payload():
+            return believed
+        mass = believed.body.mass + (error.mass - 1.0) * believed.mass
+        inertia = np.array(believed.body.inertia) + (error.inertia - 1.0) * believed.inertia()
+        if not mass > 0.0:
+            raise problem(
+                f"must be more than {1.0 - believed.body.mass / believed.mass:.3g}, the share of "
+                f"the arms (got {error.mass:g})",
+                "model_error.mass",
+            )
+        if not np.linalg.eigvalsh(inertia)[0] > 0.0:
+            raise problem(
+                f"must leave the main body an inertia beside the arms' (got {error.inertia:g})",
+                "model_error.inertia",
+            )
+        rows = (inertia + np.diag(load.inertia)).tolist()
+        changes = {"mass": mass + load.mass, "inertia": tuple(tuple(row) for row in rows)}
+        return believed.model_copy(update={"body": believed.body.model_copy(update=changes)})
+
+    def true_airframe(self) -> Airframe:
+        """The numbers of the vehicle as it is, for the equations of motion."""
+        return self.true_vehicle().airframe()
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
         """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
@@ -133,8 +227,9 @@ class Scenario(Settings):
         )
         guide = Free(0.0) if m.slider is None else Slider(_unit(Vec(*m.slider)))
         point = Ring(RING_ROUNDING) if m.contact_point == "ring" else ArmTip(0.0)
-        airframe = self.vehicle.airframe()
-        return Model(airframe, self.world_numbers(own), point, guide, self.thrusts(), timing)
+        world, thrust = self.world_numbers(own), self.thrusts()
+        air = self.air.air()
+        return Model(self.true_airframe(), world, point, guide, air, thrust, timing)
 
     def settle_step(self) -> float:
         """Step while the arms settle [s]."""
@@ -157,6 +252,22 @@ class Scenario(Settings):
         )  # fmt: skip
 
     # -- checks across tables ---------------------------------------------------------------------
+
+    def _check_pilot(self) -> None:
+        if self.reference is None:
+            return
+        if self.thrust not in (0.0, "hover"):
+            raise problem(
+                f"cannot be given beside a reference, whose pilot commands it (got {self.thrust})",
+                "thrust",
+            )
+        if self.model.slider is not None:
+            raise problem("cannot be given beside a reference: nobody flies on it", "model.slider")
+
+    def _check_aboard(self) -> None:
+        from springback.experiments.guidance import board_of
+
+        board_of(self, self.flight_model(), self.start_state())
 
     def _check_slider(self) -> None:
         axis = self.model.slider
@@ -189,6 +300,17 @@ class Scenario(Settings):
                     f"(got {step:g} s)",
                     f"simulation.{name}",
                 )
+
+    def _check_drag(self) -> None:
+        start, wind = Vec(*self.start.velocity), Vec(*self.air.wind)
+        mass = self.true_vehicle().body.mass
+        rate = self.air.drag_rate(mass, sum(self.thrusts()), norm(start - wind))
+        step = self.simulation.free_step
+        if step * rate > STABLE:
+            raise problem(
+                f"must be at most {STABLE / rate:.3g} s for this much drag (got {step:g} s)",
+                "simulation.free_step",
+            )
 
     def _check_start(self) -> None:
         model, state, still = self.flight_model(), self.start_state(), Vec(0.0, 0.0, 0.0)
@@ -285,27 +407,43 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     return result
 
 
+#: Tables of which there are several kinds, by the name of the key that holds them.
+_KINDS = {
+    "obstacles": ("wall", "ground", "mat"),
+    "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
+}
+
+
+def _listed(words: Sequence[str]) -> str:
+    return f"{', '.join(words[:-1])} or {words[-1]}"
+
+
+def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
+    """A path without the names of kinds, which are no keys."""
+    path: list[str | int] = []
+    for part in where:
+        holder = next((key for key in reversed(path) if isinstance(key, str)), "")
+        if part not in _KINDS.get(holder, ()):
+            path.append(part)
+    return tuple(path)
+
+
 def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
-    """Where and what each problem is; the names of obstacle types are left out of the paths."""
+    """Where and what each problem is."""
     found = []
     for detail in error.errors(include_url=False):
-        path = tuple(
-            part
-            for k, part in enumerate(detail["loc"])
-            if not (
-                k and isinstance(detail["loc"][k - 1], int) and part in ("wall", "ground", "mat")
-            )
-        )
+        path = _without_kinds(detail["loc"])
+        kinds = _KINDS.get(next((key for key in reversed(path) if isinstance(key, str)), ""), ())
         message = detail["msg"]
         if detail["type"] == "problem":
             path = (*path, *key_path(str(detail["ctx"]["field"])))
         elif detail["type"] == "missing":
             message = "is missing"
         elif detail["type"] == "union_tag_not_found":
-            path, message = (*path, "type"), "is missing; wall, ground or mat"
+            path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be wall, ground or mat (got {tag!r})"
+            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {tag!r})"
         elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
             message = f"must be a table (got {detail['input']!r})"
         elif detail["type"] == "tuple_type":

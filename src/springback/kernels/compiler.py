@@ -15,6 +15,7 @@ from __future__ import annotations
 import functools
 import hashlib
 import os
+import types
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ParamSpec, Protocol, TypeVar, cast
@@ -43,7 +44,7 @@ INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}
 GUARDING: dict[str, Any] = {"fastmath": False, **_UNCOUNTED}
 STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
 
-_SOURCES = ("kernels", "vehicle", "contact", "dynamics", "simulation")
+_SOURCES = ("kernels", "vehicle", "contact", "dynamics", "simulation", "sensing", "control")
 
 
 def kernel(function: F) -> F:
@@ -164,6 +165,18 @@ def executor(**options: Any) -> Callable[[F], F]:
         return _entry(function, folder if is_writable(folder) else None, options)
 
     return compile_entry
+
+
+def rebound(function: F, **others: Any) -> F:
+    """A function whose globals of some names are others: the same loop around other functions."""
+    rebuilt = types.FunctionType(
+        function.__code__,
+        {**function.__globals__, **others},
+        function.__name__,
+    )
+    rebuilt.__defaults__ = function.__defaults__
+    rebuilt.__module__, rebuilt.__qualname__ = function.__module__, function.__qualname__
+    return cast("F", rebuilt)
 
 
 @functools.cache

@@ -10,14 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
-import numpy as np
 from numba import types
 
 from springback.kernels.compiler import GUARDING, compiled, kernel
 
 T = TypeVar("T")
 R = TypeVar("R")
-Buffer = np.ndarray[Any, np.dtype[np.float64]]
 
 
 # -- plain Python ---------------------------------------------------------------------------------
@@ -131,55 +129,40 @@ def pick(claim: bool, a: T, b: T) -> T:
     return a if claim else b
 
 
-def rows(like: Any) -> int:
-    """Number of floats in a tree."""
-    return len(leaves(like))
-
-
-def read(like: T, buffer: Buffer, row: int, width: int, lane: int) -> T:
-    """The tree that lies in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
-    return rebuilt(like, [buffer[(row + k) * width + lane] for k in range(rows(like))])
-
-
-def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
-    """Lay a tree into ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
-    for k, leaf in enumerate(leaves(tree)):
-        buffer[(row + k) * width + lane] = leaf
-
-
 # -- the same, generated for the compiler from the tree's type ------------------------------------
 
 
-def _branches(tree: Any) -> list[Any]:
+def branches(tree: Any) -> list[Any]:
+    """Types of the branches of a tree's type."""
     return [tree.types[k] for k in range(len(tree))]
 
 
-def _reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
+def reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
     """Source text of every leaf, after lines that give each branch a name.
 
     A branch is taken out of its parent once: the compiler copies whatever is taken out, and taking
     every leaf from the root would copy most of the tree for each.
     """
     texts = []
-    for k, branch in enumerate(_branches(tree)):
+    for k, branch in enumerate(branches(tree)):
         if isinstance(branch, types.BaseTuple):
             lines.append(f"{stem}_{k} = {stem}[{k}]")
-            texts += _reached(branch, f"{stem}_{k}", lines)
+            texts += reached(branch, f"{stem}_{k}", lines)
         else:
             texts.append(f"{stem}[{k}]")
     return texts
 
 
-def _count(tree: Any) -> int:
+def leaf_count(tree: Any) -> int:
     """Number of leaves."""
-    return sum(map(_count, _branches(tree))) if isinstance(tree, types.BaseTuple) else 1
+    return sum(map(leaf_count, branches(tree))) if isinstance(tree, types.BaseTuple) else 1
 
 
-def _construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
+def construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
     """Source text that builds a tree of this type from the leaves' texts, consumed in order."""
     if not isinstance(tree, types.BaseTuple):
         return texts.pop(0)
-    inner = ", ".join(_construct(branch, texts, scope) for branch in _branches(tree))
+    inner = ", ".join(construct(branch, texts, scope) for branch in branches(tree))
     cls = getattr(tree, "instance_class", None)
     if cls is not None:
         scope[cls.__name__] = cls
@@ -187,7 +170,8 @@ def _construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
     return f"({inner},)" if len(tree) else "()"
 
 
-def _function(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callable[..., Any]:
+def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callable[..., Any]:
+    """A function with a generated body; ``scope`` holds the names that it uses."""
     body = "\n".join(f"    {line}" for line in lines)
     exec(f"def generated({arguments}):\n{body}\n", scope)
     generated: Callable[..., Any] = scope["generated"]
@@ -201,7 +185,7 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
         given = [f"zipped[{k}][{j}]" for k in range(len(zipped))]
         given += [f"shared[{k}]" for k in range(len(shared))]
         calls.append(f"function({', '.join(given)})")
-    return _function("function, zipped, shared", [f"return ({', '.join(calls)},)"], {})
+    return function_of("function, zipped, shared", [f"return ({', '.join(calls)},)"], {})
 
 
 @compiled(each_summed, literal=True)
@@ -215,7 +199,7 @@ def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
         lines.append(f"r{j} = function({', '.join(given)})")
         lines.append(f"sum{j} = " + (f"total((sum{j - 1}, r{j}.{name}))" if j else f"r0.{name}"))
     lines.append(f"return ({', '.join(f'r{j}' for j in range(count))},), sum{count - 1}")
-    return _function("function, field, zipped, shared", lines, {"total": total})
+    return function_of("function, field, zipped, shared", lines, {"total": total})
 
 
 @compiled(column, literal=True)
@@ -223,20 +207,20 @@ def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
     fields = [f"trees[{j}].{field.literal_value}" for j in range(len(trees))]
-    return _function("trees, field", [f"return ({', '.join(fields)},)"], {})
+    return function_of("trees, field", [f"return ({', '.join(fields)},)"], {})
 
 
 @compiled(total)
 def _total(trees: Any) -> Any:
     if not isinstance(trees[0], types.BaseTuple):
-        return _function(
+        return function_of(
             "trees", [f"return {' + '.join(f'trees[{j}]' for j in range(len(trees)))}"], {}
         )
     lines = [f"t{j} = trees[{j}]" for j in range(len(trees))]
-    columns = zip(*(_reached(trees[j], f"t{j}", lines) for j in range(len(trees))), strict=True)
+    columns = zip(*(reached(trees[j], f"t{j}", lines) for j in range(len(trees))), strict=True)
     scope: dict[str, Any] = {}
-    text = _construct(trees[0], [" + ".join(column) for column in columns], scope)
-    return _function("trees", [*lines, f"return {text}"], scope)
+    text = construct(trees[0], [" + ".join(column) for column in columns], scope)
+    return function_of("trees", [*lines, f"return {text}"], scope)
 
 
 def _fold(sign: str) -> Callable[[Any], Any]:
@@ -244,7 +228,7 @@ def _fold(sign: str) -> Callable[[Any], Any]:
         lines = ["best = values[0]"]
         for k in range(1, len(values)):
             lines.append(f"best = values[{k}] if values[{k}] {sign} best else best")
-        return _function("values", [*lines, "return best"], {})
+        return function_of("values", [*lines, "return best"], {})
 
     return typed
 
@@ -257,35 +241,14 @@ compiled(largest)(_fold(">"))
 @compiled(along)
 def _along(x: Any, rate: Any, h: Any) -> Any:
     lines: list[str] = []
-    pairs = zip(_reached(x, "x", lines), _reached(rate, "rate", lines), strict=True)
+    pairs = zip(reached(x, "x", lines), reached(rate, "rate", lines), strict=True)
     scope: dict[str, Any] = {}
-    text = _construct(x, [f"{a} + h * {b}" for a, b in pairs], scope)
-    return _function("x, rate, h", [*lines, f"return {text}"], scope)
+    text = construct(x, [f"{a} + h * {b}" for a, b in pairs], scope)
+    return function_of("x, rate, h", [*lines, f"return {text}"], scope)
 
 
 @compiled(square, GUARDING)
 def _square(tree: Any) -> Any:
     lines: list[str] = []
-    terms = ["0.0", *(f"{leaf} * {leaf}" for leaf in _reached(tree, "tree", lines))]
-    return _function("tree", [*lines, f"return {' + '.join(terms)}"], {})
-
-
-@compiled(rows)
-def _rows(like: Any) -> Any:
-    return _function("like", [f"return {_count(like)}"], {})
-
-
-@compiled(read)
-def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    texts = [f"buffer[start + {k} * width]" for k in range(_count(like))]
-    scope: dict[str, Any] = {}
-    lines = ["start = row * width + lane", f"return {_construct(like, texts, scope)}"]
-    return _function("like, buffer, row, width, lane", lines, scope)
-
-
-@compiled(write)
-def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = ["start = row * width + lane"]
-    texts = _reached(tree, "tree", lines)
-    lines += [f"buffer[start + {k} * width] = {leaf}" for k, leaf in enumerate(texts)]
-    return _function("tree, buffer, row, width, lane", [*lines, "return None"], {})
+    terms = ["0.0", *(f"{leaf} * {leaf}" for leaf in reached(tree, "tree", lines))]
+    return function_of("tree", [*lines, f"return {' + '.join(terms)}"], {})

@@ -3,8 +3,8 @@
 ``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` are what they look like; ``a @ b`` is the
 scalar product, ``a ^ b`` the vector product, ``M @ a`` a matrix times a vector and ``a @ M`` the
 transposed matrix times a vector (so ``R @ v`` takes body axes to world axes and ``v @ R`` takes
-them back). Mind Python's precedence: ``^`` binds weaker than ``+``, so vector products are put in
-brackets.
+them back). Matrices add, subtract, scale and multiply (``A @ B``) alike. Mind Python's precedence:
+``^`` binds weaker than ``+``, so vector products are put in brackets.
 """
 
 from __future__ import annotations
@@ -62,8 +62,21 @@ class Mat(NamedTuple):
     def __add__(self, other: Mat) -> Mat:  # type: ignore[override]
         return _add_matrices(self, other)
 
-    def __matmul__(self, other: Vec) -> Vec:
-        return _transform(self, other)
+    def __sub__(self, other: Mat) -> Mat:
+        return _subtract_matrices(self, other)
+
+    def __mul__(self, factor: float) -> Mat:  # type: ignore[override]
+        return _scale_matrix(self, factor)
+
+    def __rmul__(self, factor: float) -> Mat:  # type: ignore[override]
+        return _scale_matrix(self, factor)
+
+    @overload
+    def __matmul__(self, other: Vec) -> Vec: ...
+    @overload
+    def __matmul__(self, other: Mat) -> Mat: ...
+    def __matmul__(self, other: Vec | Mat) -> Vec | Mat:
+        return _product(self, other) if isinstance(other, Mat) else _transform(self, other)
 
 
 class Quat(NamedTuple):
@@ -107,6 +120,22 @@ def _add_matrices(a: Mat, b: Mat) -> Mat:
     return Mat(a.x + b.x, a.y + b.y, a.z + b.z)
 
 
+def _subtract_matrices(a: Mat, b: Mat) -> Mat:
+    return Mat(a.x - b.x, a.y - b.y, a.z - b.z)
+
+
+def _scale_matrix(a: Mat, s: float) -> Mat:
+    return Mat(a.x * s, a.y * s, a.z * s)
+
+
+def _scale_matrix_from_left(s: float, a: Mat) -> Mat:
+    return Mat(a.x * s, a.y * s, a.z * s)
+
+
+def _product(a: Mat, b: Mat) -> Mat:
+    return Mat(a.x @ b, a.y @ b, a.z @ b)
+
+
 def _transform(m: Mat, a: Vec) -> Vec:
     return Vec(m.x @ a, m.y @ a, m.z @ a)
 
@@ -144,11 +173,25 @@ def _teach(
 
 
 _teach(operator.add, [((Vec, Vec), _add), ((Mat, Mat), _add_matrices)])
-_teach(operator.sub, [((Vec, Vec), _subtract)])
+_teach(operator.sub, [((Vec, Vec), _subtract), ((Mat, Mat), _subtract_matrices)])
 _teach(operator.neg, [((Vec,), _negate)])
-_teach(operator.mul, [((Vec, float), _scale), ((float, Vec), _scale_from_left)])
 _teach(
-    operator.matmul, [((Vec, Vec), _dot), ((Mat, Vec), _transform), ((Vec, Mat), _transform_back)]
+    operator.mul,
+    [
+        ((Vec, float), _scale),
+        ((float, Vec), _scale_from_left),
+        ((Mat, float), _scale_matrix),
+        ((float, Mat), _scale_matrix_from_left),
+    ],
+)
+_teach(
+    operator.matmul,
+    [
+        ((Vec, Vec), _dot),
+        ((Mat, Vec), _transform),
+        ((Vec, Mat), _transform_back),
+        ((Mat, Mat), _product),
+    ],
 )
 _teach(operator.xor, [((Vec, Vec), _cross)])
 
@@ -207,3 +250,115 @@ def solve_symmetric(m: Mat, b: Vec) -> Vec:
         (c01 * b.x + c11 * b.y + c12 * b.z) * inverse,
         (c02 * b.x + c12 * b.y + c22 * b.z) * inverse,
     )
+
+
+@kernel
+def transposed(m: Mat) -> Mat:
+    """The transposed matrix."""
+    return Mat(
+        Vec(m.x.x, m.y.x, m.z.x),
+        Vec(m.x.y, m.y.y, m.z.y),
+        Vec(m.x.z, m.y.z, m.z.z),
+    )
+
+
+@kernel
+def symmetric_part(m: Mat) -> Mat:
+    """½ (m + mᵀ)."""
+    return 0.5 * (m + transposed(m))
+
+
+@kernel
+def isotropic(s: float) -> Mat:
+    """S times the identity."""
+    return Mat(Vec(s, 0.0, 0.0), Vec(0.0, s, 0.0), Vec(0.0, 0.0, s))
+
+
+@kernel
+def skew(a: Vec) -> Mat:
+    """[a]×, the matrix with [a]× b = a × b."""
+    return Mat(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))
+
+
+@kernel
+def inverse_symmetric(m: Mat) -> Mat:
+    """Inverse of a symmetric positive definite matrix; only its upper half is read."""
+    a, d, f = m.x.x, m.y.y, m.z.z
+    p, q, r = m.x.y, m.x.z, m.y.z
+    c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
+    c11, c12, c22 = a * f - q * q, p * q - a * r, a * d - p * p
+    adjugate = Mat(Vec(c00, c01, c02), Vec(c01, c11, c12), Vec(c02, c12, c22))
+    return adjugate * (1.0 / (a * c00 + p * c01 + q * c02))
+
+
+@kernel
+def quaternion_product(a: Quat, b: Quat) -> Quat:
+    """A ⊗ b, Hamilton: as attitudes, first b, then a."""
+    return Quat(
+        a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+        a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+        a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+        a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+    )
+
+
+@kernel
+def conjugate(q: Quat) -> Quat:
+    """The inverse of a unit quaternion."""
+    return Quat(q.w, -q.x, -q.y, -q.z)
+
+
+#: Added to squared angles, so that the axis of no rotation needs no case of its own.
+_NO_ANGLE = 1e-300
+
+
+@kernel
+def turned_by(angle: Vec) -> Quat:
+    """Exponential map: the rotation by a rotation vector [rad]."""
+    half = 0.5 * math.sqrt(angle @ angle + _NO_ANGLE)
+    s = 0.5 * math.sin(half) / half
+    return Quat(math.cos(half), s * angle.x, s * angle.y, s * angle.z)
+
+
+@kernel
+def rotation_vector(q: Quat) -> Vec:
+    """Logarithm map: the rotation vector [rad] of a unit quaternion, at most π long."""
+    axis = Vec(q.x, q.y, q.z)
+    length = math.sqrt(axis @ axis + _NO_ANGLE)
+    sign = 1.0 if q.w >= 0.0 else -1.0
+    return axis * (2.0 * sign * math.atan2(length, sign * q.w) / length)
+
+
+@kernel
+def axiswise(a: Vec, b: Vec) -> Vec:
+    """Products of equal components."""
+    return Vec(a.x * b.x, a.y * b.y, a.z * b.z)
+
+
+@kernel
+def within(x: float, lowest: float, highest: float) -> float:
+    """X, or the bound that it exceeds; the lowest wins where the bounds cross."""
+    below = x if x < highest else highest
+    return below if below > lowest else lowest
+
+
+@kernel
+def quaternion_of(r: Mat) -> Quat:
+    """Unit quaternion with w ≥ 0 of a rotation matrix.
+
+    The entries of R give the rows of 4 q qᵀ; the row of the largest component of q is q up to
+    scale, and free of cancellation (Shepperd, J. Guidance and Control 1(3), 1978).
+    """
+    ww = 1.0 + r.x.x + r.y.y + r.z.z
+    xx = 1.0 + r.x.x - r.y.y - r.z.z
+    yy = 1.0 - r.x.x + r.y.y - r.z.z
+    zz = 1.0 - r.x.x - r.y.y + r.z.z
+    wx, wy, wz = r.z.y - r.y.z, r.x.z - r.z.x, r.y.x - r.x.y
+    xy, xz, yz = r.x.y + r.y.x, r.x.z + r.z.x, r.y.z + r.z.y
+    by_w, by_x = Quat(ww, wx, wy, wz), Quat(wx, xx, xy, xz)
+    by_y, by_z = Quat(wy, xy, yy, yz), Quat(wz, xz, yz, zz)
+    first = by_w if ww > xx else by_x
+    second = by_y if yy > zz else by_z
+    row = first if (ww if ww > xx else xx) > (yy if yy > zz else zz) else second
+    q = normalised(row)
+    return q if q.w >= 0.0 else Quat(-q.w, -q.x, -q.y, -q.z)

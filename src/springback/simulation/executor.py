@@ -21,19 +21,12 @@ from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import Motion, Rates, View, Work, rates
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
-from springback.kernels.trees import (
-    Buffer,
-    along,
-    along_strictly,
-    pick,
-    read,
-    rows,
-    square,
-    write,
-)
+from springback.kernels.layout import Buffer, Like, read, row_of, rows, write
+from springback.kernels.trees import along, along_strictly, pick, square
 from springback.kernels.vectors import Quat
 from springback.simulation.record import (
     APPLY_IMPULSE,
+    ARRIVED,
     FLYING,
     NOT_FINITE,
     NOTHING,
@@ -69,8 +62,10 @@ def settled(model: Model, motion: Motion) -> Motion:
     w = motion.work
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
-    work = Work(w.thrust, w.arm, w.stop, w.contact, w.friction, w.settling + lost, w.impulse)
-    return Motion(state, work)
+    return Motion(
+        state,
+        Work(w.thrust, w.arm, w.stop, w.contact, w.friction, w.settling + lost, w.air, w.impulse),
+    )
 
 
 @generic
@@ -103,7 +98,7 @@ class Places(NamedTuple):
 
 
 @kernel
-def places(shape: Shape, w: int) -> Places:
+def places(shape: Like | Shape, w: int) -> Places:
     """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
     motion = rows(shape.model)
     total = motion + rows(shape.motion)
@@ -121,12 +116,19 @@ def rates_of(model: Model, state: State, phase: float) -> Rates:
     """Rates of one flight; its arms are free to slide during an impact, or always."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
     return rates(
-        model.airframe, model.world, model.contact_point, model.guide, state, model.thrust, released
+        model.airframe,
+        model.world,
+        model.contact_point,
+        model.guide,
+        model.air,
+        state,
+        model.thrust,
+        released,
     )
 
 
 @kernel
-def begun(shape: Shape, b: Buffer, w: int) -> None:
+def begun(shape: Like, b: Buffer, w: int) -> None:
     """Begin a step: every lane is measured, its step chosen, its rates known."""
     at = places(shape, w)
     for i in range(w):
@@ -142,7 +144,7 @@ def begun(shape: Shape, b: Buffer, w: int) -> None:
 
 
 @kernel
-def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float) -> None:
+def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
     """One more Runge–Kutta stage of every lane."""
     at = places(shape, w)
     for i in range(w):
@@ -157,7 +159,7 @@ def staged(shape: Shape, b: Buffer, w: int, reach: float, weight: float) -> None
 
 
 @guard
-def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
+def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
     """Take the step of one lane where it leads to finite numbers; else its last state stays."""
     at = places(shape, w)
     h = b[at.step * w + i]
@@ -178,7 +180,7 @@ def taken(shape: Shape, b: Buffer, w: int, i: int) -> None:
 
 @executor(nogil=True)
 def advance(
-    shape: Shape,
+    shape: Like,
     buffers: Buffer,
     first: int,
     last: int,
@@ -186,6 +188,7 @@ def advance(
     log: Buffer,
     logged: Any,
     budget: int,
+    early: float,
 ) -> int:
     """Advance the groups ``first`` to ``last`` of flights, each by at most ``budget`` steps.
 
@@ -199,17 +202,20 @@ def advance(
             none.  The columns are time, motion and view.
         logged: Number of rows of the log in use, shape (1,); advanced.
         budget: Most steps to take.
+        early: 1 leaves every flight at ``until`` as it arrives, to be flown on; 0 ends it there.
 
     Returns:
-        Number of flights that are still flying.
+        Number of flights that are still flying and not there yet.
     """
     w = len(lanes)
     at = places(shape, w)
     motion_rows, view_rows = rows(shape.motion), rows(shape.seen)
+    until = row_of(shape.model, "timing")  # its first field
     flying = 0
 
     for group in range(first, last):
         b = buffers[group]
+        running = w
         for _ in range(budget):
             if log.shape[0] > 0 and logged[0] >= log.shape[0]:
                 break
@@ -227,10 +233,12 @@ def advance(
 
             for i in range(w):
                 taken(shape, b, w, i)
-            running, asked = 0, 0
+            running = 0
+            asked = 0
             for i in range(w):
                 flies = b[at.status * w + i] == FLYING
-                running += 1 if flies else 0
+                there = b[until * w + i] - b[at.record * w + i] <= ARRIVED
+                running += 1 if flies & ((early == 0.0) | (not there)) else 0
                 asked += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
             # Behind a branch of its own: else the rare event is computed, masked, at every step.
             for i in range(w if asked > 0 else 0):
@@ -241,8 +249,7 @@ def advance(
                     write(motion, b, at.motion, w, i)
             if running == 0:
                 break
-        for i in range(w):
-            flying += 1 if b[at.status * w + i] == FLYING else 0
+        flying += running
     return flying
 
 

@@ -14,7 +14,8 @@ from springback.contact.obstacles import outward_normal, signed_distance
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
 from springback.kernels.compiler import own_executor
-from springback.kernels.trees import Buffer, leaves, names, rebuilt, rows
+from springback.kernels.layout import Buffer, Like, rows
+from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import Shape, advance, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
@@ -55,7 +56,7 @@ class Flown(NamedTuple):
 
 def still_work() -> Work:
     """A ledger with nothing in it."""
-    return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
+    return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
 
 
 def shape_of(model: Model, state: State) -> Shape:
@@ -73,7 +74,7 @@ def still_state(arm_lengths: Sequence[float]) -> State:
     return State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, (0.0,) * len(lengths))
 
 
-def _loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width: int) -> Buffer:
+def loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width: int) -> Buffer:
     """Buffers with every flight in its lane; spare lanes repeat the last flight, already ended."""
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
@@ -105,9 +106,10 @@ def _first_phase(model: Model, state: State) -> float:
     return FREE_FLIGHT
 
 
-def _unloaded(
+def unloaded(
     shape: Shape, models: Sequence[Model], states: Sequence[State], buffers: Buffer, width: int
 ) -> list[Flown]:
+    """What the executor has left of every flight."""
     lanes = buffers.reshape(len(buffers), -1, width)
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
     record_rows = rows(shape.record)
@@ -124,16 +126,16 @@ def _unloaded(
     return flown
 
 
-def _own_types(tree: Any) -> set[type]:
+def own_types(tree: Any) -> set[type]:
     """Types in a model that are not the package's: shapes of the user's."""
     if not isinstance(tree, tuple):
         return set()
     own = {type(tree)} if hasattr(tree, "_fields") else set()
     own = {cls for cls in own if not cls.__module__.startswith("springback.")}
-    return own.union(*(_own_types(branch) for branch in tree))
+    return own.union(*(own_types(branch) for branch in tree))
 
 
-def _sources(types: set[type]) -> tuple[str, ...] | None:
+def sources(types: set[type]) -> tuple[str, ...] | None:
     """Files of own types and their functions; None if their kernels had better not be kept."""
     functions = [rule.dispatch(cls) for cls in types for rule in (signed_distance, outward_normal)]
     modules = {entry.__module__ for entry in (*types, *functions)}
@@ -146,10 +148,10 @@ def _sources(types: set[type]) -> tuple[str, ...] | None:
 def entry_for(model: Model, executor: Executor = "compiled") -> Any:
     """The executor for a model: compiled, or the same source as plain Python."""
     plain = getattr(advance, "py_func", advance)
-    own = _own_types(model)
+    own = own_types(model)
     if executor == "python":
         return plain
-    return own_executor(plain, _sources(own), nogil=True) if own else advance
+    return own_executor(plain, sources(own), nogil=True) if own else advance
 
 
 def fly_one(
@@ -170,25 +172,29 @@ def fly_one(
         progress: Called now and then with the simulated time [s].
     """
     shape = shape_of(model, start)
-    buffers = _loaded(shape, [model], [start], 1)
+    buffers = loaded(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
     logs: list[Buffer] = []
-    run = entry_for(model, executor)
+    run, like = entry_for(model, executor), Like(shape)
     record_row = -rows(shape.record)
     while True:
         log = np.zeros((LOG_ROWS if trace else 0, width))
         logged = np.zeros(1, dtype=np.int64)
-        flying = run(shape, buffers, 0, 1, (0,), log, logged, SLICE)
+        flying = run(like, buffers, 0, 1, (0,), log, logged, SLICE, 0.0)
         logs.append(log[: logged[0]])
         if progress is not None:
             progress(float(buffers[0, record_row]))
         if not flying:
             break
-    flown = _unloaded(shape, [model], [start], buffers, 1)[0]
+    flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
-    columns = ("time", *names(shape.motion), *names(shape.seen))
-    return flown._replace(trace=Trace(columns, np.concatenate(logs)))
+    return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+
+
+def trace_columns(shape: Shape) -> tuple[str, ...]:
+    """Names of the columns of a trajectory."""
+    return ("time", *names(shape.motion), *names(shape.seen))
 
 
 def fly_many(
@@ -209,9 +215,9 @@ def fly_many(
         progress: Called now and then with the share of groups done.
     """
     shape = shape_of(models[0], starts[0])
-    buffers = _loaded(shape, models, starts, width)
+    buffers = loaded(shape, models, starts, width)
     fly_buffers(shape, buffers, width, threads=threads, progress=progress)
-    return _unloaded(shape, models, starts, buffers, width)
+    return unloaded(shape, models, starts, buffers, width)
 
 
 def fly_buffers(
@@ -223,6 +229,7 @@ def fly_buffers(
     progress: Callable[[float], None] | None = None,
 ) -> None:
     """Fly every group of some buffers to the end, in place."""
+    like = Like(shape)
     lanes, log, run = (0,) * width, np.zeros((0, 1)), entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))
@@ -230,7 +237,7 @@ def fly_buffers(
     def fly_chunk(first: int) -> int:
         last = min(first + chunk, len(buffers))
         logged = np.zeros(1, dtype=np.int64)
-        while run(shape, buffers, first, last, lanes, log, logged, SLICE):
+        while run(like, buffers, first, last, lanes, log, logged, SLICE, 0.0):
             pass
         return last - first
 

@@ -81,6 +81,7 @@ MEASURES = {
     "loss_contact": ("J", "taken by contact damping"),
     "loss_friction": ("J", "taken by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
+    "loss_air": ("J", "taken by the air; negative where wind gives"),
     "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
 }  # fmt: skip
 
@@ -99,9 +100,10 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
     ground_level = flown.before.gravity
     start = flown.before.total - ground_level
     end = flown.after.total - ground_level
-    losses = work.arm + work.stop + work.contact + work.friction + work.settling
+    losses = work.arm + work.stop + work.contact + work.friction + work.settling + work.air
     fallen = abs(flown.after.gravity - ground_level)
-    scale = max(flown.before.kinetic, flown.after.kinetic, losses, abs(work.thrust), fallen)
+    kinetic = max(flown.before.kinetic, flown.after.kinetic)
+    scale = max(kinetic, losses, abs(work.thrust), abs(work.air), fallen)
     left, back = m.separation_time >= 0.0, m.return_time >= 0.0
 
     def time(value: float) -> float | None:
@@ -151,6 +153,7 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
         "loss_contact": work.contact,
         "loss_friction": work.friction,
         "loss_settling": work.settling,
+        "loss_air": work.air,
         "ledger_residual": (end - start - work.thrust + losses) / scale if scale > 0.0 else 0.0,
     }
     return {name: None if value is None else _finite(value) for name, value in values.items()}

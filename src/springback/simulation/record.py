@@ -23,6 +23,8 @@ NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 FRICTION_SHARE = 2.0
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
+#: A flight is at its end within this time [s].
+ARRIVED = 1e-12
 #: Against division by zero.
 TINY = 1e-9
 
@@ -47,6 +49,7 @@ class Model(NamedTuple):
     world: World
     contact_point: Any  # Ring or ArmTip
     guide: Any  # Free or Slider
+    air: Any  # Still or Air
     thrust: tuple[float, ...]  # of each rotor [N]
     timing: Timing
 
@@ -213,7 +216,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
     step = smaller(step, larger(calm, SHORTEST * timing.impact_step))
     left = timing.until - m.time
-    finished = left <= 1e-12
+    finished = left <= ARRIVED
     changed = (phase != m.phase) | strike
     halted = finished | changed | (m.status != FLYING)
     step = pick(halted, 0.0, smaller(step, left))

@@ -1,7 +1,7 @@
 """Vehicles of the literature, each number with its table and row.
 
 ``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is ours where the
-source is silent.
+source is silent; what ``fitted`` numbers were fitted to stands beside them.
 """
 
 from __future__ import annotations
@@ -9,7 +9,9 @@ from __future__ import annotations
 from math import pi
 from typing import NamedTuple
 
+from springback.vehicle.endurance import GRAVITY
 from springback.vehicle.parameters import Arms, Body, Vehicle
+from springback.vehicle.rotors import Propulsion
 
 #: Directions of the X layout of the paper: front left, front right, rear right, rear left.
 X_LAYOUT = (pi / 4, -pi / 4, -3 * pi / 4, 3 * pi / 4)
@@ -17,6 +19,9 @@ LENGTH, CAGE_RADIUS = 0.19, 0.11
 BATTERY = 0.37  # [kg] from the printed hover times, docs/paper/errata.md
 ARM_MASS = 0.05  # four arms make the printed 0.2 kg
 C_TAU = 0.016  # [m]
+PAYLOAD = 1.64  # [kg] Table I, Quad
+SPECIFIC_ENERGY = 140.0 * 3600.0  # [J/kg] of a lithium polymer pack
+FIGURE_OF_MERIT = 0.4659  # from Quad's printed hover time, 573 s, tests/vehicle/test_endurance.py
 
 
 class Entry(NamedTuple):
@@ -46,6 +51,15 @@ def _principal(xx: float, yy: float, zz: float) -> tuple[tuple[float, ...], ...]
     return ((xx, 0.0, 0.0), (0.0, yy, 0.0), (0.0, 0.0, zz))
 
 
+#: Of both robots: Table I gives them different masses, not different motors.
+PROPULSION = Propulsion(
+    most_thrust=(0.844 + BATTERY + PAYLOAD) * GRAVITY / 4.0,
+    figure_of_merit=FIGURE_OF_MERIT,
+    disk_radius=0.0635,
+    battery_energy=BATTERY * SPECIFIC_ENERGY,
+    electronics_power=10.0,
+)
+
 # Table I prints the inertia of the whole vehicle; four point masses at L in the X layout add
 # 2 m_a L² about x and y and 4 m_a L² about z.
 _ARM_SHARE = 2.0 * ARM_MASS * LENGTH**2
@@ -56,7 +70,24 @@ _ARM_SOURCES = {
     "arms.directions": "given: section III, e_1 and e_2, X configuration; e_3, e_4 from eq. (2)",
     "arms.length": "given: Table I, row Arm length",
     "arms.cage_radius": "given: section II, radius of the protective cages",
-    "arms.torque_ratio": "chosen: typical of 5 inch propellers; the paper prints no c_tau",
+    "arms.torque_ratio": "chosen: that of RotorS's Hummingbird; the paper prints no c_tau",
+}
+_PROPULSION_SOURCES = {
+    "propulsion.most_thrust": "derived: fitted to Quad's Maximum payload, 1.64 kg in Table I, read "
+    "as what the rotors just hold; ARQ's 1.38 kg would be 2.5 % less thrust",
+    "propulsion.least_thrust": "chosen: rotors do not turn backwards",
+    "propulsion.time_constant": "chosen: 30 ms, between RotorS's Hummingbird (12.5 ms up, 25 ms "
+    "down) and JSK's aerial_robot (90 ms); the paper prints none",
+    "propulsion.figure_of_merit": "derived: fitted to Quad's Flight Time (Hover), 573 s in Table I,"
+    " with the chosen numbers below; only its product with radius and energy is determined",
+    "propulsion.disk_radius": "chosen: 5 inch propellers; the cages of 0.11 m leave room for 8 inch"
+    ", which would take a figure of merit below 0.3",
+    "propulsion.battery_energy": "chosen: 140 Wh/kg for the 0.37 kg of battery, as lithium polymer "
+    "packs have (3 cells of 8.4 Ah weigh 0.65 kg: 143 Wh/kg)",
+    "propulsion.usable_share": "chosen: 80 %, the usual rule for lithium polymer",
+    "propulsion.electronics_power": "chosen: 10 W; the Odroid XU4 of section II takes 5.5 to 8.5 W "
+    "with all cores busy at 0.5 to 1.4 GHz (sbc-bench), and there is an autopilot",
+    "propulsion.air_density": "chosen: standard atmosphere at sea level, ISO 2533",
 }
 _COMPLIANT_SOURCES = {
     "arms.mass": "derived: Table II, m_a = 0.2 kg read as all four arms (docs/paper/errata.md)",
@@ -72,6 +103,7 @@ ARQ = Entry(
         name="arq",
         body=Body(mass=1.034 + BATTERY - 4.0 * ARM_MASS, inertia=ARQ_BODY_INERTIA),
         arms=_arms(compliant=True, mass=ARM_MASS, end_stops=True),
+        propulsion=PROPULSION,
     ),
     "ARQ as flown: compliant arms, with battery",
     {
@@ -80,6 +112,7 @@ ARQ = Entry(
         "body.inertia": "derived: Table I, rows Moments of inertia, less the arms' m_a L^2",
         **_ARM_SOURCES,
         **_COMPLIANT_SOURCES,
+        **_PROPULSION_SOURCES,
     },
 )
 
@@ -88,6 +121,7 @@ QUAD = Entry(
         name="quad",
         body=Body(mass=0.844 + BATTERY, inertia=QUAD_INERTIA),
         arms=_arms(compliant=False, mass=0.0, end_stops=True),
+        propulsion=PROPULSION,
     ),
     "Quad as flown: the rigid twin, with battery",
     {
@@ -95,6 +129,7 @@ QUAD = Entry(
         "body.inertia": "given: Table I, rows Moments of inertia",
         "arms.mass": "derived: rigid arms are part of the body",
         **_ARM_SOURCES,
+        **_PROPULSION_SOURCES,
     },
 )
 

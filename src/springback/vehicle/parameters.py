@@ -11,6 +11,7 @@ from pydantic import BeforeValidator, model_validator
 from springback.kernels.vectors import Mat, Vec
 from springback.quantities import Mass, checked, quantity, spread
 from springback.settings import Settings, naming, problem
+from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm
 
 
@@ -130,6 +131,8 @@ class Vehicle(Settings):
     name: str = "vehicle"
     body: Body
     arms: Arms
+    propulsion: Propulsion | None = None
+    """Rotors and battery; without, thrusts are given from outside and know no bounds."""
 
     @property
     def arm_count(self) -> int:

@@ -1,0 +1,1 @@
+"""What a vehicle tries: references, controllers, the mixing of rotors."""

@@ -1,0 +1,230 @@
+"""The search for a run-up's way from rest to the place where its steady phase begins."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.interpolate import BPoly
+from scipy.optimize import linprog
+
+from springback.control.demands import (
+    ROOM,
+    Array,
+    Demands,
+    Limits,
+    level_demands,
+    shortfalls,
+)
+from springback.control.polynomials import snap_spline
+from springback.errors import InputError
+
+#: Knots that are free to move where the simplest run-up asks for too much.  Chosen: the hardest
+#: run-up of the paper (-45°, 2 m/s) turns at 223, 206, 198, 195 deg/s with 4, 6, 8, 12.
+KNOTS = 8
+#: Samples over a run-up at which limits hold while its knots are moved, and where it is judged.
+FEW, SAMPLES = 60, 640
+#: Linear programmes for each duration.  Chosen: the same run-up turns at 209, 198 deg/s with 2, 3.
+ROUNDS = 3
+#: Velocity backwards, as a share of the speed to be reached, that counts as rounding.
+BACKWARDS = 1e-4
+#: Longest way that is tried when one is too short [m], chosen.
+FARTHEST = 30.0
+
+#: Position, velocity, acceleration and jerk along the way [m, m/s, m/s², m/s³].
+Row = tuple[float, float, float, float]
+REST: Row = (0.0, 0.0, 0.0, 0.0)
+
+
+#: What a plan that does not exist asks for.
+NONE = Demands(0.0, 0.0, 0.0, 0.0)
+
+
+class Plan(NamedTuple):
+    """A way from rest to a row."""
+
+    breaks: list[float]  # [s]
+    rows: list[Row]  # one at each break
+    asked: Demands
+    share: float  # largest of the limits' shares; infinite for a way that moves back
+
+
+def _plan(curve: Any, breaks: list[float], rows: list[Row], limits: Limits) -> Plan:
+    """A plan with what it asks for."""
+    t = np.linspace(0.0, breaks[-1], SAMPLES)
+    asked = level_demands(curve(t, 2), curve(t, 3), limits)
+    share = max(asked.uses(limits).values())
+    behind = float(curve(t, 1).min()) < -BACKWARDS * rows[-1][1]
+    return Plan(breaks, rows, asked, math.inf if behind else share)
+
+
+def approach(
+    distance: float, speed: float, a: float, steady: float, limits: Limits, who: str
+) -> tuple[list[float], list[Row]]:
+    """Breaks and rows from rest to contact, within the limits.
+
+    Args:
+        distance: From rest to contact [m].
+        speed: At contact [m/s].
+        a: Acceleration at contact [m/s²].
+        steady: Time before contact in which the acceleration is a [s].
+        limits: What the vehicle can do.
+        who: Words for messages.
+
+    Raises:
+        InputError: If there is no such way, why, and from which distance on there is.
+    """
+    at_contact = level_demands(a, 0.0, limits)
+    if beyond := shortfalls(at_contact, limits, who):
+        raise InputError(*beyond)
+    if speed - a * steady <= 0.0:
+        raise InputError(f"{who} can be steady for less than {speed / a:.3g} s (got {steady:g} s)")
+    room = max(ROOM, *at_contact.uses(limits).values())
+
+    def planned(length: float) -> Plan | None:
+        place = length - speed * steady + 0.5 * a * steady**2  # where the steady phase begins
+        row = (place, speed - a * steady, a, 0.0)
+        return _gentlest(row, limits, room) if place > 0.0 else None
+
+    plan = planned(distance)
+    if plan is None or plan.share > 1.0:
+        needed = _least_distance(planned, distance)
+        wanted = f"a distance of {needed:.3g} m, {needed - distance:.2g} m more than"
+        if needed == math.inf:
+            wanted = f"more than {max(FARTHEST, 2.0 * distance):.3g} m, if any will do, and not"
+        reason = _reason(plan, limits, f"within {distance:.3g} m it")
+        raise InputError(f"{who} needs {wanted} the {distance:.3g} m it has; {reason}")
+    if steady == 0.0:
+        return [*plan.breaks], [*plan.rows]
+    return [*plan.breaks, plan.breaks[-1] + steady], [*plan.rows, (distance, speed, a, 0.0)]
+
+
+def _reason(plan: Plan | None, limits: Limits, who: str) -> str:
+    """The worst of what is wrong with a plan."""
+    if plan is None:
+        return f"{who} has no room for the steady phase"
+    if plan.share == math.inf:
+        return f"{who} has to move back first"
+    shares = plan.asked.uses(limits)
+    worst = max(shares, key=lambda name: shares[name])
+    return next(text for text in shortfalls(plan.asked, limits, who) if f"a {worst} of" in text)
+
+
+def _least_distance(planned: Callable[[float], Plan | None], distance: float) -> float:
+    """The distance [m] from which on a run-up is possible, to within 5 % above."""
+
+    def fits(length: float) -> bool:
+        plan = planned(length)
+        return plan is not None and plan.share <= 1.0
+
+    low, high = distance, 1.6 * distance
+    while not fits(high):
+        low, high = high, 1.6 * high
+        if high > max(FARTHEST, 2.0 * distance):
+            return math.inf
+    while high > 1.05 * low:
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if fits(middle) else (middle, high)
+    return high
+
+
+def _gentlest(end: Row, limits: Limits, room: float) -> Plan:
+    """The simplest plan from rest to a row if it leaves room, else one with knots moved."""
+    plan = _simplest(end, limits)
+    return plan if plan.share <= room else min(plan, _moved(end, plan, limits), key=_share)
+
+
+def _simplest(end: Row, limits: Limits) -> Plan:
+    """The single polynomial of degree 7 that uses the limits least and never moves back.
+
+    Durations from 0.02 to 8 d/v are tried, d = end[0] and v = end[1], wide around the 2 d/v of
+    constant acceleration.  If all move back, it is the one that moves back slowest.
+    """
+    fraction = np.linspace(0.0, 1.0, FEW)
+    best, least = math.nan, (math.inf, math.inf)
+    for duration in np.geomspace(0.02, 8.0, 150) * end[0] / end[1]:
+        curve, t = _septic(end, duration), fraction * duration
+        back = max(0.0, -float(curve(t, 1).min()) - BACKWARDS * end[1])
+        share = max(level_demands(curve(t, 2), curve(t, 3), limits).uses(limits).values())
+        if (back, share) < least:
+            best, least = float(duration), (back, share)
+    return _plan(_septic(end, best), [0.0, best], [REST, end], limits)
+
+
+def _septic(end: Row, duration: float) -> Any:
+    return BPoly.from_derivatives([0.0, duration], [REST, end])
+
+
+@functools.cache
+def _responses() -> tuple[Array, ...]:
+    """Derivatives 0 to 3 at all samples per place at the knots, and per final v and a.
+
+    The spline is linear in these, here over a unit of time, each of shape (FEW, KNOTS + 4).
+    """
+    unit = np.eye(KNOTS + 4)
+    points, ends = unit[: KNOTS + 2], np.zeros((2, 3, KNOTS + 4))
+    ends[1, :2] = unit[KNOTS + 2 :]
+    knots = np.linspace(0.0, 1.0, KNOTS + 2)
+    spline = snap_spline(knots, points, ends)
+    return tuple(np.asarray(spline(np.linspace(0.0, 1.0, FEW), k)) for k in range(4))
+
+
+def _share(plan: Plan) -> float:
+    return plan.share
+
+
+def _moved(end: Row, simplest: Plan, limits: Limits) -> Plan:
+    """The spline of degree 7 from rest that uses the limits least, with knots free to move.
+
+    Durations are tried around that of the simplest plan, and then closer around the best.
+    """
+
+    def best(stretches: Array, centre: float) -> Plan:
+        durations = [float(centre * stretch) for stretch in stretches]
+        return min((_shaped(end, T, limits) for T in durations), key=_share)
+
+    coarse = best(np.geomspace(0.5, 2.5, 10), simplest.breaks[-1])
+    return min(coarse, best(np.geomspace(0.92, 1.08, 4), coarse.breaks[-1]), key=_share)
+
+
+def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
+    """The best places at the knots for one duration, by linear programmes.
+
+    Least share s with |a| ≤ s a_most, |ȧ| ≤ s ω_most (g² + a²)/g and v ≥ 0 at all samples.  The a²
+    on the right is that of the solution before, at first zero, which is on the safe side.
+    """
+    T, g = duration, limits.gravity
+    units = (1.0, 1.0 / T, 1.0 / T**2, 1.0 / T**3)
+    _, v, a, j = (response * unit for response, unit in zip(_responses(), units, strict=True))
+    fixed = np.zeros(KNOTS + 4)
+    fixed[KNOTS + 1 :] = end[0], end[1] * T, end[2] * T**2
+    free = slice(1, KNOTS + 1)
+    strongest = math.acos(min(1.0, limits.mass * g / limits.most_thrust))
+    most = np.full(FEW, g * math.tan(min(limits.most_tilt, strongest)))
+    square, plans = np.zeros(FEW), []
+    for _ in range(ROUNDS):
+        turning = limits.most_body_rate * (g * g + square) / g
+        sides = ((j, 1.0, turning), (j, -1.0, turning), (a, 1.0, most), (a, -1.0, most))
+        bounds = [(sign * m[:, free], -share, -sign * m @ fixed) for m, sign, share in sides]
+        bounds.append((-v[:, free], np.zeros(FEW), v @ fixed))
+        left = np.concatenate([np.column_stack([m, share]) for m, share, _ in bounds])
+        right = np.concatenate([right for _, _, right in bounds])
+        cost = np.append(np.zeros(KNOTS), 1.0)
+        found = linprog(cost, A_ub=left, b_ub=right, bounds=(None, None)).x
+        if found is None:
+            break
+        plans.append(_as_plan(T, found[:-1], end, limits))
+        square = np.square(a[:, free] @ found[:-1] + a @ fixed)
+    return min(plans, key=_share, default=Plan([0.0, T], [REST, end], NONE, math.inf))
+
+
+def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> Plan:
+    """The plan of a spline from rest with given places at inner knots [m]."""
+    knots = np.linspace(0.0, duration, KNOTS + 2)
+    points = np.concatenate([[0.0], places, [end[0]]])
+    curve = snap_spline(knots, points, np.array([REST[1:], end[1:]]))
+    inner: list[Any] = [tuple(float(curve(t, k)) for k in range(4)) for t in knots[1:-1]]
+    return _plan(curve, [float(t) for t in knots], [REST, *inner, end], limits)

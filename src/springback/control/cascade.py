@@ -1,0 +1,164 @@
+"""The pilot of the paper: estimate, position, attitude and rate, each at its own pace.
+
+The position loop runs on a computer of its own and its word takes a while to reach the autopilot
+(the offboard delay); attitude and rate loops run on the autopilot.  Allocation uses the arm lengths
+that the vehicle measures.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.control.attitude import rate_setpoint
+from springback.control.mixing import mixed, wrench_of
+from springback.control.parameters import Schedule
+from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
+from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
+from springback.control.target import AttitudeTarget, Target, Wrench, target
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import pick
+from springback.kernels.vectors import Vec
+from springback.sensing.measurement import Estimate, Measurement, due, estimated
+from springback.simulation.aboard import Piloted, piloted, told
+from springback.vehicle.state import Airframe
+
+
+class Cascade(NamedTuple):
+    """Settings of the pilot."""
+
+    airframe: Airframe  # as the pilot believes it to be
+    lowest: float  # least thrust of a rotor [N]
+    highest: float  # most thrust of a rotor [N]
+    estimator: Any
+    reference: Any
+    position: PositionLaw
+    attitude: Any
+    rate: RateLaw
+    schedule: Schedule
+
+
+class Offboard(NamedTuple):
+    """The position loop and its last word."""
+
+    position: PositionMemory
+    wanted: Target
+    word: AttitudeTarget  # the last one, perhaps still under way
+    arrival: float  # tick at which it arrives
+
+
+class Autopilot(NamedTuple):
+    """The attitude and rate loops."""
+
+    aim: AttitudeTarget  # the last word that has arrived
+    setpoint: Vec  # angular velocity to turn with, body axes [rad/s]
+    rate: RateMemory
+    unmet: Vec  # moment asked for less moment given [N m]
+    thrust: tuple[float, ...]  # command to each rotor [N]
+
+
+class CascadeMemory(NamedTuple):
+    """What the pilot remembers."""
+
+    tick: float
+    estimator: Any
+    estimate: Estimate
+    offboard: Offboard
+    autopilot: Autopilot
+
+
+def cascade_memory(
+    pilot: Cascade, estimator: Any, estimate: Estimate, thrust: tuple[float, ...]
+) -> CascadeMemory:
+    """Memory of a pilot before tick 0, at the attitude and thrust that the robot starts with.
+
+    Args:
+        pilot: Settings.
+        estimator: Memory of its estimator.
+        estimate: Of the start.
+        thrust: Command to each rotor [N].
+    """
+    still = Vec(0.0, 0.0, 0.0)
+    at_start = AttitudeTarget(estimate.attitude, still, sum(thrust))
+    wanted = target(pilot.reference, 0.0)
+    offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
+    rate = rate_memory(estimate.angular_velocity)
+    autopilot = Autopilot(at_start, still, rate, still, thrust)
+    return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
+
+
+@kernel
+def _steered(pilot: Cascade, tick: float, time: float, at: Estimate, before: Offboard) -> Offboard:
+    """The position loop, at its ticks."""
+    if due(tick, pilot.schedule.position):
+        wanted = target(pilot.reference, time)
+        aimed = aim(pilot.position, wanted, at, before.position)
+        return Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
+    return before
+
+
+@kernel
+def _heard(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTarget:
+    """The last word of the position loop that has reached the autopilot."""
+    return pick(tick >= offboard.arrival, offboard.word, last)
+
+
+@kernel
+def _pointed(pilot: Cascade, tick: float, aim: AttitudeTarget, at: Estimate, before: Vec) -> Vec:
+    """The attitude loop, at its ticks."""
+    if due(tick, pilot.schedule.attitude):
+        return rate_setpoint(pilot.attitude, aim, at.attitude)
+    return before
+
+
+@kernel
+def _turned(
+    pilot: Cascade,
+    tick: float,
+    aim: AttitudeTarget,
+    setpoint: Vec,
+    lengths: tuple[float, ...],
+    at: Estimate,
+    before: Autopilot,
+) -> Autopilot:
+    """The rate loop and the mixer, at their ticks."""
+    if due(tick, pilot.schedule.rate):
+        inertia = inertia_at(pilot.airframe, lengths)
+        asked = turn(pilot.rate, inertia, setpoint, at.angular_velocity, before.unmet, before.rate)
+        wrench = Wrench(aim.thrust, asked.moment)
+        thrust = mixed(pilot.airframe, pilot.lowest, pilot.highest, lengths, wrench)
+        unmet = asked.moment - wrench_of(pilot.airframe, lengths, thrust).moment
+        return Autopilot(aim, setpoint, asked.memory, unmet, thrust)
+    return Autopilot(aim, setpoint, before.rate, before.unmet, before.thrust)
+
+
+@piloted.register(Cascade)
+@kernel
+def _cascaded(
+    pilot: Cascade, time: float, measurement: Measurement, memory: CascadeMemory
+) -> Piloted:
+    tick, m = memory.tick, memory
+    believed = estimated(pilot.estimator, tick, measurement, m.estimator)
+    at = believed.estimate
+    earlier = _heard(tick, m.offboard, m.autopilot.aim)  # before it is overtaken by the next word
+    offboard = _steered(pilot, tick, time, at, m.offboard)
+    aim = _heard(tick, offboard, earlier)
+    setpoint = _pointed(pilot, tick, aim, at, m.autopilot.setpoint)
+    autopilot = _turned(pilot, tick, aim, setpoint, measurement.arm_length, at, m.autopilot)
+    after = CascadeMemory(tick + 1.0, believed.memory, at, offboard, autopilot)
+    return Piloted(autopilot.thrust, after)
+
+
+class CascadeWords(NamedTuple):
+    """What the pilot tells the diary."""
+
+    estimate: Estimate
+    wanted: Target
+    aim: AttitudeTarget
+    setpoint: Vec
+
+
+@told.register(Cascade)
+@kernel
+def _tells(pilot: Cascade, memory: CascadeMemory) -> CascadeWords:
+    m = memory
+    return CascadeWords(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)

@@ -1,0 +1,113 @@
+"""What a curve asks of the vehicle: thrust, tilt and tilt rate, from flatness."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Times = Sequence[float] | Array
+
+#: Share of each limit that plans use where they can; the rest is left to feedback.  Chosen.
+ROOM = 0.8
+#: Samples of each segment where demands are measured; a sampled peak of a smooth hump is then
+#: within a relative (π/200)²/8 < 1e-4 of the true one.
+SAMPLES = 200
+
+
+class Curve(Protocol):
+    """A curve in space with derivatives, such as SciPy's splines."""
+
+    def __call__(self, x: Any, nu: int = 0) -> Any:
+        """Derivative of order ``nu`` at times ``x`` [s], shape (..., 3)."""
+
+
+class Limits(NamedTuple):
+    """What a vehicle can do."""
+
+    mass: float  # [kg]
+    gravity: float  # g [m/s²]
+    most_thrust: float  # collective [N]
+    least_thrust: float = 0.0  # collective [N]
+    most_body_rate: float = math.radians(220.0)  # PX4's default MC_PITCHRATE_MAX [rad/s]
+    most_tilt: float = math.pi / 3.0  # chosen: there level flight takes twice the weight [rad]
+
+
+class Demands(NamedTuple):
+    """The extremes of what a curve asks for."""
+
+    most_thrust: float  # [N]
+    least_thrust: float  # [N]
+    tilt: float  # largest angle between thrust and vertical [rad]
+    tilt_rate: float  # largest rate of the thrust direction [rad/s]
+
+    def uses(self, limits: Limits) -> dict[str, float]:
+        """Each demand as a share of its limit; more than 1 cannot be flown."""
+        return {
+            "thrust": self.most_thrust / limits.most_thrust,
+            "least thrust": limits.least_thrust / max(self.least_thrust, 1e-12),
+            "tilt": self.tilt / limits.most_tilt,
+            "tilt rate": self.tilt_rate / limits.most_body_rate,
+        }
+
+
+def demands(curve: Curve, breaks: Times, limits: Limits) -> Demands:
+    """Thrust, tilt and tilt rate along a curve, from flatness.
+
+    Thrust m (a + g e_Z) along b; ‖ḃ‖ = ‖j − (j·b) b‖ m/thrust (Mellinger and Kumar 2011, section
+    III, the vector h_ω).  Air drag is not part of it.
+    """
+    fractions = np.linspace(0.0, 1.0, SAMPLES)
+    t = np.asarray(breaks[:-1])[:, None] + np.diff(breaks)[:, None] * fractions
+    pull = curve(t, 2) + np.array([0.0, 0.0, limits.gravity])
+    jerk = curve(t, 3)
+    strength = np.maximum(np.linalg.norm(pull, axis=-1), 1e-12)
+    b = pull / strength[..., None]
+    turning = jerk - np.sum(jerk * b, axis=-1)[..., None] * b
+    return Demands(
+        most_thrust=float(limits.mass * strength.max()),
+        least_thrust=float(limits.mass * strength.min()),
+        tilt=float(np.arccos(np.clip(b[..., 2], -1.0, 1.0)).max()),
+        tilt_rate=float((np.linalg.norm(turning, axis=-1) / strength).max()),
+    )
+
+
+def shortfalls(asked: Demands, limits: Limits, who: str) -> list[str]:
+    """One sentence for each limit that is exceeded: the demand, the limit and the difference."""
+    degrees = 180.0 / math.pi
+    table = {
+        "thrust": (asked.most_thrust, limits.most_thrust, "N", 1.0),
+        "least thrust": (asked.least_thrust, limits.least_thrust, "N", 1.0),
+        "tilt": (asked.tilt, limits.most_tilt, "deg", degrees),
+        "tilt rate": (asked.tilt_rate, limits.most_body_rate, "deg/s", degrees),
+    }
+    sentences = []
+    for name, use in asked.uses(limits).items():
+        if use > 1.0 + 1e-9:
+            wanted, limit, unit, scale = table[name]
+            difference, side = abs(wanted - limit) * scale, "below" if "least" in name else "beyond"
+            sentences.append(
+                f"{who} needs a {name} of {wanted * scale:.4g} {unit}, {difference:.3g} {unit} "
+                f"{side} the limit of {limit * scale:.4g} {unit}"
+            )
+    return sentences
+
+
+# -- level, along a line --------------------------------------------------------------------------
+
+
+def leaning(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
+    """Tilt [rad] and tilt rate [rad/s] of level flight along a line: atan(a/g), g ȧ/(g² + a²)."""
+    square = gravity**2 + np.square(acceleration)
+    return np.arctan2(acceleration, gravity), gravity * jerk / square
+
+
+def level_demands(acceleration: Any, jerk: Any, limits: Limits) -> Demands:
+    """What level flight along a line asks for, from accelerations [m/s²] and jerks [m/s³]."""
+    tilt, rate = leaning(acceleration, jerk, limits.gravity)
+    largest = float(np.abs(tilt).max())
+    weight = limits.mass * limits.gravity
+    return Demands(weight / math.cos(largest), weight, largest, float(np.abs(rate).max()))

@@ -1,0 +1,229 @@
+"""From thrust and moment to the thrusts of the rotors, and back, with the arms as long as they are.
+
+The rotors have the effects of eqs. (2) and (10) of the paper, for any number of arms in any
+directions.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.control.target import Wrench
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import each, largest, least, pick, total
+from springback.kernels.vectors import Vec, within
+from springback.vehicle.state import Airframe, Arm
+
+#: A pivot this much smaller than its diagonal entry is rounding: the rotors have no such effect.
+NO_EFFECT = 1e-9
+#: Smallest effect of a rotor on a scale of 1 that is divided by (chosen; far below any real one).
+SMALL = 1e-9
+
+
+class Effect(NamedTuple):
+    """Column of B(l): what one newton of a rotor does to thrust [1] and moments [m]."""
+
+    thrust: float
+    roll: float
+    pitch: float
+    yaw: float
+
+
+class Gram(NamedTuple):
+    """Upper half of B Bᵀ by rows."""
+
+    g00: float
+    g01: float
+    g02: float
+    g03: float
+    g11: float
+    g12: float
+    g13: float
+    g22: float
+    g23: float
+    g33: float
+
+
+class Rotor(NamedTuple):
+    """Thrust of one rotor, split by what it serves."""
+
+    collective: float  # for each newton of collective thrust [1]
+    tilting: float  # for the roll and pitch moment [N]
+    turning: float  # for the yaw moment [N]
+
+
+@kernel
+def _effect(arm: Arm, length: float) -> Effect:
+    """Eq. (10): r_j × T_j e_z = (y_j, −x_j, 0) T_j, and the rotor's own torque about z."""
+    return Effect(1.0, arm.sine * length, -arm.cosine * length, arm.torque_ratio)
+
+
+@kernel
+def _caused(effect: Effect, thrust: float) -> Wrench:
+    moment = Vec(effect.roll, effect.pitch, effect.yaw)
+    return Wrench(effect.thrust * thrust, moment * thrust)
+
+
+@kernel
+def wrench_of(airframe: Airframe, lengths: tuple[float, ...], thrusts: tuple[float, ...]) -> Wrench:
+    """Collective thrust and moment about the main body of some rotor thrusts [N]."""
+    effects = each(_effect, (airframe.arms, lengths), ())
+    return total(each(_caused, (effects, thrusts), ()))
+
+
+@kernel
+def _product(b: Effect) -> Gram:
+    """The share of one rotor in B Bᵀ, upper half."""
+    return Gram(
+        b.thrust * b.thrust, b.thrust * b.roll, b.thrust * b.pitch, b.thrust * b.yaw,
+        b.roll * b.roll, b.roll * b.pitch, b.roll * b.yaw,
+        b.pitch * b.pitch, b.pitch * b.yaw,
+        b.yaw * b.yaw,
+    )  # fmt: skip
+
+
+@kernel
+def _inverse_pivot(pivot: float, diagonal: float) -> float:
+    """1/pivot, or zero for what the rotors cannot do at all."""
+    return 1.0 / pivot if pivot > NO_EFFECT * diagonal else 0.0
+
+
+@kernel
+def _factors(g: Gram) -> Gram:
+    """L D Lᵀ of B Bᵀ: the entries of Lᵀ above the diagonal, and on it the inverses of D.
+
+    A vanishing pivot, as of yaw where no rotor has a torque, gets the inverse zero: the solution
+    then leaves that part out.
+    """
+    d0 = _inverse_pivot(g.g00, g.g00)
+    l01, l02, l03 = g.g01 * d0, g.g02 * d0, g.g03 * d0
+    d1 = _inverse_pivot(g.g11 - l01 * g.g01, g.g11)
+    u12, u13 = g.g12 - l01 * g.g02, g.g13 - l01 * g.g03
+    l12, l13 = u12 * d1, u13 * d1
+    d2 = _inverse_pivot(g.g22 - l02 * g.g02 - l12 * u12, g.g22)
+    u23 = g.g23 - l02 * g.g03 - l12 * u13
+    l23 = u23 * d2
+    d3 = _inverse_pivot(g.g33 - l03 * g.g03 - l13 * u13 - l23 * u23, g.g33)
+    return Gram(d0, l01, l02, l03, d1, l12, l13, d2, l23, d3)
+
+
+@kernel
+def _solution(f: Gram, wanted: Effect) -> Effect:
+    """(B Bᵀ)⁻¹ w from the factors, by forward and back substitution."""
+    y0 = wanted.thrust
+    y1 = wanted.roll - f.g01 * y0
+    y2 = wanted.pitch - f.g02 * y0 - f.g12 * y1
+    y3 = wanted.yaw - f.g03 * y0 - f.g13 * y1 - f.g23 * y2
+    x3 = y3 * f.g33
+    x2 = y2 * f.g22 - f.g23 * x3
+    x1 = y1 * f.g11 - f.g12 * x2 - f.g13 * x3
+    x0 = y0 * f.g00 - f.g01 * x1 - f.g02 * x2 - f.g03 * x3
+    return Effect(x0, x1, x2, x3)
+
+
+@kernel
+def _share(b: Effect, x: Effect) -> float:
+    """Entry of Bᵀ x."""
+    return b.thrust * x.thrust + b.roll * x.roll + b.pitch * x.pitch + b.yaw * x.yaw
+
+
+@kernel
+def allocated(airframe: Airframe, lengths: tuple[float, ...], wrench: Wrench) -> tuple[float, ...]:
+    """Rotor thrusts Bᵀ (B Bᵀ)⁻¹ w for a wrench, without regard to limits [N].
+
+    Exact for four rotors, and of least norm for more.
+    """
+    effects = each(_effect, (airframe.arms, lengths), ())
+    factors = _factors(total(each(_product, (effects,), ())))
+    m = wrench.moment
+    x = _solution(factors, Effect(wrench.thrust, m.x, m.y, m.z))
+    return each(_share, (effects,), (x,))
+
+
+@kernel
+def _rotor(b: Effect, lift: Effect, tilt: Effect, spin: Effect) -> Rotor:
+    """One rotor's part in each of the three solutions; every rotor must help to lift."""
+    collective = _share(b, lift)
+    return Rotor(collective if collective > SMALL else SMALL, _share(b, tilt), _share(b, spin))
+
+
+@kernel
+def _tilt_beside(k: Rotor, j: Rotor, lowest: float, highest: float) -> float:
+    """Largest share of the tilting moment for which rotor j ≥ lowest and rotor k ≤ highest.
+
+    Both can be met by some collective c: (lowest − s R_j)/u_j ≤ c ≤ (highest − s R_k)/u_k.
+    """
+    room = highest / k.collective - lowest / j.collective
+    need = k.tilting / k.collective - j.tilting / j.collective
+    is_tight = need > room
+    return room / (need if is_tight else 1.0) if is_tight else 1.0
+
+
+@kernel
+def _tilt_share(j: Rotor, rotors: tuple[Rotor, ...], lowest: float, highest: float) -> float:
+    """Largest share of the tilting moment that rotor j allows beside all others."""
+    return least(each(_tilt_beside, (rotors,), (j, lowest, highest)))
+
+
+@kernel
+def _collective_bound(rotor: Rotor, tilt: float, bound: float) -> float:
+    """Collective thrust at which a rotor meets a bound [N]."""
+    return (bound - tilt * rotor.tilting) / rotor.collective
+
+
+@kernel
+def _turn_share(
+    rotor: Rotor, collective: float, tilt: float, lowest: float, highest: float
+) -> float:
+    """Largest share of the yaw moment that a rotor has room for."""
+    used = collective * rotor.collective + tilt * rotor.tilting
+    room = (highest if rotor.turning > 0.0 else lowest) - used
+    is_tight = (room - rotor.turning) * rotor.turning < 0.0
+    return room / (rotor.turning if is_tight else 1.0) if is_tight else 1.0
+
+
+@kernel
+def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
+    """Thrust of a rotor that serves these shares [N]."""
+    return collective * rotor.collective + tilt * rotor.tilting + turn * rotor.turning
+
+
+@kernel
+def mixed(
+    airframe: Airframe,
+    lowest: float,
+    highest: float,
+    lengths: tuple[float, ...],
+    wrench: Wrench,
+) -> tuple[float, ...]:
+    """Rotor thrusts within their limits that come as near to a wrench as its parts are worth [N].
+
+    What no longer fits gives way in this order: the yaw moment shrinks, down to zero; then the
+    collective thrust is shifted, up or down, as far as roll and pitch need; and only where no
+    collective will do, the roll and pitch moment shrinks, in its own direction.  What fits is met
+    exactly.  The order is that of PX4's mixer with airmode.
+
+    Args:
+        airframe: Directions and torque ratios of the arms.
+        lowest: Least thrust of a rotor, at least 0 [N].
+        highest: Most thrust of a rotor [N].
+        lengths: l_j as they are [m].
+        wrench: Thrust and moment asked for.
+    """
+    effects = each(_effect, (airframe.arms, lengths), ())
+    factors = _factors(total(each(_product, (effects,), ())))
+    m = wrench.moment
+    lift = _solution(factors, Effect(1.0, 0.0, 0.0, 0.0))
+    tilting = _solution(factors, Effect(0.0, m.x, m.y, 0.0))
+    turning = _solution(factors, Effect(0.0, 0.0, 0.0, m.z))
+    rotors = each(_rotor, (effects,), (lift, tilting, turning))
+    asked = each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
+    fits = (least(asked) >= lowest) & (largest(asked) <= highest)
+    tilt = within(least(each(_tilt_share, (rotors,), (rotors, lowest, highest))), 0.0, 1.0)
+    floor = largest(each(_collective_bound, (rotors,), (tilt, lowest)))
+    ceiling = least(each(_collective_bound, (rotors,), (tilt, highest)))
+    collective = within(wrench.thrust, floor, ceiling)
+    turns = each(_turn_share, (rotors,), (collective, tilt, lowest, highest))
+    turn = within(least(turns), 0.0, 1.0)
+    given = each(_asked, (rotors,), (collective, tilt, turn))
+    return each(within, (pick(fits, asked, given),), (lowest, highest))

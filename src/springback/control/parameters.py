@@ -1,0 +1,173 @@
+"""Controllers as a user writes them down, checked once, and turned into numbers.
+
+Gains of the position loop are forces, and the same numbers serve both robots of the paper.  It
+prints no gains; its text lays ARQ's slower steps (Table IV) to its weight, which acts through gains
+that are forces.  How far that explains the table is in studies/gains.py.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Literal, NamedTuple
+
+from springback.control.attitude import FullQuaternion, LeeSO3, Reduced
+from springback.control.position import PositionLaw
+from springback.control.rate import RateLaw
+from springback.kernels.vectors import Vec
+from springback.quantities import Duration, Factor, quantity
+from springback.settings import Settings, problem
+
+#: Part of the weight that the position loop always lifts, so that it has a direction to aim at
+#: (chosen: nearly free fall is still allowed).
+LEAST_LIFT = 0.05
+#: Rate error at which the rate loop's integral stops growing: 400 deg/s, PX4's RateControl.
+INTEGRAL_FADE = math.radians(400.0)
+#: How far a product of clock and period may be from a whole number: rounding of decimals.
+WHOLE = 1e-6
+
+AttitudeLaw = FullQuaternion | Reduced | LeeSO3
+
+
+class Schedule(NamedTuple):
+    """Ticks of the clock between two runs of each loop; whole numbers."""
+
+    position: float
+    attitude: float
+    rate: float
+    delay: float  # of position commands, in ticks
+
+
+class ControlSettings(Settings):
+    """The cascade of position, attitude and rate control."""
+
+    stiffness: quantity("N/m", least=0.0) = 11.2  # type: ignore[valid-type]
+    """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
+    damping: quantity("N s/m", least=0.0) = 7.1  # type: ignore[valid-type]
+    """K_v, horizontal. Fitted, as above."""
+    vertical_stiffness: quantity("N/m", least=0.0) = 26.0  # type: ignore[valid-type]
+    """K_p, vertical. Fitted, as above."""
+    vertical_damping: quantity("N s/m", least=0.0) = 10.6  # type: ignore[valid-type]
+    """K_v, vertical. Fitted, as above."""
+    integral: quantity("N/(m s)", least=0.0) = 0.0  # type: ignore[valid-type]
+    """K_i of all three axes; the paper's laws have none."""
+    integral_limit: quantity("N", least=0.0) = 2.0  # type: ignore[valid-type]
+    """Largest force of the integral along each axis. Chosen: a sixth of the weight."""
+    feedback_acceleration: quantity("m/s^2", above=0.0) = 12.0  # type: ignore[valid-type]
+    """Position and velocity errors ask for no more than this. Chosen: nearly what the rotors have
+    to spare, 1.34 g; the 9 of mavros_controllers (max_fb_acc) keeps Quad's steps in z from the MSE
+    of Table IV (studies/gains.py)."""
+    feed_forward: bool = False
+    """Angular velocity ahead, from jerk and yaw rate; the paper's references give neither."""
+    tilt_limit: quantity("rad", above=0.0, most=math.radians(89.0)) = math.radians(85.0)  # type: ignore[valid-type]
+    """Largest tilt asked for. Chosen: beyond the 66 deg that the paper reports, short of 90 deg."""
+
+    attitude: Literal["reduced", "full", "lee"] = "reduced"
+    """Brescianini with tilt before yaw, as in PX4; or with all axes alike; or Lee's on SO(3)."""
+    time_constant: Duration = 1.0 / 6.5
+    """τ of tilt errors, and of yaw in `full` and `lee`. PX4's MC_ROLL_P = MC_PITCH_P = 6.5 1/s."""
+    yaw_time_constant: Duration = 1.0 / 2.8
+    """τ of yaw errors in `reduced`. PX4's MC_YAW_P = 2.8 1/s."""
+    yaw_weight: quantity("", least=0.0, most=1.0) = 0.4  # type: ignore[valid-type]
+    """p of `reduced`. Brescianini et al. found 0.4 best; PX4's MC_YAW_WEIGHT."""
+    rate_limit: quantity("rad/s", above=0.0) = math.radians(220.0)  # type: ignore[valid-type]
+    """Of roll and pitch. PX4's MC_ROLLRATE_MAX = MC_PITCHRATE_MAX = 220 deg/s."""
+    yaw_rate_limit: quantity("rad/s", above=0.0) = math.radians(200.0)  # type: ignore[valid-type]
+    """PX4's MC_YAWRATE_MAX = 200 deg/s."""
+
+    rate_gain: quantity("1/s", above=0.0) = 25.0  # type: ignore[valid-type]
+    """k_ω of all three axes. Chosen between 20 and 30 1/s: a rate lag of 40 ms, as fitted."""
+    rate_integral: quantity("1/s^2", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Chosen: none; the modelled robots have no steady torque to hold against."""
+    rate_integral_limit: quantity("rad/s^2", least=0.0) = 10.0  # type: ignore[valid-type]
+    """Chosen."""
+    rate_derivative: Factor = 0.0
+    """On the filtered angular acceleration. Chosen: none."""
+    gyro_cutoff: quantity("1/s", least=0.0) = 30.0  # type: ignore[valid-type]
+    """Cut-off of the first-order filter on the gyroscope [Hz]; 0 is no filter.
+
+    PX4's IMU_GYRO_CUTOFF since 1.9 (pull request 11950).
+    """
+    gyroscopic: bool = True
+    """Whether ω × J ω is added. Brescianini et al. 2013, inner loop."""
+
+    position_frequency: quantity("1/s", above=0.0) = 100.0  # type: ignore[valid-type]
+    """[Hz] mavros_controllers, main loop."""
+    attitude_frequency: quantity("1/s", above=0.0) = 250.0  # type: ignore[valid-type]
+    """[Hz] PX4."""
+    rate_frequency: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
+    """[Hz] PX4, driven by the gyroscope."""
+    offboard_delay: quantity("s", least=0.0) = 0.01  # type: ignore[valid-type]
+    """From the position loop to the autopilot. Chosen: one period of the position loop."""
+
+    def position_law(self, mass: float, gravity: float) -> PositionLaw:
+        """The numbers of the position loop, for a mass [kg] and gravity [m/s²] it believes in."""
+        kp, kv, ki = self.stiffness, self.damping, self.integral
+        return PositionLaw(
+            stiffness=Vec(kp, kp, self.vertical_stiffness),
+            damping=Vec(kv, kv, self.vertical_damping),
+            integral=Vec(ki, ki, ki),
+            integral_limit=self.integral_limit,
+            feedback_limit=mass * self.feedback_acceleration,
+            mass=mass,
+            gravity=gravity,
+            slope=math.tan(self.tilt_limit),
+            least_lift=LEAST_LIFT * mass * gravity,
+            feed_forward=1.0 if self.feed_forward else 0.0,
+            period=1.0 / self.position_frequency,
+        )
+
+    def attitude_law(self) -> AttitudeLaw:
+        """The numbers of the attitude loop; their type is the law."""
+        tilt, yaw = 1.0 / self.time_constant, 1.0 / self.yaw_time_constant
+        limit = Vec(self.rate_limit, self.rate_limit, self.yaw_rate_limit)
+        if self.attitude == "full":
+            return FullQuaternion(Vec(tilt, tilt, tilt), limit)
+        if self.attitude == "lee":
+            return LeeSO3(Vec(tilt, tilt, tilt), limit)
+        p = self.yaw_weight
+        return Reduced(Vec(tilt, tilt, yaw / p if p > 0.0 else 0.0), p, limit)
+
+    def rate_law(self) -> RateLaw:
+        """The numbers of the rate loop."""
+        k, i, d = self.rate_gain, self.rate_integral, self.rate_derivative
+        period = 1.0 / self.rate_frequency
+        return RateLaw(
+            gain=Vec(k, k, k),
+            integral=Vec(i, i, i),
+            derivative=Vec(d, d, d),
+            integral_limit=self.rate_integral_limit,
+            integral_fade=INTEGRAL_FADE,
+            filter_share=period / (period + self.gyro_lag()),
+            gyroscopic=1.0 if self.gyroscopic else 0.0,
+            period=period,
+        )
+
+    def gyro_lag(self) -> float:
+        """Time constant of the filter on the gyroscope [s]: 1/(2π f)."""
+        return 1.0 / (2.0 * math.pi * self.gyro_cutoff) if self.gyro_cutoff > 0.0 else 0.0
+
+    def schedule(self, clock: float) -> Schedule:
+        """When each loop runs on a clock of so many ticks per second.
+
+        Raises:
+            The problem of a frequency that the clock cannot keep, with those nearest that it can.
+        """
+        return Schedule(
+            self._every("position_frequency", clock),
+            self._every("attitude_frequency", clock),
+            self._every("rate_frequency", clock),
+            float(round(self.offboard_delay * clock)),
+        )
+
+    def _every(self, name: str, clock: float) -> float:
+        wanted: Any = getattr(self, name)
+        ticks = clock / wanted
+        if ticks >= 1.0 - WHOLE and abs(ticks - round(ticks)) <= WHOLE * ticks:
+            return float(round(ticks))
+        fewest = max(math.floor(ticks), 1)
+        nearest = [clock / n for n in (fewest + 1, fewest) if ticks > 1.0 or n == 1]
+        raise problem(
+            f"must divide the clock's {clock:g} Hz (got {wanted:g} Hz); nearest: "
+            + " and ".join(f"{value:g} Hz" for value in nearest),
+            name,
+        )

@@ -1,0 +1,107 @@
+"""From how fast the robot should turn to a moment: the rate loop."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import each, total
+from springback.kernels.vectors import Mat, Vec, axiswise, positive_part, within
+from springback.vehicle.state import Airframe, Arm, arms_inertia
+
+
+class RateLaw(NamedTuple):
+    """Settings of the rate loop; gains act on angular accelerations."""
+
+    gain: Vec  # k_ω [1/s]
+    integral: Vec  # [1/s²]; 0 switches it off
+    derivative: Vec  # on the filtered angular acceleration; 0 switches it off
+    integral_limit: float  # of the angular acceleration of the integral, per axis [rad/s²]
+    integral_fade: float  # rate error at which the integral stops growing [rad/s]
+    filter_share: float  # of a new sample in the filtered rate, from 0 to 1; 1 is no filter
+    gyroscopic: float  # 1: ω × J ω is added; 0: not
+    period: float  # of the loop [s]
+
+
+class RateMemory(NamedTuple):
+    """What the rate loop remembers."""
+
+    filtered: Vec  # angular velocity [rad/s]
+    integral: Vec  # angular acceleration of the integral [rad/s²]
+
+
+class Turn(NamedTuple):
+    """The moment that the rate loop asks for, body axes [N m], and what it remembers."""
+
+    moment: Vec
+    memory: RateMemory
+
+
+@kernel
+def rate_memory(angular_velocity: Vec) -> RateMemory:
+    """Memory of a loop that starts at an angular velocity [rad/s]."""
+    return RateMemory(angular_velocity, angular_velocity * 0.0)
+
+
+@kernel
+def _second_moment(arm: Arm, length: float) -> Vec:
+    """m_j l_j² (e_x², e_y², e_x e_y) [kg m²]."""
+    square = arm.mass * length * length
+    return Vec(
+        square * arm.cosine * arm.cosine,
+        square * arm.sine * arm.sine,
+        square * arm.cosine * arm.sine,
+    )
+
+
+@kernel
+def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat:
+    """J(l), of body and arms about the main body at some arm lengths, body axes [kg m²]."""
+    return airframe.inertia + arms_inertia(
+        total(each(_second_moment, (airframe.arms, lengths), ()))
+    )
+
+
+@kernel
+def _integral(
+    value: float, gain: float, error: float, unmet: float, most: float, fade: float, period: float
+) -> float:
+    """Integral of one axis after a period [rad/s²].
+
+    It does not grow further into saturation, and large errors, as of flips and impacts, hardly
+    count: their share is 1 − (e/fade)².  Source: both are in PX4's RateControl.
+    """
+    share = positive_part(1.0 - (error / fade) * (error / fade))
+    running = 0.0 if unmet * error > 0.0 else period
+    return within(value + gain * share * error * running, -most, most)
+
+
+@kernel
+def turn(
+    law: RateLaw, inertia: Mat, setpoint: Vec, measured: Vec, unmet: Vec, memory: RateMemory
+) -> Turn:
+    """J (k_ω (ω_sp − ω) + i − d ω̇) + ω × J ω.
+
+    With a true J the robot then turns as ω̇ = k_ω (ω_sp − ω), whatever its arms do.
+    Source: Brescianini et al. 2013, inner loop; integral and derivative as in PX4's RateControl.
+
+    Args:
+        law: Settings.
+        inertia: J of the controller's model, body axes [kg m²].
+        setpoint: ω_sp, body axes [rad/s].
+        measured: ω of the gyroscope, body axes [rad/s].
+        unmet: Moment that the rotors could not give at the last period, asked less given [N m].
+        memory: Of `rate_memory` at the start; returned anew.
+    """
+    omega = memory.filtered + (measured - memory.filtered) * law.filter_share
+    error = setpoint - omega
+    most, fade, period = law.integral_limit, law.integral_fade, law.period
+    integral = Vec(
+        _integral(memory.integral.x, law.integral.x, error.x, unmet.x, most, fade, period),
+        _integral(memory.integral.y, law.integral.y, error.y, unmet.y, most, fade, period),
+        _integral(memory.integral.z, law.integral.z, error.z, unmet.z, most, fade, period),
+    )
+    rate = (omega - memory.filtered) * (1.0 / period)
+    wanted = axiswise(law.gain, error) + integral - axiswise(law.derivative, rate)
+    spin = (omega ^ (inertia @ omega)) * law.gyroscopic
+    return Turn(inertia @ wanted + spin, RateMemory(omega, integral))

@@ -1,0 +1,189 @@
+"""References as a user writes them down, checked once, and turned into numbers.
+
+The table is ``[reference]`` with ``type`` one of ``hold``, ``steps``, ``circle``, ``waypoints`` and
+``run-up``.  Each class has ``reference(limits, reach)``: some references depend on what the vehicle
+can do and on how far its cages reach, the others take no notice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from springback.control.demands import Limits
+from springback.control.polynomials import through
+from springback.control.references import Circle, Hold, Polynomials, SetPoint, Steps
+from springback.control.runup import RunUp, run_up
+from springback.errors import InputError
+from springback.kernels.vectors import Vec
+from springback.quantities import Angle, Duration, Length, Position, Speed, quantity, triple
+from springback.settings import Settings, problem
+
+#: Distance of the foremost cage before the main body [m] at a pitch [rad], as
+#: `springback.control.runup.reach` of a vehicle.
+Reach = Callable[[float], float]
+
+Moment = quantity("s", least=0.0)
+Place = triple("m")
+
+#: The paper's start and return point, section Impact Resilience [m].
+HOME = (0.0, 0.0, 1.0)
+
+
+class HoldSettings(Settings):
+    """Stay at one place."""
+
+    type: Literal["hold"]
+    position: Place = HOME  # type: ignore[valid-type]
+    yaw: Angle = 0.0
+
+    def reference(self, limits: Limits, reach: Reach) -> Hold:
+        """The kernel's reference."""
+        return Hold(Vec(*self.position), self.yaw)
+
+
+class StepsSettings(Settings):
+    """Set-points one after another, without way in between.
+
+    The defaults are the paper's step response test (section Free Flight).
+    """
+
+    type: Literal["steps"]
+    positions: tuple[Place, ...] = (HOME, (0.0, 0.0, 2.0), (1.0, 0.0, 2.0), (1.0, 1.0, 2.0))  # type: ignore[valid-type]
+    dwell: Duration = 5.0
+    """Time at each set-point."""
+    yaw: Angle = 0.0
+
+    @model_validator(mode="after")
+    def _some(self) -> StepsSettings:
+        if not self.positions:
+            raise problem("must name at least one position", "positions")
+        return self
+
+    def reference(self, limits: Limits, reach: Reach) -> Steps:
+        """The kernel's reference."""
+        points = enumerate(self.positions)
+        return Steps(tuple(SetPoint(k * self.dwell, Vec(*p), self.yaw) for k, p in points))
+
+
+class CircleSettings(Settings):
+    """A level circle.
+
+    The defaults are the paper's slow circle (Free Flight: radius 1 m, period 2π s, from [1, 0, 1]);
+    its centre and sense are not printed and taken as [0, 0, 1] and counter-clockwise.  Its desired
+    velocity jumps at the beginning, as the paper says of its own; ``ramp`` avoids that.
+    """
+
+    type: Literal["circle"]
+    centre: Place = HOME  # type: ignore[valid-type]
+    radius: Length = 1.0
+    period: Duration = 2.0 * math.pi
+    phase: Angle = 0.0
+    """Angle at which it starts, from world X towards Y."""
+    clockwise: bool = False
+    """Seen from above."""
+    begins: Moment = 0.0  # type: ignore[valid-type]
+    """Until then the robot waits at the first point."""
+    ramp: Moment = 0.0  # type: ignore[valid-type]
+    """Time to full speed."""
+    yaw: Angle = 0.0
+
+    def reference(self, limits: Limits, reach: Reach) -> Circle:
+        """The kernel's reference."""
+        rate = (-2.0 if self.clockwise else 2.0) * math.pi / self.period
+        return Circle(
+            Vec(*self.centre), self.radius, rate, self.phase, self.begins, self.ramp, self.yaw
+        )
+
+
+class WaypointsSettings(Settings):
+    """Minimum snap through way-points, from rest to rest.
+
+    With neither ``times`` nor ``duration`` it is as short as the vehicle's limits allow.
+    """
+
+    type: Literal["waypoints"]
+    positions: tuple[Place, ...]  # type: ignore[valid-type]
+    times: tuple[Moment, ...] | None = None  # type: ignore[valid-type]
+    """At each position, the first being 0 s; by default shared out so that snap is least."""
+    duration: Duration | None = None
+    """In total, where no times are given."""
+    begins: Moment = 0.0  # type: ignore[valid-type]
+    yaw: Angle = 0.0
+
+    @model_validator(mode="after")
+    def _consistent(self) -> WaypointsSettings:
+        places: tuple[Any, ...] = self.positions
+        times: tuple[Any, ...] | None = self.times
+        if len(places) < 2 or any(a == b for a, b in pairwise(places)):
+            raise problem("must be at least two, and neighbours apart", "positions")
+        if times is None:
+            return self
+        if self.duration is not None:
+            raise problem("stands beside times; give one of them", "duration")
+        if len(times) != len(places):
+            raise problem(f"has {len(times)} entries for {len(places)} positions", "times")
+        if times[0] != 0.0 or not all(a < b for a, b in pairwise(times)):
+            raise problem(f"must increase from 0 s (got {list(times)} s)", "times")
+        return self
+
+    def reference(self, limits: Limits, reach: Reach) -> Polynomials:
+        """The kernel's reference.
+
+        Raises:
+            InputError: If a limit is exceeded, and by how much.
+        """
+        return through(self.positions, limits, self.times, self.duration, self.yaw, self.begins)
+
+
+class RunUpSettings(Settings):
+    """From rest to a wall across the X axis, arriving with a speed and a pitch.
+
+    Wall and start are the paper's (section Impact Resilience).
+    """
+
+    type: Literal["run-up"]
+    speed: Speed
+    """Into the wall, at contact."""
+    pitch: quantity("rad", least=-1.4, most=1.4) = 0.0  # type: ignore[valid-type]
+    """At contact; positive is nose down, towards the wall."""
+    wall_distance: Position = 2.75
+    """Of the wall's face from the origin along X."""
+    start: Place = HOME  # type: ignore[valid-type]
+    steady: Moment = 0.1  # type: ignore[valid-type]
+    """Time before contact in which the pitch no longer changes (chosen)."""
+    beyond: Moment = 0.3  # type: ignore[valid-type]
+    """Time after contact for which the acceleration goes on, the wall being unknown (chosen)."""
+    begins: Moment = 0.0  # type: ignore[valid-type]
+
+    def run_up(self, limits: Limits, reach: Reach) -> RunUp:
+        """The run-up and what it asks of the vehicle.
+
+        Raises:
+            InputError: If a limit is exceeded, which one, and by how much.
+        """
+        x, y, z = Vec(*self.start)
+        there = self.wall_distance - reach(self.pitch)
+        if not there > x:
+            raise InputError(
+                f"wall_distance of a run-up must be more than {x + reach(self.pitch):.4g} m, where "
+                f"the cages are at the start (got {self.wall_distance:g} m)"
+            )
+        return run_up(
+            self.speed, self.pitch, Vec(x, y, z), Vec(there, y, z), limits,
+            self.steady, self.beyond, self.begins,
+        )  # fmt: skip
+
+    def reference(self, limits: Limits, reach: Reach) -> Polynomials:
+        """The kernel's reference."""
+        return self.run_up(limits, reach).reference
+
+
+ReferenceSettings = Annotated[
+    HoldSettings | StepsSettings | CircleSettings | WaypointsSettings | RunUpSettings,
+    Field(discriminator="type"),
+]

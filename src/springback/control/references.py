@@ -1,0 +1,178 @@
+"""References: what a robot is asked to do, as a function of time.
+
+Positions are those of the main body, world axes (NWU), SI and radians.  Every reference is defined
+for all times and stays bounded: before its beginning it waits at its first point, after its end at
+its last.  Another reference is a NamedTuple of floats and a function registered with `target`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.control.target import Target, target
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import along, pick
+from springback.kernels.vectors import Vec
+
+
+class Hold(NamedTuple):
+    """One set-point for all times."""
+
+    position: Vec  # world [m]
+    yaw: float  # [rad]
+
+
+class SetPoint(NamedTuple):
+    """A set-point and when it is first asked for."""
+
+    begins: float  # [s]
+    position: Vec  # world [m]
+    yaw: float  # [rad]
+
+
+class Steps(NamedTuple):
+    """Set-points one after another, without way in between; the first stands from ever on."""
+
+    points: tuple[SetPoint, ...]  # in order of time
+
+
+class Circle(NamedTuple):
+    """A level circle at constant speed, for ever."""
+
+    centre: Vec  # world [m]; its height is the circle's
+    radius: float  # [m]
+    rate: float  # 2π/period, positive counter-clockwise seen from above [rad/s]
+    phase: float  # angle at which it starts, from world X towards Y [rad]
+    begins: float  # [s]
+    ramp: float  # time to full speed [s]; 0 starts at full speed
+    yaw: float  # [rad]
+
+
+class Segment(NamedTuple):
+    """One polynomial of the time since its beginning."""
+
+    begins: float  # after the beginning of the whole [s]
+    coefficients: tuple[Vec, ...]  # of falling powers, the last is the position at `begins`
+
+
+class Polynomials(NamedTuple):
+    """Polynomials one after another, any number and any (but one) order."""
+
+    segments: tuple[Segment, ...]  # in order of time, the first begins at 0
+    begins: float  # [s]
+    duration: float  # of all segments [s]
+    yaw: float  # [rad]
+
+
+class Then(NamedTuple):
+    """One reference until some time, and another from then on."""
+
+    first: Any
+    until: float  # [s]
+    second: Any
+
+
+@kernel
+def resting(position: Vec, yaw: float) -> Target:
+    """A target that does not move."""
+    still = Vec(0.0, 0.0, 0.0)
+    return Target(position, still, still, still, yaw, 0.0)
+
+
+@target.register(Hold)
+@kernel
+def _hold(reference: Hold, time: float) -> Target:
+    return resting(reference.position, reference.yaw)
+
+
+@target.register(Steps)
+@kernel
+def _steps(reference: Steps, time: float) -> Target:
+    """The last set-point whose time has come."""
+    current = reference.points[0]
+    for point in reference.points:
+        current = pick(time >= point.begins, point, current)
+    return resting(current.position, current.yaw)
+
+
+class Progress(NamedTuple):
+    """A path time s(t) and its derivatives."""
+
+    value: float  # s [s]
+    rate: float  # ṡ
+    second: float  # s̈ [1/s]
+    third: float  # d³s/dt³ [1/s²]
+
+
+@kernel
+def progress(elapsed: float, ramp: float) -> Progress:
+    """Path time that starts at rest and runs at full rate after a ramp.
+
+    ṡ = 10 u³ − 15 u⁴ + 6 u⁵ with u = t/ramp, the quintic whose first two derivatives vanish at both
+    ends, so that jerk along the path is continuous; its integral over the ramp is ramp/2.
+
+    Args:
+        elapsed: t ≥ 0 [s].
+        ramp: Duration of the ramp [s]; at 0 the full rate stands from the beginning.
+    """
+    ramping = elapsed < ramp
+    u = elapsed / pick(ramping, ramp, 1.0)
+    v, per = 1.0 - u, 1.0 / pick(ramping, ramp, 1.0)
+    slow = Progress(
+        value=ramp * u * u * u * u * (2.5 + u * (u - 3.0)),
+        rate=u * u * u * (10.0 + u * (6.0 * u - 15.0)),
+        second=30.0 * u * u * v * v * per,
+        third=60.0 * u * v * (v - u) * per * per,
+    )
+    return pick(ramping, slow, Progress(elapsed - 0.5 * ramp, 1.0, 0.0, 0.0))
+
+
+@target.register(Circle)
+@kernel
+def _circle(reference: Circle, time: float) -> Target:
+    """R (cos φ, sin φ) with φ = phase + rate · s(t), and three derivatives by the chain rule."""
+    r, w = reference.radius, reference.rate
+    started = 1.0 if time >= reference.begins else 0.0
+    s = progress(started * (time - reference.begins), reference.ramp)
+    angle = reference.phase + w * s.value
+    first, second, third = w * s.rate * started, w * s.second, w * s.third  # of the angle
+    out = Vec(math.cos(angle), math.sin(angle), 0.0)
+    on = Vec(-out.y, out.x, 0.0)
+    return Target(
+        reference.centre + r * out,
+        (r * first) * on,
+        (r * second) * on - (r * first * first) * out,
+        (r * (third - first * first * first)) * on - (3.0 * r * first * second) * out,
+        reference.yaw,
+        0.0,
+    )
+
+
+@target.register(Polynomials)
+@kernel
+def _polynomials(reference: Polynomials, time: float) -> Target:
+    """Horner's scheme for the value and three derivatives at once; at rest outside its time."""
+    elapsed = time - reference.begins
+    begun, ended = elapsed >= 0.0, elapsed > reference.duration
+    moving = 0.0 if ended else pick(begun, 1.0, 0.0)
+    inside = reference.duration if ended else pick(begun, elapsed, 0.0)
+    segment = reference.segments[0]
+    for later in reference.segments:
+        segment = pick(inside >= later.begins, later, segment)
+    t = inside - segment.begins
+    p = v = a = j = Vec(0.0, 0.0, 0.0)  # p, ṗ, p̈/2 and p⃛/6
+    for coefficient in segment.coefficients:
+        j = along(a, j, t)
+        a = along(v, a, t)
+        v = along(p, v, t)
+        p = along(coefficient, p, t)
+    v, a, j = moving * v, (2.0 * moving) * a, (6.0 * moving) * j
+    return Target(p, v, a, j, reference.yaw, 0.0)
+
+
+@target.register(Then)
+@kernel
+def _then(reference: Then, time: float) -> Target:
+    first, second = target(reference.first, time), target(reference.second, time)
+    return pick(time >= reference.until, second, first)

@@ -1,0 +1,142 @@
+"""Run-ups: from rest to an obstacle, arriving with a wanted speed and pitch.
+
+A run-up is level and straight, so one number along it says everything: the acceleration a tilts the
+thrust m √(g² + a²) by θ = atan(a/g), and its rate of change turns it by θ̇ = g ȧ/(g² + a²).  A pitch
+at contact is an acceleration a = g tan θ there, positive (nose down) speeding up into the obstacle.
+
+The robot does not know the obstacle: past the contact the acceleration goes on for a while, then
+the reference brakes to rest.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.interpolate import BPoly
+
+from springback.contact.cage import support
+from springback.control.approach import FEW, Row, approach
+from springback.control.demands import ROOM, Limits, demands, level_demands
+from springback.control.polynomials import as_reference
+from springback.control.references import Polynomials
+from springback.errors import InputError
+from springback.kernels.vectors import Vec
+from springback.vehicle.state import Airframe, arm_direction
+
+
+class RunUp(NamedTuple):
+    """A run-up, and what it asks for from rest to contact."""
+
+    reference: Polynomials
+    contact_time: float  # [s]
+    contact_position: Vec  # of the main body, world [m]
+    largest_thrust: float  # collective [N]
+    largest_tilt: float  # [rad]
+    largest_tilt_rate: float  # [rad/s]
+
+
+def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
+    """How far the foremost cage is before the main body when it touches a wall across X [m].
+
+    For two front arms at 45° and a ring it is (L/√2 + r_0) cos θ.
+
+    Args:
+        airframe: The vehicle, arms at their free length.
+        contact_point: `Ring` or `ArmTip`, the model of contact.
+        pitch: θ, positive nose down; yaw and roll are zero [rad].
+    """
+    inward = Vec(math.cos(pitch), 0.0, math.sin(pitch))  # world X in body axes
+    ends = []
+    for arm in airframe.arms:
+        e = arm_direction(arm)
+        at = support(contact_point, inward, e, arm.cage_radius)
+        ends.append(inward @ (arm.length * e + at.point) - at.inset)
+    return max(ends)
+
+
+def run_up(
+    speed: float,
+    pitch: float,
+    start: Vec,
+    contact: Vec,
+    limits: Limits,
+    steady: float = 0.1,
+    beyond: float = 0.3,
+    begins: float = 0.0,
+) -> RunUp:
+    """A run-up from rest at ``start`` to contact of the main body's position with ``contact``.
+
+    The simplest run-up is tried first: one minimum-snap polynomial from rest to the steady phase,
+    of the duration that uses the limits least without ever moving back.  If that leaves no room for
+    feedback, the knots of a spline are moved to use the limits least.
+
+    Args:
+        speed: At contact, along the way [m/s].
+        pitch: At contact, positive nose down towards the obstacle [rad].
+        start: World [m].
+        contact: World, at the height of ``start`` [m].
+        limits: What the vehicle can do.
+        steady: Time before contact in which the pitch no longer changes [s]; 0.1 s is chosen, about
+            one time constant of an attitude loop.
+        beyond: Time after contact for which the acceleration goes on [s], chosen.
+        begins: [s].
+
+    Raises:
+        InputError: Naming the limit that is exceeded and by how much: thrust, tilt, or the distance
+            that keeps the tilt rate within bounds.
+    """
+    way = contact - start
+    distance = math.hypot(way.x, way.y)
+    who = f"the run-up to {speed:g} m/s at {math.degrees(pitch):g} deg"
+    if speed <= 0.0 or abs(way.z) > 1e-9 or distance == 0.0 or abs(pitch) >= 0.5 * math.pi:
+        raise InputError(
+            f"{who} must end level with its start, apart from it, moving, below 90 deg"
+        )
+    a = limits.gravity * math.tan(pitch)
+    breaks, rows = approach(distance, speed, a, steady, limits, who)
+    touching = len(breaks)
+    for duration, row in _afterwards(rows[-1], a, beyond, limits):
+        breaks.append(breaks[-1] + duration)
+        rows.append(row)
+    direction = np.array([way.x, way.y, 0.0]) / distance
+    along = np.array(rows)[:, :, None] * direction
+    along[:, 0] += np.array(start)
+    curve = BPoly.from_derivatives(breaks, along)
+    asked = demands(curve, breaks[:touching], limits)
+    return RunUp(
+        as_reference(curve, breaks, math.atan2(way.y, way.x), begins),
+        begins + breaks[touching - 1],
+        contact,
+        asked.most_thrust,
+        asked.tilt,
+        asked.tilt_rate,
+    )
+
+
+def _afterwards(contact: Row, a: float, beyond: float, limits: Limits) -> list[tuple[float, Row]]:
+    """Durations and ends of the phases after contact: the acceleration goes on, then rest."""
+    x = contact[0] + contact[1] * beyond + 0.5 * a * beyond**2
+    v = contact[1] + a * beyond
+    going_on: list[tuple[float, Row]] = [(beyond, (x, v, a, 0.0))] if beyond > 0.0 else []
+    return [*going_on, _braking((x, v, a, 0.0), limits)]
+
+
+def _braking(start: Row, limits: Limits) -> tuple[float, Row]:
+    """Duration and end of the shortest stop that leaves `ROOM`, or of the gentlest.
+
+    The velocity is the quintic from v and a to rest; its integral is v T/2 + a T²/10.
+    """
+    x, v, a, _ = start
+    fraction = np.linspace(0.0, 1.0, FEW)
+    best: tuple[float, float, Row] = (math.inf, math.nan, start)
+    for duration in np.geomspace(0.05, 20.0, 120):
+        end = (x + 0.5 * v * duration + 0.1 * a * duration**2, 0.0, 0.0, 0.0)
+        curve = BPoly.from_derivatives([0.0, duration], [start, end])
+        t = fraction * duration
+        share = max(level_demands(curve(t, 2), curve(t, 3), limits).uses(limits).values())
+        best = min(best, (share, float(duration), end))
+        if share <= ROOM:
+            break
+    return best[1], best[2]

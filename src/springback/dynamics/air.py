@@ -1,0 +1,170 @@
+"""The air: still and without drag, as the paper assumes, or with wind and drag.
+
+`Still` is the paper's assumption 1 and costs nothing when compiled.  `Air` acts on the main body's
+centre of mass.  The ledger takes −F·v from the vehicle, so wind may also give.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from pydantic import model_validator
+
+from springback.dynamics.gusts import Calm, Dryden, dryden, low_altitude
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Mat, Vec, norm
+from springback.quantities import Speed, quantity, triple
+from springback.settings import Settings, problem
+
+
+class Still(NamedTuple):
+    """No aerodynamics (the paper's assumption 1)."""
+
+    unused: float
+
+
+class Air(NamedTuple):
+    """Wind and drag.
+
+    D = rotor_drag + T · thrust_drag is the diagonal of the rotors' linear drag.  Faessler, Franchi
+    and Scaramuzza (RA-L 2018) use −R D Rᵀ v, there per mass and at a thrust near hovering; the part
+    that grows with the thrust is for rotors that drag more the harder they pull.  The body's drag
+    is ½ ρ C_d A |u|².
+    """
+
+    wind: Vec  # w, world [m/s]; that of the present tick
+    rotor_drag: Vec  # along body x, y, z [N s/m]
+    body_drag: float  # ½ ρ C_d A [kg/m]
+    thrust_drag: Vec  # along body x, y, z, per collective thrust [s/m]
+
+
+class Aerodynamics(NamedTuple):
+    """What the air does at one instant."""
+
+    force: Vec  # at the main body's centre of mass, body axes [N]
+    loss: float  # power that the air takes; negative where it gives [W]
+
+
+@kernel
+def drag_force(air: Air, u: Vec, thrust: float) -> Vec:
+    """−(D + ½ ρ C_d A |u|) u, body axes [N].
+
+    Args:
+        air: Coefficients; its wind is not read here.
+        u: Rᵀ(v − w), velocity through the air, body axes [m/s].
+        thrust: T, collective [N].
+    """
+    d, body = air.rotor_drag + thrust * air.thrust_drag, air.body_drag * norm(u)
+    return Vec(-(d.x + body) * u.x, -(d.y + body) * u.y, -(d.z + body) * u.z)
+
+
+@generic
+def aerodynamics(air: Any, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+    """Force of the air on the vehicle, and the power it takes.
+
+    Args:
+        air: `Still` or `Air`.
+        velocity: Rᵀ v, of the main body, body axes [m/s].
+        r: Body axes to world axes.
+        thrust: Collective [N].
+    """
+    raise TypeError(f"{type(air).__name__} is no air; register aerodynamics for it")
+
+
+@aerodynamics.register(Still)
+@kernel
+def _nothing(air: Still, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+    return Aerodynamics(Vec(0.0, 0.0, 0.0), 0.0)
+
+
+@aerodynamics.register(Air)
+@kernel
+def _drag(air: Air, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+    force = drag_force(air, velocity - air.wind @ r, thrust)
+    return Aerodynamics(force, -(force @ velocity))
+
+
+@generic
+def in_wind(air: Any, wind: Vec) -> Any:
+    """The same air with another wind, world axes [m/s]; `Still` stays still."""
+    raise TypeError(f"{type(air).__name__} is no air; register in_wind for it")
+
+
+@in_wind.register(Still)
+@kernel
+def _still_in_wind(air: Still, wind: Vec) -> Still:
+    return air
+
+
+@in_wind.register(Air)
+@kernel
+def _air_in_wind(air: Air, wind: Vec) -> Air:
+    return Air(wind, air.rotor_drag, air.body_drag, air.thrust_drag)
+
+
+class GustSettings(Settings):
+    """Dryden turbulence of MIL-F-8785C at low altitude."""
+
+    wind_at_6_m: quantity("m/s", least=0.0)  # type: ignore[valid-type]
+    """W₂₀, mean wind 20 ft above the ground: 15, 30 and 45 knots are light, moderate and severe."""
+    altitude: quantity("m", least=3.048, most=304.8) = 6.096  # type: ignore[valid-type]
+    """h above the ground, 10 to 1000 ft (the range of the formulas); the default is 20 ft."""
+    airspeed: Speed | None = None
+    """V at which the vehicle meets the frozen field; by default the mean wind's, as in hovering."""
+
+
+class AirSettings(Settings):
+    """Wind and drag; none by default."""
+
+    wind: triple("m/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Mean wind, world axes: where the air goes, not where it comes from."""
+    gusts: GustSettings | None = None
+    rotor_drag: triple("N s/m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Linear drag along body x, y, z."""
+    thrust_drag: triple("s/m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Linear drag along body x, y, z for each newton of collective thrust."""
+    body_drag: quantity("kg/m", least=0.0) = 0.0  # type: ignore[valid-type]
+    """½ ρ C_d A of the quadratic drag."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> AirSettings:
+        for name, unit in (("rotor_drag", "N s/m"), ("thrust_drag", "s/m")):
+            given = getattr(self, name)
+            if min(given) < 0.0:
+                raise problem(f"must be at least 0 {unit} each (got {list(given)} {unit})", name)
+        for name, blows in (("wind", any(self.wind)), ("gusts", self.gusts is not None)):
+            if blows and not self.has_drag:
+                raise problem("does nothing without rotor_drag, thrust_drag or body_drag", name)
+        if self.gusts is not None and self.gusts.airspeed is None and not any(self.wind):
+            raise problem("is missing; without mean wind gusts need it", "gusts.airspeed")
+        return self
+
+    @property
+    def has_drag(self) -> bool:
+        """Whether the air acts on the vehicle at all."""
+        return any((*self.rotor_drag, *self.thrust_drag, self.body_drag))
+
+    def air(self) -> Still | Air:
+        """The numbers for the equations of motion, in the mean wind."""
+        if not self.has_drag:
+            return Still(0.0)
+        wind, linear, by_thrust = self.wind, self.rotor_drag, self.thrust_drag
+        return Air(Vec(*wind), Vec(*linear), float(self.body_drag), Vec(*by_thrust))
+
+    def turbulence(self, tick: float) -> Calm | Dryden:
+        """The numbers of the gusts, for a tick of some duration [s]."""
+        if self.gusts is None:
+            return Calm(0.0)
+        intensity, scale = low_altitude(self.gusts.wind_at_6_m, self.gusts.altitude)
+        mean = norm(Vec(*self.wind))
+        level = math.hypot(self.wind[0], self.wind[1])
+        along = Vec(1.0, 0.0, 0.0)
+        if level > 0.0:
+            along = Vec(self.wind[0] / level, self.wind[1] / level, 0.0)
+        return dryden(intensity, scale, self.gusts.airspeed or mean, tick, along)
+
+    def drag_rate(self, mass: float, thrust: float, speed: float) -> float:
+        """How fast drag brings a mass [kg] to rest [1/s], at a thrust [N] and a speed [m/s]."""
+        linear = max(d + thrust * k for d, k in zip(self.rotor_drag, self.thrust_drag, strict=True))
+        return float(linear + 2.0 * self.body_drag * speed) / mass

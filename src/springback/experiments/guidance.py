@@ -1,0 +1,216 @@
+"""What a scenario puts aboard: sensors, estimator, controller, reference, rotors, weather."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from springback.control.cascade import Cascade, cascade_memory
+from springback.control.demands import Limits
+from springback.control.linear import warnings_for
+from springback.control.runup import reach
+from springback.errors import InputError
+from springback.kernels.vectors import Vec
+from springback.sensing.clock import inside
+from springback.sensing.estimation import EstimatorSettings, Rhythm
+from springback.sensing.measurement import Estimate
+from springback.sensing.sensors import Sensors, noise_count, sensors_at_start
+from springback.settings import problem
+from springback.simulation.aboard import Cabin, Guidance, Relay
+from springback.simulation.guided import GUST_NOISE, cabin_of
+from springback.simulation.record import Model
+from springback.vehicle.rotors import Propulsion
+from springback.vehicle.state import Airframe, State
+
+if TYPE_CHECKING:
+    from springback.experiments.scenario import Scenario
+
+#: Streams of a flight's luck beside that of its ticks (`springback.simulation.guided`).
+TURN_ON = 2
+
+
+class OwnPilot(NamedTuple):
+    """A pilot of the user's own that is compiled: its type is registered with `piloted`."""
+
+    settings: Any  # a NamedTuple of floats
+    memory: Any  # at the start; a tree of floats
+
+
+class Board(NamedTuple):
+    """What is aboard, and how many normal numbers it takes at a tick."""
+
+    cabin: Cabin
+    noise: int
+
+
+@contextmanager
+def _in_table(table: str) -> Iterator[None]:
+    """Name the table of a scenario that a problem is in."""
+    try:
+        with inside(table):
+            yield
+    except InputError as error:
+        raise problem("; ".join(error.problems), table) from None
+
+
+def propulsion_of(scenario: Scenario) -> Propulsion:
+    """Rotors of the vehicle; refused where there are none, or where they cannot lift it."""
+    propulsion = scenario.vehicle.propulsion
+    if propulsion is None:
+        raise problem(
+            "is missing: a vehicle that is flown by a pilot needs most_thrust at least",
+            "vehicle.propulsion",
+        )
+    vehicle = scenario.true_vehicle()
+    weight = vehicle.mass * scenario.world.gravity
+    least = weight / vehicle.arm_count
+    if not propulsion.most_thrust > least:
+        raise problem(
+            f"must be more than {least:.4g} N, this rotor's share of the weight "
+            f"(got {propulsion.most_thrust:g} N)",
+            "vehicle.propulsion.most_thrust",
+        )
+    return propulsion
+
+
+def limits_of(scenario: Scenario) -> Limits:
+    """What the vehicle can do, as its pilot believes."""
+    rotors, count = propulsion_of(scenario).rotors(), scenario.vehicle.arm_count
+    return Limits(
+        mass=scenario.vehicle.mass,
+        gravity=scenario.world.gravity,
+        most_thrust=count * rotors.most,
+        least_thrust=count * rotors.least,
+        most_body_rate=scenario.control.rate_limit,
+    )
+
+
+def reference_of(scenario: Scenario, model: Model) -> Any:
+    """Numbers of the reference.
+
+    Raises:
+        The problem of a reference that the vehicle cannot follow.
+    """
+    with _in_table("reference"):
+        return _made_reference(
+            scenario.reference,
+            limits_of(scenario),
+            scenario.vehicle.airframe(),
+            model.contact_point,
+        )
+
+
+@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
+def _made_reference(settings: Any, limits: Limits, airframe: Airframe, point: Any) -> Any:
+    return settings.reference(limits, lambda pitch: reach(airframe, point, pitch))
+
+
+def sensors_of(scenario: Scenario, flight: int) -> Sensors:
+    """Numbers of the sensors, their turn-on biases drawn for one flight."""
+    luck = np.random.SFC64(np.random.SeedSequence(scenario.seed, spawn_key=(flight, TURN_ON)))
+    told = scenario.sensors
+    if scenario.estimator.type == "perfect":
+        told = told.model_copy(update={"reveal": True})
+    with _in_table("sensors"):
+        return told.sensors(1.0 / scenario.clock, scenario.vehicle, np.random.Generator(luck))
+
+
+def _rhythm(scenario: Scenario) -> Rhythm:
+    """The pace of the sensors, as the estimator must know it."""
+    tick, s = 1.0 / scenario.clock, scenario.sensors
+    return Rhythm(
+        tick=tick,
+        interval=tick if s.imu.perfect else 1.0 / s.imu.rate,
+        pose_age=0.0 if s.motion_capture.perfect else s.motion_capture.delay,
+    )
+
+
+def _estimator_settings(scenario: Scenario) -> EstimatorSettings:
+    """Settings of the estimator; where it stands on the robot it knows from the sensors."""
+    given = scenario.estimator
+    if "offset" in given.kalman.model_fields_set:
+        return given
+    kalman = given.kalman.model_copy(update={"offset": scenario.sensors.imu.offset})
+    return given.model_copy(update={"kalman": kalman})
+
+
+def estimate_at(state: State) -> Estimate:
+    """The exact estimate of a state."""
+    return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
+
+
+def cascade_of(scenario: Scenario, model: Model, start: State) -> OwnPilot:
+    """The pilot of the paper, and its memory at the start."""
+    gravity, rotors = scenario.world.gravity, propulsion_of(scenario).rotors()
+    settings, rhythm = _estimator_settings(scenario), _rhythm(scenario)
+    with _in_table("estimator"):
+        estimator = settings.estimator(rhythm, gravity)
+    control = scenario.control
+    with _in_table("control"):
+        schedule = control.schedule(scenario.clock)
+    pilot = Cascade(
+        airframe=scenario.vehicle.airframe(),
+        lowest=rotors.least,
+        highest=rotors.most,
+        estimator=estimator,
+        reference=reference_of(scenario, model),
+        position=control.position_law(scenario.vehicle.mass, gravity),
+        attitude=control.attitude_law(),
+        rate=control.rate_law(),
+        schedule=schedule,
+    )
+    at = estimate_at(start)
+    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust)
+    return OwnPilot(pilot, memory)
+
+
+def board_of(
+    scenario: Scenario,
+    model: Model,
+    start: State,
+    *,
+    flight: int = 0,
+    pilot: OwnPilot | None = None,
+    relay: bool = False,
+) -> Board:
+    """What is aboard before the first tick.
+
+    Args:
+        scenario: With a reference, or flown by a pilot of the user's own.
+        model: Of the flight.
+        start: State at time 0.
+        flight: Its number in a campaign, for its luck.
+        pilot: In place of the paper's.
+        relay: The pilot is in plain Python, and sits outside.
+    """
+    sensors = sensors_of(scenario, flight)
+    if relay:
+        pilot = OwnPilot(Relay(0.0), model.thrust)
+    flown_by = pilot or cascade_of(scenario, model, start)
+    period = 1.0 / scenario.clock
+    with _in_table("air"):
+        weather = scenario.air.turbulence(period)
+    guidance = Guidance(
+        sensors=sensors,
+        pilot=flown_by.settings,
+        rotors=propulsion_of(scenario).rotors(),
+        weather=weather,
+        mean_wind=Vec(*scenario.air.wind),
+        period=period,
+    )
+    remembered = sensors_at_start(sensors, start, scenario.world.gravity)
+    channels = noise_count(scenario.vehicle.arm_count)
+    cabin = cabin_of(guidance, remembered, flown_by.memory, model, start, channels, scenario.seed)
+    return Board(cabin, channels + GUST_NOISE)
+
+
+def uneasy(scenario: Scenario) -> list[str]:
+    """What a user had better know before the flight: one sentence each."""
+    if scenario.reference is None or scenario.vehicle.propulsion is None:
+        return []
+    lag = scenario.vehicle.propulsion.time_constant
+    return warnings_for(scenario.control, scenario.vehicle.mass, lag)

@@ -1,0 +1,146 @@
+"""Trees in flat buffers: how many rows they take, where their parts lie, reading and writing.
+
+A buffer holds many flights abreast: leaf k of the tree of one lane lies at ``(row + k) * width +
+lane``.  What lies there is told by a `Like`, which has the type of a tree and none of its numbers:
+it costs nothing to hand from function to function.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+import numpy as np
+from numba import types
+from numba.core.typing import templates
+
+from springback.kernels.compiler import compiled
+from springback.kernels.trees import (
+    construct,
+    function_of,
+    leaf_count,
+    leaves,
+    reached,
+    rebuilt,
+)
+
+#: numba.extending, whose stubs know only some of it.
+_numba: Any = numba.extending
+_typeof: Any = numba.typeof
+_AttributeTemplate: Any = templates.AttributeTemplate
+
+Buffer = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class Like:
+    """Like a tree, but without numbers: its parts are reached by name, and are likes again."""
+
+    __slots__ = ("_parts", "_type", "tree")
+
+    def __init__(self, tree: Any) -> None:
+        """Take the shape of a tree."""
+        self.tree = tree
+        self._parts: dict[str, Like] = {}
+        self._type: Any = None
+
+    @property
+    def _numba_type_(self) -> Any:
+        """What the compiler asks for."""
+        if self._type is None:
+            self._type = LikeType(_typeof(self.tree))
+        return self._type
+
+    def __getattr__(self, name: str) -> Like:
+        if name not in self._parts:
+            self._parts[name] = Like(getattr(self.tree, name))
+        return self._parts[name]
+
+
+def rows(like: Any) -> int:
+    """Number of floats in a tree, or in a `Like`."""
+    return len(leaves(like.tree if isinstance(like, Like) else like))
+
+
+def row_of(like: Any, field: str) -> int:
+    """Number of floats in a tree, or a `Like`, before one of its fields."""
+    tree = like.tree if isinstance(like, Like) else like
+    return sum(len(leaves(branch)) for branch in tree[: tree._fields.index(field)])
+
+
+def read(like: Like, buffer: Buffer, row: int, width: int, lane: int) -> Any:
+    """The tree that lies in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
+    return rebuilt(like.tree, [buffer[(row + k) * width + lane] for k in range(rows(like))])
+
+
+def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
+    """Lay a tree into ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
+    for k, leaf in enumerate(leaves(tree)):
+        buffer[(row + k) * width + lane] = leaf
+
+
+# -- the same for the compiler --------------------------------------------------------------------
+
+
+class LikeType(types.Opaque):
+    """Compiler type of a `Like`."""
+
+    def __init__(self, tree: Any) -> None:
+        """Of a tree's type."""
+        self.tree = tree
+        super().__init__(name=f"Like({tree})")
+
+
+_numba.register_model(LikeType)(_numba.models.OpaqueModel)
+
+
+@_numba.unbox(LikeType)  # type: ignore[untyped-decorator]
+def _unboxed(typ: Any, value: Any, c: Any) -> Any:
+    return _numba.NativeValue(c.context.get_dummy_value())
+
+
+@_numba.infer_getattr
+class _LikeParts(_AttributeTemplate):  # type: ignore[misc]
+    key = LikeType
+
+    def generic_resolve(self, typ: LikeType, attr: str) -> Any:
+        fields = getattr(typ.tree, "fields", ())
+        return LikeType(typ.tree.types[fields.index(attr)]) if attr in fields else None
+
+
+@_numba.lower_getattr_generic(LikeType)  # type: ignore[untyped-decorator]
+def _like_part(context: Any, builder: Any, typ: Any, value: Any, attr: str) -> Any:
+    return context.get_dummy_value()
+
+
+def _tree_of(like: Any) -> Any:
+    return like.tree if isinstance(like, LikeType) else like
+
+
+@compiled(rows)
+def _rows(like: Any) -> Any:
+    return function_of("like", [f"return {leaf_count(_tree_of(like))}"], {})
+
+
+@compiled(row_of, literal=True)
+def _row_of(like: Any, field: Any) -> Any:
+    tree = _tree_of(like)
+    place = tree.fields.index(field.literal_value)
+    before = sum(leaf_count(tree.types[k]) for k in range(place))
+    return function_of("like, field", [f"return {before}"], {})
+
+
+@compiled(read)
+def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
+    tree = like.tree
+    scope: dict[str, Any] = {}
+    texts = [f"buffer[start + {k} * width]" for k in range(leaf_count(tree))]
+    lines = ["start = row * width + lane", f"return {construct(tree, texts, scope)}"]
+    return function_of("like, buffer, row, width, lane", lines, scope)
+
+
+@compiled(write)
+def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
+    lines = ["start = row * width + lane"]
+    texts = reached(tree, "tree", lines) if isinstance(tree, types.BaseTuple) else ["tree"]
+    lines += [f"buffer[start + {k} * width] = {leaf}" for k, leaf in enumerate(texts)]
+    return function_of("tree, buffer, row, width, lane", [*lines, "return None"], {})

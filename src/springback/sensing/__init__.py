@@ -1,0 +1,1 @@
+"""What a vehicle can know: sensors and estimators."""

@@ -1,0 +1,71 @@
+"""Rates and delays of devices, made whole ticks of the clock."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Iterator
+
+from pydantic_core import PydanticCustomError
+
+from springback.sensing.memory import MOST_PERIODS
+from springback.settings import problem
+
+#: A period or delay may miss a whole number of ticks by this share of a tick: rounding of decimals.
+WHOLE = 1e-6
+
+
+def period(rate: float, tick: float) -> float:
+    """Period of a device in whole ticks.
+
+    Args:
+        rate: Of the device [Hz].
+        tick: Duration of a tick of the clock [s].
+
+    Raises:
+        The problem, with the nearest rates that divide the clock's.
+    """
+    exact = 1.0 / (rate * tick)
+    every = round(exact)
+    if every >= 1 and abs(exact - every) < WHOLE:
+        return float(every)
+    below, above = math.floor(exact), math.ceil(exact)
+    near = sorted({1.0 / (count * tick) for count in (below, above) if count >= 1})
+    words = " or ".join(f"{entry:.6g} Hz" for entry in near)
+    raise problem(
+        f"must divide the clock's rate of {1.0 / tick:.6g} Hz (got {rate:.6g} Hz); nearest: {words}"
+    )
+
+
+def lateness(delay: float, every: float, tick: float) -> float:
+    """A device's delay in whole ticks.
+
+    Args:
+        delay: [s].
+        every: Period of the device [ticks].
+        tick: Duration of a tick of the clock [s].
+
+    Raises:
+        The problem, if the delay is no whole number of ticks or longer than four periods.
+    """
+    exact = delay / tick
+    ticks = round(exact)
+    most = MOST_PERIODS * every
+    if abs(exact - ticks) >= WHOLE:
+        raise problem(f"must be a whole number of ticks of {tick:.6g} s (got {delay:.6g} s)")
+    if ticks > most:
+        raise problem(
+            f"must be at most {MOST_PERIODS} sampling periods, {most * tick:.6g} s "
+            f"(got {delay:.6g} s)"
+        )
+    return float(ticks)
+
+
+@contextlib.contextmanager
+def inside(table: str) -> Iterator[None]:
+    """Put the name of a table before the key at fault in problems of checks that know only it."""
+    try:
+        yield
+    except PydanticCustomError as error:
+        field = (error.context or {}).get("field", "")
+        raise problem(error.message(), f"{table}.{field}" if field else table) from None

@@ -1,0 +1,197 @@
+"""Attitude from gyroscope, gravity's direction and an outside heading; position from an observer.
+
+The attitude filter is that of the PX4 autopilot (module attitude_estimator_q), for FLU body axes
+and a world with Z up.  Motion capture gives it the heading only; tilt comes from the direction of
+the specific force, which is believed only while its magnitude is near g.  So what an impact does to
+the gyroscope stays in the tilt for seconds.
+
+Position and velocity come from a fading-memory filter of motion capture (E. Brookner, Tracking and
+Kalman Filtering Made Easy, 1998, section 1.2.6; gains 1 − z² and (1 − z)²/T) around the measured
+force.  The place of the inertial sensor is taken for that of the main body: an offset r makes an
+error ω × r of velocity, and one of ω² r of the force.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.vectors import (
+    Quat,
+    Vec,
+    norm,
+    normalised,
+    positive_part,
+    quaternion_product,
+    rotation,
+    turned_by,
+)
+from springback.sensing.measurement import (
+    Believed,
+    Estimate,
+    Inertial,
+    Measurement,
+    Pose,
+    estimated,
+)
+
+#: Faster spin than this leaves the bias alone [rad/s] (PX4, attitude_estimator_q).
+SLOW_SPIN = 0.175
+#: The force's direction counts while its magnitude is within these shares of g (PX4).
+LEAST_FORCE, MOST_FORCE = 0.9, 1.1
+#: A heading older than this no longer corrects [s] (PX4: half a second).
+HEADING_TIMEOUT = 0.5
+
+
+class Complementary(NamedTuple):
+    """Settings of the filter; see `springback.sensing.estimation.ComplementarySettings`."""
+
+    tick: float  # [s]
+    interval: float  # between inertial samples [s]
+    gravity: float  # g along −Z [m/s²]
+    accelerometer_weight: float  # [1/s]
+    heading_weight: float  # [1/s]
+    bias_weight: float  # [1/s]
+    largest_bias: float  # of each axis [rad/s]
+    bandwidth: float  # of the position filter, z = exp(−bandwidth T) [1/s]
+
+
+class ComplementaryMemory(NamedTuple):
+    """What the filter remembers."""
+
+    position: Vec  # world [m]
+    velocity: Vec  # world [m/s]
+    attitude: Quat  # body to world
+    gyroscope_bias: Vec  # body [rad/s]
+    angular_velocity: Vec  # body, bias taken off [rad/s]
+    heading_error: float  # of the last pose: measured less believed [rad]
+    waiting: float  # time since the last inertial sample [s]
+    unposed: float  # time since the last pose [s]
+
+
+def complementary_memory(complementary: Complementary, estimate: Estimate) -> ComplementaryMemory:
+    """What a filter remembers that starts from a known state."""
+    return ComplementaryMemory(
+        position=estimate.position,
+        velocity=estimate.velocity,
+        attitude=estimate.attitude,
+        gyroscope_bias=Vec(0.0, 0.0, 0.0),
+        angular_velocity=estimate.angular_velocity,
+        heading_error=0.0,
+        waiting=0.0,
+        unposed=0.0,
+    )
+
+
+@estimated.register(Complementary)
+@kernel
+def _complementary(
+    weights: Complementary, tick: float, seen: Measurement, memory: ComplementaryMemory
+) -> Believed:
+    memory = _older(weights, memory)
+    if seen.inertial.fresh > 0.5:
+        memory = _followed(weights, seen.inertial, memory)
+    if seen.pose.fresh > 0.5:
+        memory = _informed(weights, seen.pose, memory)
+    m = memory
+    q = quaternion_product(m.attitude, turned_by(m.waiting * m.angular_velocity))
+    position = m.position + m.waiting * m.velocity
+    return Believed(Estimate(position, q, m.velocity, m.angular_velocity), memory)
+
+
+@kernel
+def _older(weights: Complementary, m: ComplementaryMemory) -> ComplementaryMemory:
+    """One tick has passed."""
+    return ComplementaryMemory(
+        m.position,
+        m.velocity,
+        m.attitude,
+        m.gyroscope_bias,
+        m.angular_velocity,
+        m.heading_error,
+        m.waiting + weights.tick,
+        m.unposed + weights.tick,
+    )
+
+
+@kernel
+def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMemory) -> Vec:
+    """Rate that turns the estimate towards the outside heading and the felt vertical [rad/s].
+
+    W_EXT_HDG Rᵀ (0, 0, ψ_m − ψ) + W_ACC f/|f| × Rᵀ e_Z, body axes (PX4, attitude_estimator_q).
+    """
+    up = rotation(m.attitude).z
+    magnitude = norm(force)
+    g = weights.gravity
+    near_g = LEAST_FORCE * g < magnitude and magnitude < MOST_FORCE * g
+    trust = weights.accelerometer_weight / magnitude if near_g else 0.0
+    recent = m.unposed < HEADING_TIMEOUT
+    turn = weights.heading_weight * m.heading_error if recent else 0.0
+    return turn * up + (trust * force ^ up)
+
+
+@kernel
+def _bounded(x: float, limit: float) -> float:
+    """X within ± limit."""
+    low = x if x > -limit else -limit
+    return low if low < limit else limit
+
+
+@kernel
+def _bias(weights: Complementary, spin: Vec, turn: Vec, m: ComplementaryMemory) -> Vec:
+    """The gyroscope's bias: what the corrections keep taking back, learnt at slow spin only."""
+    learnt = weights.bias_weight * weights.interval if norm(spin) < SLOW_SPIN else 0.0
+    b, limit = m.gyroscope_bias - learnt * turn, weights.largest_bias
+    return Vec(_bounded(b.x, limit), _bounded(b.y, limit), _bounded(b.z, limit))
+
+
+@kernel
+def _followed(
+    weights: Complementary, inertial: Inertial, m: ComplementaryMemory
+) -> ComplementaryMemory:
+    """One inertial sample: q̇ = ½ q ⊗ (ω + correction), v̇ = R f − g e_Z."""
+    dt = weights.interval
+    turn = _attitude_correction(weights, inertial.specific_force, m)
+    bias = _bias(weights, inertial.angular_velocity, turn, m)
+    omega = inertial.angular_velocity - bias
+    half = turned_by((0.5 * dt) * (omega + turn))
+    middle = quaternion_product(m.attitude, half)
+    force = rotation(middle) @ inertial.specific_force
+    acceleration = force - Vec(0.0, 0.0, weights.gravity)
+    return ComplementaryMemory(
+        position=m.position + dt * m.velocity + (0.5 * dt * dt) * acceleration,
+        velocity=m.velocity + dt * acceleration,
+        attitude=normalised(quaternion_product(middle, half)),
+        gyroscope_bias=bias,
+        angular_velocity=omega,
+        heading_error=m.heading_error,
+        waiting=0.0,
+        unposed=m.unposed,
+    )
+
+
+@kernel
+def _heading_error(measured: Quat, believed: Quat) -> float:
+    """Heading measured less heading believed [rad]: how far north is off in the world."""
+    north = rotation(believed) @ rotation(measured).x
+    return -math.atan2(north.y, north.x)
+
+
+@kernel
+def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
+    """One pose, compared with the estimate taken back by its age at constant rates."""
+    age = positive_part(pose.age - m.waiting)
+    then = quaternion_product(m.attitude, turned_by(-age * m.angular_velocity))
+    missed = pose.position - (m.position - age * m.velocity)
+    z = math.exp(-weights.bandwidth * m.unposed)
+    return ComplementaryMemory(
+        position=m.position + (1.0 - z * z) * missed,
+        velocity=m.velocity + ((1.0 - z) * (1.0 - z) / m.unposed) * missed,
+        attitude=m.attitude,
+        gyroscope_bias=m.gyroscope_bias,
+        angular_velocity=m.angular_velocity,
+        heading_error=_heading_error(pose.attitude, then),
+        waiting=m.waiting,
+        unposed=0.0,
+    )

@@ -1,0 +1,180 @@
+"""Estimators as a user writes them down, checked once, and turned into numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from springback.kernels.vectors import Vec
+from springback.quantities import Duration, Factor, Length, quantity, triple
+from springback.sensing.complementary import (
+    Complementary,
+    ComplementaryMemory,
+    complementary_memory,
+)
+from springback.sensing.kalman import Deviations, Kalman, KalmanMemory, kalman_memory
+from springback.sensing.measurement import Estimate
+from springback.sensing.perfect import PerfectMemory, PerfectState
+from springback.settings import Settings
+
+#: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
+STANDARD_GRAVITY = 9.80665
+
+Estimator = PerfectState | Kalman | Complementary
+Memory = PerfectMemory | KalmanMemory | ComplementaryMemory
+
+
+class Rhythm(Settings):
+    """When an estimator hears from its sensors."""
+
+    tick: Duration
+    """Of the clock."""
+    interval: Duration
+    """Between inertial samples."""
+    pose_age: quantity("s", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Oldest that a pose can be when it arrives; later ones are taken for this old."""
+
+
+class KalmanSettings(Settings):
+    """What the Kalman filter holds of its sensors.
+
+    Densities are one-sided, as in data sheets.  Those of noise are multiplied by `inflation`.
+    """
+
+    accelerometer_noise: quantity("m/s^2/Hz^0.5", above=0.0) = 150e-6 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    """Data sheet TDK DS-000143 (ICM-20689): 150 µg/√Hz."""
+    gyroscope_noise: quantity("rad/s/Hz^0.5", above=0.0) = math.radians(0.006)  # type: ignore[valid-type]
+    """The same data sheet: 0.006 °/s/√Hz."""
+    inflation: Factor = 10.0
+    """Noise assumed, over that of a data sheet at rest: vibration, scale factors, filters.
+
+    Chosen. PX4's EKF2 assumes 0.35 m/s² and 0.015 rad/s for a step of about 10 ms, which is some 24
+    and 14 times the data sheet.
+    """
+    accelerometer_walk: quantity("m/s^3/Hz^0.5", least=0.0) = 3e-3  # type: ignore[valid-type]
+    """Of the bias; the unit of the EuRoC data set (Burri et al., IJRR 2016)."""
+    gyroscope_walk: quantity("rad/s^2/Hz^0.5", least=0.0) = 1.9393e-5  # type: ignore[valid-type]
+    """Of the bias; the same source."""
+    accelerometer_range: quantity("m/s^2", above=0.0) = 16.0 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    """ICM-20689: ±16 g."""
+    gyroscope_range: quantity("rad/s", above=0.0) = math.radians(2000.0)  # type: ignore[valid-type]
+    """ICM-20689: ±2000 °/s."""
+    distrust_clipped: bool = True
+    """Assume more noise while a reading is at its range, so that poses soon correct what it lost.
+
+    What was clipped is missing from the estimate either way.
+    """
+    clipping: Duration = 0.01
+    """How long a clipping lasts that loses as much as the range; chosen, an impact's order."""
+    inertial_lag: quantity("s") = 5e-4  # type: ignore[valid-type]
+    """By which inertial samples are late: (1 − s)/s ticks of a low-pass with share s.
+
+    176 Hz at 1 kHz (s = 0.67), the ICM-20689's gyroscope: 0.49 ms.  0 without a low-pass; minus
+    half a sample if rates are those at the sample's end.
+    """
+    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Of the inertial sensor from the main body's centre of mass, body axes."""
+    every: Annotated[int, Field(ge=1)] = 4
+    """Inertial samples to one prediction of the covariance: 250 Hz at 1 kHz; chosen."""
+    position_noise: Length = 2e-4
+    """Of motion capture, standard deviation along each axis; chosen, a common camera system."""
+    attitude_noise: quantity("rad", above=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    """Of motion capture, standard deviation about each axis; chosen likewise."""
+    initial_position: quantity("m", least=0.0) = 1e-3  # type: ignore[valid-type]
+    """Standard deviation at the start; chosen, as are those below."""
+    initial_velocity: quantity("m/s", least=0.0) = 0.01  # type: ignore[valid-type]
+    initial_attitude: quantity("rad", least=0.0) = math.radians(0.5)  # type: ignore[valid-type]
+    initial_accelerometer_bias: quantity("m/s^2", least=0.0) = 0.05  # type: ignore[valid-type]
+    initial_gyroscope_bias: quantity("rad/s", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+
+    def estimator(self, rhythm: Rhythm, gravity: float) -> Kalman:
+        """The numbers; gravity is g along −Z [m/s²]."""
+        reach = math.ceil((rhythm.pose_age - min(self.inertial_lag, 0.0)) / rhythm.interval - 1e-6)
+        return Kalman(
+            tick=rhythm.tick,
+            interval=rhythm.interval,
+            inertial_lag=self.inertial_lag,
+            every=float(self.every),
+            delays=tuple(k * rhythm.interval for k in range(reach + 1)),
+            gravity=gravity,
+            offset=Vec(*self.offset),
+            accelerometer_noise=self.inflation * self.accelerometer_noise,
+            gyroscope_noise=self.inflation * self.gyroscope_noise,
+            accelerometer_walk=self.accelerometer_walk,
+            gyroscope_walk=self.gyroscope_walk,
+            accelerometer_range=self.accelerometer_range,
+            gyroscope_range=self.gyroscope_range,
+            distrust=self.clipping if self.distrust_clipped else 0.0,
+            position_noise=self.position_noise,
+            attitude_noise=self.attitude_noise,
+        )
+
+    def deviations(self) -> Deviations:
+        """Standard deviations of the errors at the start."""
+        return Deviations(
+            position=self.initial_position,
+            velocity=self.initial_velocity,
+            attitude=self.initial_attitude,
+            accelerometer_bias=self.initial_accelerometer_bias,
+            gyroscope_bias=self.initial_gyroscope_bias,
+        )
+
+
+class ComplementarySettings(Settings):
+    """Weights of the complementary filter: the defaults of PX4's attitude_estimator_q."""
+
+    accelerometer_weight: quantity("1/s", least=0.0) = 0.2  # type: ignore[valid-type]
+    """ATT_W_ACC."""
+    heading_weight: quantity("1/s", least=0.0) = 0.1  # type: ignore[valid-type]
+    """ATT_W_EXT_HDG, with the heading of motion capture."""
+    bias_weight: quantity("1/s", least=0.0) = 0.1  # type: ignore[valid-type]
+    """ATT_W_GYRO_BIAS."""
+    largest_bias: quantity("rad/s", least=0.0) = 0.05  # type: ignore[valid-type]
+    """ATT_BIAS_MAX, of each axis."""
+    bandwidth: quantity("1/s", above=0.0) = 20.0  # type: ignore[valid-type]
+    """Of position and velocity from motion capture; chosen: an error halves in some 50 ms."""
+
+    def estimator(self, rhythm: Rhythm, gravity: float) -> Complementary:
+        """The numbers; gravity is g along −Z [m/s²]."""
+        return Complementary(
+            tick=rhythm.tick,
+            interval=rhythm.interval,
+            gravity=gravity,
+            accelerometer_weight=self.accelerometer_weight,
+            heading_weight=self.heading_weight,
+            bias_weight=self.bias_weight,
+            largest_bias=self.largest_bias,
+            bandwidth=self.bandwidth,
+        )
+
+
+class EstimatorSettings(Settings):
+    """How a robot makes out its own motion."""
+
+    type: Literal["kalman", "complementary", "perfect"] = "kalman"
+    """`perfect` believes the truth, which the sensors must be asked to reveal."""
+    kalman: KalmanSettings = KalmanSettings()
+    complementary: ComplementarySettings = ComplementarySettings()
+
+    def estimator(self, rhythm: Rhythm, gravity: float) -> Estimator:
+        """The numbers of the chosen estimator.
+
+        Args:
+            rhythm: When its sensors speak.
+            gravity: g along −Z [m/s²].
+        """
+        if self.type == "kalman":
+            return self.kalman.estimator(rhythm, gravity)
+        if self.type == "complementary":
+            return self.complementary.estimator(rhythm, gravity)
+        return PerfectState(0.0)
+
+    def memory(self, estimator: Estimator, start: Estimate) -> Memory:
+        """What an estimator remembers at the start, which it knows."""
+        if isinstance(estimator, Kalman):
+            return kalman_memory(estimator, start, self.kalman.deviations())
+        if isinstance(estimator, Complementary):
+            return complementary_memory(estimator, start)
+        return PerfectMemory(0.0)

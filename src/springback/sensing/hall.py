@@ -1,0 +1,244 @@
+"""Arm lengths from Hall-effect sensors: magnet, sensor, converter, and back to a length.
+
+A magnet rides on each arm, on the axis of a linear Hall-effect sensor (A1302; the paper names it).
+The magnet is nearest while the arm is at its free length, and moves away as the arm is pressed in,
+so that the first millimetres, by which an impact is noticed, are the sharpest.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import column, each
+from springback.sensing.measurement import Truth, due
+from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.vehicle.state import State
+
+#: Halvings of the range of lengths in the calibration: 54 mm become 3 nm.
+HALVINGS = 24
+
+
+class PerfectArmLengths(NamedTuple):
+    """The exact length of every arm at every tick."""
+
+    unused: float
+
+
+class Magnet(NamedTuple):
+    """A disc magnetised along its axis."""
+
+    remanence: float  # B_r [T]
+    radius: float  # R [m]
+    thickness: float  # h [m]
+
+
+class Span(NamedTuple):
+    """The lengths between which one arm's sensor is calibrated."""
+
+    free: float  # L [m]
+    shortest: float  # [m]
+    longest: float  # [m]
+
+
+class HallSensors(NamedTuple):
+    """One Hall-effect sensor for each arm, and the converter that reads them."""
+
+    magnet: Magnet
+    distance: float  # from the magnet's face to the sensor at the arm's free length [m]
+    sensitivity: float  # [V/T]
+    quiescent: float  # output without a field [V]
+    lowest: float  # output, saturated [V]
+    highest: float  # output, saturated [V]
+    noise: float  # standard deviation of the output [V]
+    supply: float  # also the converter's reference [V]
+    counts: float  # of the converter, 2^bits
+    every: float  # sampling period [ticks]
+    delay: float  # from sampling to arrival [ticks], at most four periods
+    spans: tuple[Span, ...]
+
+
+class ArmMemory(NamedTuple):
+    """Counts of one arm under way, and the last length that arrived."""
+
+    line: Line  # of counts
+    length: float  # [m]
+
+
+class HallMemory(NamedTuple):
+    """Of every arm."""
+
+    arms: tuple[ArmMemory, ...]
+
+
+class ArmsRead(NamedTuple):
+    """Arm lengths, and what the device remembers."""
+
+    length: tuple[float, ...]  # [m]
+    fresh: float  # 1 at the tick at which they arrive
+    memory: Any
+
+
+# -- there ----------------------------------------------------------------------------------------
+
+
+@kernel
+def axial_field(magnet: Magnet, d: float) -> float:
+    """Flux density on the axis of a disc magnet [T].
+
+    B = B_r/2 [(d + h)/√(R² + (d + h)²) − d/√(R² + d²)], the closed form for uniform axial
+    magnetisation (for example Camacho and Sosa, Revista Mexicana de Física E 59, 2013).
+
+    Args:
+        magnet: B_r, R and h.
+        d: Distance from the near face [m].
+    """
+    far, square = d + magnet.thickness, magnet.radius * magnet.radius
+    there, here = far / math.sqrt(square + far * far), d / math.sqrt(square + d * d)
+    return 0.5 * magnet.remanence * (there - here)
+
+
+@kernel
+def output(sensors: HallSensors, compression: float) -> float:
+    """Voltage of a sensor whose arm is pressed in by L − l [m], without noise or saturation."""
+    field = axial_field(sensors.magnet, sensors.distance + compression)
+    return sensors.quiescent + sensors.sensitivity * field
+
+
+@kernel
+def counted(sensors: HallSensors, voltage: float) -> float:
+    """The converter's word for an output, a whole number from 0 to counts − 1."""
+    low = voltage if voltage > sensors.lowest else sensors.lowest
+    inside = low if low < sensors.highest else sensors.highest
+    word = 1.0 * math.floor(inside / sensors.supply * sensors.counts)
+    top = sensors.counts - 1.0
+    return word if word < top else top
+
+
+# -- and back -------------------------------------------------------------------------------------
+
+
+@kernel
+def calibrated(sensors: HallSensors, span: Span, word: float) -> float:
+    """Arm length for a word of the converter [m].
+
+    The output falls steadily as the arm is pressed in, and has no inverse in closed form: so the
+    calibrated range is halved until it is 2⁻²⁴ of its length, about the voltage in the middle of
+    the word.  What is left of the error is half a count (`resolution`).  Outside its range the
+    result stays at the range's end.
+    """
+    voltage = (word + 0.5) / sensors.counts * sensors.supply
+    low, high = span.shortest, span.longest
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        longer = output(sensors, span.free - middle) < voltage
+        low = middle if longer else low
+        high = high if longer else middle
+    return 0.5 * (low + high)
+
+
+def resolution(sensors: HallSensors, compression: float) -> float:
+    """Change of arm length that changes the converter's word by one [m]; plain Python.
+
+    From dB/dd = B_r/2 R² [(R² + (d + h)²)^−1.5 − (R² + d²)^−1.5].
+
+    Args:
+        sensors: The sensors.
+        compression: L − l [m].
+    """
+    m, d = sensors.magnet, sensors.distance + compression
+    square = m.radius**2
+    far, near = square + (d + m.thickness) ** 2, square + d * d
+    slope = 0.5 * m.remanence * square * (math.pow(far, -1.5) - math.pow(near, -1.5))
+    return sensors.supply / sensors.counts / (sensors.sensitivity * abs(slope))
+
+
+# -- at a tick ------------------------------------------------------------------------------------
+
+
+@generic
+def arms_read(
+    device: Any, tick: float, truth: Truth, noise: tuple[float, ...], memory: Any
+) -> ArmsRead:
+    """What the arm-length sensors say at a tick.
+
+    Args:
+        device: `HallSensors` or `PerfectArmLengths`.
+        tick: Number of the tick, from 0.
+        truth: The motion over the last tick.
+        noise: Independent standard normal numbers, one for each arm.
+        memory: Of the device.
+    """
+    raise TypeError(f"{type(device).__name__} measures no arms; register arms_read for it")
+
+
+@arms_read.register(PerfectArmLengths)
+@kernel
+def _perfect(
+    device: PerfectArmLengths,
+    tick: float,
+    truth: Truth,
+    noise: tuple[float, ...],
+    memory: Nothing,
+) -> ArmsRead:
+    return ArmsRead(truth.now.arm_length, 1.0, memory)
+
+
+@kernel
+def _arm_read(
+    span: Span,
+    length: float,
+    normal: float,
+    memory: ArmMemory,
+    sensors: HallSensors,
+    sampling: bool,
+    fresh: bool,
+) -> ArmMemory:
+    """One arm at one tick."""
+    voltage = output(sensors, span.free - length) + sensors.noise * normal
+    line = entered(memory.line, counted(sensors, voltage)) if sampling else memory.line
+    word = arriving(line, sensors.delay, sensors.every)
+    known = calibrated(sensors, span, word) if fresh else memory.length
+    return ArmMemory(line, known)
+
+
+@arms_read.register(HallSensors)
+@kernel
+def _arms_read(
+    sensors: HallSensors,
+    tick: float,
+    truth: Truth,
+    noise: tuple[float, ...],
+    memory: HallMemory,
+) -> ArmsRead:
+    since = tick - sensors.delay
+    sampling = due(tick, sensors.every)
+    fresh = (since > -0.5) & due(since, sensors.every)
+    zipped = (sensors.spans, truth.now.arm_length, noise, memory.arms)
+    arms = each(_arm_read, zipped, (sensors, sampling, fresh))
+    flag = 1.0 if fresh else 0.0
+    return ArmsRead(column(arms, "length"), flag, HallMemory(arms))
+
+
+@functools.singledispatch
+def arms_at_start(device: Any, start: State) -> Any:
+    """Memory of arm-length sensors before their first tick: they have long read the start's arms.
+
+    Plain Python.
+
+    Args:
+        device: `HallSensors` or `PerfectArmLengths`.
+        start: State at tick 0.
+    """
+    return Nothing(0.0)
+
+
+@arms_at_start.register
+def _(device: HallSensors, start: State) -> HallMemory:
+    arms = []
+    for span, length in zip(device.spans, start.arm_length, strict=True):
+        word = counted(device, output(device, span.free - length))
+        arms.append(ArmMemory(filled(word), calibrated(device, span, word)))
+    return HallMemory(tuple(arms))

@@ -1,0 +1,253 @@
+"""Accelerometer and gyroscope: what an inertial unit feels, and what comes out of its converter.
+
+The order is that of the silicon: bias and noise are there before the converter, the converter
+clips, and the low-pass behind it smooths what was clipped.  A pulse of 60 g therefore never reads
+more than the range, and its clipped part is lost for good.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Quat, Vec, normalised, rotation
+from springback.sensing.measurement import Inertial, Truth, due
+from springback.sensing.memory import Nothing
+from springback.vehicle.state import State
+
+
+class PerfectInertial(NamedTuple):
+    """Exact mean specific force over the tick and exact angular velocity at its end."""
+
+    offset: Vec  # r, from the main body's centre of mass to the sensor, body axes [m]
+
+
+class Channel(NamedTuple):
+    """Three axes of one kind, [m/s²] or [rad/s]."""
+
+    noise: float  # standard deviation at each tick, see `per_tick`
+    bias: Vec  # constant over a flight, drawn when it is switched on
+    drift: float  # standard deviation of the bias's step from tick to tick
+    full_scale: float  # it reads from −full_scale to full_scale − step
+    smoothing: float  # share of the way that the low-pass goes in a tick, see `per_tick`
+    step: float  # quantisation
+
+
+class InertialUnit(NamedTuple):
+    """An accelerometer and a gyroscope."""
+
+    offset: Vec  # r, from the main body's centre of mass to the sensor, body axes [m]
+    every: float  # period of its output [ticks]; it converts and filters at every tick
+    accelerometer: Channel
+    gyroscope: Channel
+
+
+class InertialNoise(NamedTuple):
+    """Standard normal numbers for one tick."""
+
+    acceleration: Vec
+    rotation: Vec
+    acceleration_drift: Vec
+    rotation_drift: Vec
+
+
+class ChannelMemory(NamedTuple):
+    """Where the low-pass and the wandering bias are."""
+
+    smooth: Vec
+    drift: Vec
+
+
+class InertialMemory(NamedTuple):
+    """What goes on inside, and what was said last."""
+
+    accelerometer: ChannelMemory
+    gyroscope: ChannelMemory
+    specific_force: Vec  # [m/s²]
+    angular_velocity: Vec  # [rad/s]
+
+
+class Felt(NamedTuple):
+    """A sample, and what the device remembers."""
+
+    inertial: Inertial
+    memory: Any
+
+
+# -- what it feels --------------------------------------------------------------------------------
+
+
+@kernel
+def middle_attitude(a: Quat, b: Quat) -> Quat:
+    """Half way between two attitudes: their normalised mean, exact for one steady turn."""
+    s = 1.0 if a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 else -1.0
+    return normalised(Quat(a.w + s * b.w, a.x + s * b.x, a.y + s * b.y, a.z + s * b.z))
+
+
+@kernel
+def mean_angular_velocity(truth: Truth) -> Vec:
+    """Mean of ω before and now, body axes [rad/s]."""
+    return 0.5 * (truth.before.angular_velocity + truth.now.angular_velocity)
+
+
+@kernel
+def mean_specific_force(truth: Truth, offset: Vec) -> Vec:
+    """Mean specific force over the last tick at a place fixed to the main body [m/s²].
+
+    f = Rᵀ(Δv/Δt + g e_Z) + α × r + ω × (ω × r), α = Δω/Δt: rigid-body kinematics (any textbook).
+    R is the attitude half way and ω the mean.  Forces within the tick enter by their mean, an
+    impact too.
+
+    Args:
+        truth: The motion over the last tick; its duration is above zero.
+        offset: r, from the main body's centre of mass, body axes [m].
+    """
+    before, now, rate = truth.before, truth.now, 1.0 / truth.duration
+    r = rotation(middle_attitude(before.attitude, now.attitude))
+    acceleration = rate * (now.velocity - before.velocity) + Vec(0.0, 0.0, truth.gravity)
+    alpha = rate * (now.angular_velocity - before.angular_velocity)
+    omega = mean_angular_velocity(truth)
+    return acceleration @ r + (alpha ^ offset) + (omega ^ (omega ^ offset))
+
+
+# -- what comes out -------------------------------------------------------------------------------
+
+
+class PerTick(NamedTuple):
+    """Noise, drift and smoothing of a channel at each tick."""
+
+    noise: float
+    drift: float
+    smoothing: float
+
+
+def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> PerTick:
+    """Continuous-time numbers of a channel, made ready for ticks; plain Python.
+
+    White noise of one-sided density N, sampled at the rate f, has σ = N √(f/2): its power spreads
+    evenly up to f/2.  The low-pass then keeps the density N at low frequencies.  A random walk of
+    density K goes a step of σ = K √Δt.  A first-order low-pass with corner f_c goes the share
+    1 − exp(−2π f_c Δt) of its way in a tick, exactly so for a constant input.
+
+    Args:
+        density: N, of the white noise, one-sided [unit/√Hz].
+        walk: K, of the bias [unit/s/√Hz].
+        bandwidth: f_c, 3 dB [Hz].
+        duration: Δt of a tick [s].
+    """
+    smoothing = -math.expm1(-2.0 * math.pi * bandwidth * duration)
+    return PerTick(density * math.sqrt(0.5 / duration), walk * math.sqrt(duration), smoothing)
+
+
+@kernel
+def clipped(x: float, channel: Channel) -> float:
+    """A component within the range."""
+    top = channel.full_scale - channel.step
+    low = x if x > -channel.full_scale else -channel.full_scale
+    return low if low < top else top
+
+
+@kernel
+def quantised(x: float, step: float) -> float:
+    """The multiple of ``step`` nearest to a component."""
+    return step * math.floor(x / step + 0.5)
+
+
+@kernel
+def converted(
+    channel: Channel, true: Vec, white: Vec, walk: Vec, memory: ChannelMemory
+) -> ChannelMemory:
+    """One conversion: bias, noise, clipping, low-pass.
+
+    Args:
+        channel: Of accelerometer or gyroscope.
+        true: What it feels.
+        white: Standard normal numbers of the noise.
+        walk: Standard normal numbers of the bias.
+        memory: Of the channel.
+    """
+    drift = memory.drift + channel.drift * walk
+    raw = true + channel.bias + drift + channel.noise * white
+    inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
+    return ChannelMemory(memory.smooth + channel.smoothing * (inside - memory.smooth), drift)
+
+
+@kernel
+def told(channel: Channel, memory: ChannelMemory) -> Vec:
+    """The digital word of each axis, in its unit."""
+    v, step = memory.smooth, channel.step
+    return Vec(quantised(v.x, step), quantised(v.y, step), quantised(v.z, step))
+
+
+@generic
+def felt(device: Any, tick: float, truth: Truth, noise: InertialNoise, memory: Any) -> Felt:
+    """What an inertial unit says at a tick.
+
+    Args:
+        device: `InertialUnit` or `PerfectInertial`.
+        tick: Number of the tick, from 0.
+        truth: The motion over the last tick.
+        noise: Independent standard normal numbers.
+        memory: Of the device.
+    """
+    raise TypeError(f"{type(device).__name__} is no inertial unit; register felt for it")
+
+
+@felt.register(PerfectInertial)
+@kernel
+def _perfect(
+    device: PerfectInertial, tick: float, truth: Truth, noise: InertialNoise, memory: Nothing
+) -> Felt:
+    force = mean_specific_force(truth, device.offset)
+    return Felt(Inertial(force, truth.now.angular_velocity, 1.0), memory)
+
+
+@felt.register(InertialUnit)
+@kernel
+def _felt(
+    device: InertialUnit, tick: float, truth: Truth, noise: InertialNoise, memory: InertialMemory
+) -> Felt:
+    force, omega = mean_specific_force(truth, device.offset), mean_angular_velocity(truth)
+    a, g = device.accelerometer, device.gyroscope
+    inner_a = converted(
+        a, force, noise.acceleration, noise.acceleration_drift, memory.accelerometer
+    )
+    inner_g = converted(g, omega, noise.rotation, noise.rotation_drift, memory.gyroscope)
+
+    speaks = due(tick, device.every)
+    said_a = told(a, inner_a) if speaks else memory.specific_force
+    said_g = told(g, inner_g) if speaks else memory.angular_velocity
+    flag = 1.0 if speaks else 0.0
+    return Felt(Inertial(said_a, said_g, flag), InertialMemory(inner_a, inner_g, said_a, said_g))
+
+
+@functools.singledispatch
+def inertial_at_start(device: Any, start: State, gravity: float) -> Any:
+    """Memory of an inertial unit before its first tick, settled on an unaccelerated start.
+
+    Plain Python.
+
+    Args:
+        device: `InertialUnit` or `PerfectInertial`.
+        start: State at tick 0.
+        gravity: g along −Z [m/s²].
+    """
+    return Nothing(0.0)
+
+
+@inertial_at_start.register
+def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
+    zero = Vec(0.0, 0.0, 0.0)
+    still = Truth(start, start, 1.0, gravity)  # nothing changes, so any duration will do
+    silent = ChannelMemory(zero, zero)
+    inner = []
+    for channel, true in (
+        (device.accelerometer, mean_specific_force(still, device.offset)),
+        (device.gyroscope, start.angular_velocity),
+    ):
+        at_once = channel._replace(smoothing=1.0)
+        inner.append(converted(at_once, true, zero, zero, silent))
+    a, g = inner
+    return InertialMemory(a, g, told(device.accelerometer, a), told(device.gyroscope, g))

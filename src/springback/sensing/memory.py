@@ -1,0 +1,54 @@
+"""What devices remember: nothing, or their last samples on the way to whoever reads them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import pick
+
+#: A sample can be under way for this many sampling periods.
+MOST_PERIODS = 4
+
+
+class Nothing(NamedTuple):
+    """Memory of a device that needs none."""
+
+    unused: float
+
+
+class Line(NamedTuple):
+    """The last five samples of a device, trees of one shape, newest first."""
+
+    newest: Any
+    second: Any
+    third: Any
+    fourth: Any
+    fifth: Any
+
+
+def filled(sample: Any) -> Line:
+    """A line in which every sample is the same."""
+    return Line(sample, sample, sample, sample, sample)
+
+
+@kernel
+def entered(line: Line, sample: Any) -> Line:
+    """The line with a new sample in front; the oldest is forgotten."""
+    return Line(sample, line.newest, line.second, line.third, line.fourth)
+
+
+@kernel
+def arriving(line: Line, delay: float, every: float) -> Any:
+    """The sample that was taken a delay ago, at a tick at which one arrives.
+
+    Args:
+        line: Samples, the one of this tick included.
+        delay: Whole ticks, at most four sampling periods.
+        every: Sampling period, whole ticks.
+    """
+    back = math.floor(delay / every + 0.5 / every)
+    late = pick(back < 3.5, line.fourth, line.fifth)
+    middle = pick(back < 2.5, line.third, late)
+    return pick(back < 0.5, line.newest, pick(back < 1.5, line.second, middle))

@@ -1,0 +1,168 @@
+"""Motion capture: poses at a fixed rate, late, a little wrong, and at times not at all."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
+from springback.sensing.measurement import Pose, Truth, due
+from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.vehicle.state import State
+
+
+class PerfectMotionCapture(NamedTuple):
+    """The exact pose at every tick, without delay."""
+
+    unused: float
+
+
+class MotionCapture(NamedTuple):
+    """Cameras that see markers on the main body.
+
+    Samples are lost in gaps (Gilbert's two-state channel, Bell System Technical Journal 39, 1960):
+    in sight, the next sample is lost with a probability p; lost, the next is back with a
+    probability r.  Both are kept as quantiles of the normal law: z < Φ⁻¹(p) has probability p.
+    """
+
+    every: float  # sampling period [ticks]
+    delay: float  # from exposure to arrival [ticks], at most four periods
+    position_noise: float  # standard deviation, each axis [m]
+    attitude_noise: float  # standard deviation of the rotation vector, each axis [rad]
+    loss: float  # Φ⁻¹(p)
+    recovery: float  # Φ⁻¹(r)
+
+
+class MotionCaptureNoise(NamedTuple):
+    """Standard normal numbers for one tick."""
+
+    position: Vec
+    attitude: Vec
+    loss: float
+
+
+class Exposure(NamedTuple):
+    """One sample as the cameras took it."""
+
+    position: Vec  # [m]
+    attitude: Quat
+    seen: float  # 1, or 0 where the markers were not in sight
+
+
+class MotionCaptureMemory(NamedTuple):
+    """Samples under way, and the last that arrived."""
+
+    line: Line  # of Exposure
+    lost: float  # 1 while the markers are out of sight
+    last: Exposure
+    taken_at: float  # tick of exposure of the last that arrived
+
+
+class Captured(NamedTuple):
+    """A pose, and what the device remembers."""
+
+    pose: Pose
+    memory: Any
+
+
+@generic
+def captured(
+    device: Any, tick: float, truth: Truth, noise: MotionCaptureNoise, memory: Any
+) -> Captured:
+    """What motion capture says at a tick.
+
+    Args:
+        device: `MotionCapture` or `PerfectMotionCapture`.
+        tick: Number of the tick, from 0.
+        truth: The motion over the last tick.
+        noise: Independent standard normal numbers.
+        memory: Of the device.
+    """
+    raise TypeError(f"{type(device).__name__} is no motion capture; register captured for it")
+
+
+@captured.register(PerfectMotionCapture)
+@kernel
+def _perfect(
+    device: PerfectMotionCapture,
+    tick: float,
+    truth: Truth,
+    noise: MotionCaptureNoise,
+    memory: Nothing,
+) -> Captured:
+    return Captured(Pose(truth.now.position, truth.now.attitude, 1.0, 0.0), memory)
+
+
+@kernel
+def turned(attitude: Quat, angles: Vec) -> Quat:
+    """An attitude turned by a small rotation vector in body axes [rad].
+
+    q + ½ q ⊗ (0, θ), normalised, is a turn by 2 atan(|θ|/2), short of |θ| by |θ|³/12.
+    """
+    rate = quaternion_rate(attitude, angles)
+    w, x, y, z = attitude.w + rate.w, attitude.x + rate.x, attitude.y + rate.y, attitude.z + rate.z
+    return normalised(Quat(w, x, y, z))
+
+
+@kernel
+def _lost(device: MotionCapture, lost: float, normal: float) -> float:
+    """Whether the next sample is lost, 1 or 0, after whether the last one was."""
+    stays = 0.0 if normal < device.recovery else 1.0
+    begins = 1.0 if normal < device.loss else 0.0
+    return stays if lost > 0.5 else begins
+
+
+@kernel
+def _exposed(
+    device: MotionCapture, state: State, noise: MotionCaptureNoise, lost: float
+) -> Exposure:
+    """The sample that the cameras take now."""
+    position = state.position + device.position_noise * noise.position
+    attitude = turned(state.attitude, device.attitude_noise * noise.attitude)
+    return Exposure(position, attitude, 1.0 - lost)
+
+
+@captured.register(MotionCapture)
+@kernel
+def _captured(
+    device: MotionCapture,
+    tick: float,
+    truth: Truth,
+    noise: MotionCaptureNoise,
+    memory: MotionCaptureMemory,
+) -> Captured:
+    exposing = due(tick, device.every)
+    lost = _lost(device, memory.lost, noise.loss) if exposing else memory.lost
+    taken = _exposed(device, truth.now, noise, lost)
+    line = entered(memory.line, taken) if exposing else memory.line
+
+    since = tick - device.delay
+    arrived = arriving(line, device.delay, device.every)
+    fresh = (since > -0.5) & due(since, device.every) & (arrived.seen > 0.5)
+    last = arrived if fresh else memory.last
+    taken_at = since if fresh else memory.taken_at
+
+    age = (tick - taken_at) * truth.duration
+    flag = 1.0 if fresh else 0.0
+    pose = Pose(last.position, last.attitude, flag, age)
+    return Captured(pose, MotionCaptureMemory(line, lost, last, taken_at))
+
+
+@functools.singledispatch
+def motion_capture_at_start(device: Any, start: State) -> Any:
+    """Memory of a motion capture before its first tick; until a pose arrives, the start's stands.
+
+    Plain Python.
+
+    Args:
+        device: `MotionCapture` or `PerfectMotionCapture`.
+        start: State at tick 0.
+    """
+    return Nothing(0.0)
+
+
+@motion_capture_at_start.register
+def _(device: MotionCapture, start: State) -> MotionCaptureMemory:
+    exposure = Exposure(start.position, start.attitude, 1.0)
+    return MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0)

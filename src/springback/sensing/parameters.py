@@ -1,0 +1,289 @@
+"""Sensors as a user writes them down, checked against the clock, and turned into numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field, model_validator
+from scipy.special import ndtri
+
+from springback.kernels.vectors import Vec
+from springback.quantities import Length, quantity, triple
+from springback.sensing.clock import inside, lateness, period
+from springback.sensing.hall import HallSensors, Magnet, PerfectArmLengths, Span, axial_field
+from springback.sensing.inertial import Channel, InertialUnit, PerfectInertial, per_tick
+from springback.sensing.motion_capture import MotionCapture, PerfectMotionCapture
+from springback.sensing.sensors import Sensors
+from springback.settings import Settings, naming, problem
+from springback.vehicle.parameters import Vehicle
+
+#: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
+STANDARD_GRAVITY = 9.80665
+#: Quantile of a probability of zero or one, in place of infinity: chance 1e-350.
+NEVER = -40.0
+
+Rate = quantity("Hz", above=0.0)
+Delay = quantity("s", least=0.0)
+
+
+def _quantile(probability: float) -> float:
+    """Φ⁻¹ of a probability, finite."""
+    return float(np.clip(ndtri(probability), NEVER, -NEVER))
+
+
+class MotionCaptureSettings(Settings):
+    """Motion capture.
+
+    Rate: the paper, section IV-A.  The rest is chosen: noise and delay of a common system of
+    infrared cameras with a radio link behind it, and no gaps.
+    """
+
+    perfect: bool = False
+    """Exact, at every tick, without delay; everything below is then unused."""
+    rate: Rate = 200.0  # type: ignore[valid-type]
+    delay: Delay = 0.01  # type: ignore[valid-type]
+    position_noise: quantity("m", least=0.0) = 2e-4  # type: ignore[valid-type]
+    """Standard deviation of each axis."""
+    attitude_noise: quantity("rad", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    """Standard deviation of each component of a small rotation vector."""
+    loss_probability: quantity("", least=0.0, most=1.0) = 0.0  # type: ignore[valid-type]
+    """That a gap starts at the next sample."""
+    loss_length: quantity("", least=1.0) = 10.0  # type: ignore[valid-type]
+    """Mean length of a gap in samples; lengths are distributed geometrically."""
+
+    def device(self, tick: float) -> MotionCapture | PerfectMotionCapture:
+        """The numbers, for a tick of some duration [s].
+
+        Raises:
+            The problem, if the rate or the delay does not fit the clock.
+        """
+        if self.perfect:
+            return PerfectMotionCapture(0.0)
+        with naming("rate"):
+            every = period(self.rate, tick)
+        with naming("delay"):
+            delay = lateness(self.delay, every, tick)
+        return MotionCapture(
+            every=every,
+            delay=delay,
+            position_noise=self.position_noise,
+            attitude_noise=self.attitude_noise,
+            loss=_quantile(self.loss_probability),
+            recovery=_quantile(1.0 / self.loss_length),
+        )
+
+
+class ChannelSettings(Settings):
+    """Three axes of an accelerometer [m/s²] or a gyroscope [rad/s]."""
+
+    full_scale: float
+    noise: float
+    """Density of the white noise, one-sided [unit/√Hz]."""
+    bandwidth: Rate  # type: ignore[valid-type]
+    """3 dB corner of the low-pass, here of first order."""
+    bias: float
+    """Standard deviation of each axis from flight to flight."""
+    walk: float
+    """Random walk of the bias [unit/s/√Hz]."""
+    bits: Annotated[int, Field(ge=2, le=32)] = 16
+
+    def channel(self, tick: float, normal: Vec) -> Channel:
+        """The numbers.
+
+        Args:
+            tick: Duration of a tick [s].
+            normal: Standard normal numbers for this flight's bias.
+        """
+        numbers = per_tick(self.noise, self.walk, self.bandwidth, tick)
+        return Channel(
+            noise=numbers.noise,
+            bias=self.bias * normal,
+            drift=numbers.drift,
+            full_scale=self.full_scale,
+            smoothing=numbers.smoothing,
+            step=2.0 * self.full_scale / 2**self.bits,
+        )
+
+
+class AccelerometerSettings(ChannelSettings):
+    """Accelerometer of the ICM-20689 in the flight controller that the paper names.
+
+    Data sheet TDK DS-000143: range, 150 µg/√Hz, 16 bits, 218.1 Hz the widest filter at 1 kHz.  The
+    bias that calibration leaves is chosen.  The data sheet prints no random walk: it is that of the
+    unit in the EuRoC data set (Burri et al., International Journal of Robotics Research, 2016).
+    """
+
+    full_scale: quantity("m/s^2", above=0.0) = 16.0 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    noise: quantity("m/s^2/Hz^0.5", least=0.0) = 150e-6 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    bandwidth: Rate = 218.1  # type: ignore[valid-type]
+    bias: quantity("m/s^2", least=0.0) = 0.05  # type: ignore[valid-type]
+    walk: quantity("m/s^3/Hz^0.5", least=0.0) = 3e-3  # type: ignore[valid-type]
+
+
+class GyroscopeSettings(ChannelSettings):
+    """Gyroscope of the ICM-20689; sources as for the accelerometer.
+
+    Data sheet TDK DS-000143: range, 0.006 °/s/√Hz, 16 bits, 176 Hz at 1 kHz.
+    """
+
+    full_scale: quantity("rad/s", above=0.0) = math.radians(2000.0)  # type: ignore[valid-type]
+    noise: quantity("rad/s/Hz^0.5", least=0.0) = math.radians(0.006)  # type: ignore[valid-type]
+    bandwidth: Rate = 176.0  # type: ignore[valid-type]
+    bias: quantity("rad/s", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    walk: quantity("rad/s^2/Hz^0.5", least=0.0) = 1.9393e-5  # type: ignore[valid-type]
+
+
+class InertialSettings(Settings):
+    """Accelerometer and gyroscope."""
+
+    perfect: bool = False
+    """No noise, bias, range or filter; only the offset below is then used."""
+    rate: Rate = 1000.0  # type: ignore[valid-type]
+    """Of its output; it converts and filters at every tick of the clock."""
+    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """From the main body's centre of mass to the sensor, body axes."""
+    accelerometer: AccelerometerSettings = AccelerometerSettings()
+    gyroscope: GyroscopeSettings = GyroscopeSettings()
+
+    def device(self, tick: float, normals: tuple[Vec, Vec]) -> InertialUnit | PerfectInertial:
+        """The numbers.
+
+        Args:
+            tick: Duration of a tick [s].
+            normals: Standard normal numbers for the biases of accelerometer and gyroscope.
+
+        Raises:
+            The problem, if the rate does not fit the clock.
+        """
+        offset = Vec(*self.offset)
+        if self.perfect:
+            return PerfectInertial(offset)
+        with naming("rate"):
+            every = period(self.rate, tick)
+        return InertialUnit(
+            offset,
+            every,
+            self.accelerometer.channel(tick, normals[0]),
+            self.gyroscope.channel(tick, normals[1]),
+        )
+
+
+class HallSettings(Settings):
+    """Hall-effect sensors of the arms, read by a small microcontroller.
+
+    The paper names the sensor, Allegro A1302, and the converter, Arduino Nano.  Data sheet A1301-DS
+    at 5 V: 1.3 mV/G, 2.5 V without a field, outputs from 0.2 V to 4.7 V, 150 µV noise up to 10 kHz.
+    Converter: 10 bits of the supply (ATmega328P).  The paper prints neither magnet nor distances
+    nor rates: they are chosen, a neodymium disc (grade N42) of 15 mm by 8 mm, 11 g, as close as the
+    sensor stays out of saturation; samples at 200 Hz, one period late through a serial link.
+
+    One count of the converter is then 0.018 mm at the free length, 0.12 mm at 10 mm of compression,
+    0.49 mm at 20 mm and 6.5 mm at the end of a stroke of 50 mm; a length is at most half a count
+    wrong.
+    """
+
+    perfect: bool = False
+    """Exact, at every tick, without delay; everything below is then unused."""
+    rate: Rate = 200.0  # type: ignore[valid-type]
+    delay: Delay = 0.005  # type: ignore[valid-type]
+    remanence: quantity("T", above=0.0) = 1.3  # type: ignore[valid-type]
+    magnet_radius: Length = 7.5e-3
+    magnet_thickness: Length = 8e-3
+    distance: Length = 8e-3
+    """From the magnet's face to the sensor while the arm is at its free length."""
+    overrun: quantity("m", least=0.0) = 2e-3  # type: ignore[valid-type]
+    """The calibration reaches this far beyond both ends of the stroke; chosen."""
+    sensitivity: quantity("V/T", above=0.0) = 13.0  # type: ignore[valid-type]
+    supply: quantity("V", above=0.0) = 5.0  # type: ignore[valid-type]
+    quiescent: quantity("V", above=0.0) = 2.5  # type: ignore[valid-type]
+    lowest: quantity("V", least=0.0) = 0.2  # type: ignore[valid-type]
+    highest: quantity("V", above=0.0) = 4.7  # type: ignore[valid-type]
+    noise: quantity("V", least=0.0) = 150e-6  # type: ignore[valid-type]
+    """Standard deviation at each sample."""
+    bits: Annotated[int, Field(ge=2, le=32)] = 10
+
+    @model_validator(mode="after")
+    def _readable(self) -> HallSettings:
+        if not self.distance > self.overrun:
+            raise problem(
+                f"must be more than the overrun, {self.overrun:g} m (got {self.distance:g} m)",
+                "distance",
+            )
+        strongest = self.quiescent + self.sensitivity * axial_field(self.magnet(), self.distance)
+        if not strongest < self.highest:
+            raise problem(
+                f"of {self.distance:g} m saturates the sensor: {strongest:.3g} V at the free "
+                f"length, and it ends at {self.highest:g} V; farther away is better",
+                "distance",
+            )
+        return self
+
+    def magnet(self) -> Magnet:
+        """The magnet's numbers."""
+        return Magnet(self.remanence, self.magnet_radius, self.magnet_thickness)
+
+    def device(self, tick: float, vehicle: Vehicle) -> HallSensors | PerfectArmLengths:
+        """The numbers, for a tick of some duration [s] and the arms of a vehicle.
+
+        Raises:
+            The problem, if the rate or the delay does not fit the clock.
+        """
+        if self.perfect:
+            return PerfectArmLengths(0.0)
+        with naming("rate"):
+            every = period(self.rate, tick)
+        with naming("delay"):
+            delay = lateness(self.delay, every, tick)
+        spans = []
+        for j, free in enumerate(vehicle.lengths()):
+            shortest = free - float(vehicle.arms.at("stroke", j))
+            spans.append(Span(free, shortest - self.overrun, free + self.overrun))
+        return HallSensors(
+            magnet=self.magnet(),
+            distance=self.distance,
+            sensitivity=self.sensitivity,
+            quiescent=self.quiescent,
+            lowest=self.lowest,
+            highest=self.highest,
+            noise=self.noise,
+            supply=self.supply,
+            counts=float(2**self.bits),
+            every=every,
+            delay=delay,
+            spans=tuple(spans),
+        )
+
+
+class SensorSettings(Settings):
+    """All sensors of a robot."""
+
+    motion_capture: MotionCaptureSettings = MotionCaptureSettings()
+    imu: InertialSettings = InertialSettings()
+    hall: HallSettings = HallSettings()
+    reveal: bool = False
+    """Tell the exact state besides, for estimators that are to be perfect."""
+
+    def sensors(self, tick: float, vehicle: Vehicle, generator: np.random.Generator) -> Sensors:
+        """The numbers of one flight.
+
+        Six numbers are drawn from the generator whatever the settings.
+
+        Args:
+            tick: Duration of a tick of the clock [s].
+            vehicle: Whose arms are measured.
+            generator: Of this flight's biases.
+
+        Raises:
+            The problem, if a rate or a delay does not fit the clock.
+        """
+        a = generator.standard_normal(6).tolist()
+        biases = Vec(a[0], a[1], a[2]), Vec(a[3], a[4], a[5])
+        with inside("motion_capture"):
+            motion_capture: Any = self.motion_capture.device(tick)
+        with inside("imu"):
+            inertial: Any = self.imu.device(tick, biases)
+        with inside("hall"):
+            arm_length: Any = self.hall.device(tick, vehicle)
+        return Sensors(motion_capture, inertial, arm_length, 1.0 if self.reveal else 0.0)

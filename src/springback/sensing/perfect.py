@@ -1,0 +1,28 @@
+"""An estimator that is told the truth."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.sensing.measurement import Believed, Measurement, estimated
+
+
+class PerfectState(NamedTuple):
+    """Believes what sensors reveal of the truth; they must be asked to (`Measurement.exact`)."""
+
+    unused: float
+
+
+class PerfectMemory(NamedTuple):
+    """Nothing to remember."""
+
+    unused: float
+
+
+@estimated.register(PerfectState)
+@kernel
+def _perfect(
+    estimator: PerfectState, tick: float, seen: Measurement, memory: PerfectMemory
+) -> Believed:
+    return Believed(seen.exact, memory)

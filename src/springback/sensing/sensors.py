@@ -1,0 +1,89 @@
+"""A robot's set of sensors: motion capture, an inertial unit, and arm lengths."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.vectors import Quat, Vec
+from springback.sensing.hall import arms_at_start, arms_read
+from springback.sensing.inertial import InertialNoise, felt, inertial_at_start
+from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
+from springback.sensing.motion_capture import MotionCaptureNoise, captured, motion_capture_at_start
+from springback.vehicle.state import State
+
+#: Standard normal numbers at each tick, beside one for each arm:
+#: 0-2 position and 3-5 attitude of motion capture, 6 its gaps; 7-9 accelerometer, 10-12 gyroscope;
+#: 13-15 bias of the accelerometer, 16-18 bias of the gyroscope; from 19 on, one for each arm.
+NOISE = 19
+
+
+class Sensors(NamedTuple):
+    """Settings of a set of sensors.
+
+    Every choice is a type, so that one which is not made costs nothing.
+    """
+
+    motion_capture: Any  # MotionCapture, PerfectMotionCapture, or a type registered with captured
+    inertial: Any  # InertialUnit, PerfectInertial, or a type registered with felt
+    arm_length: Any  # HallSensors, PerfectArmLengths, or a type registered with arms_read
+    reveal: float  # 1: the exact state is told besides; 0: it is zeros
+
+
+class SensorsMemory(NamedTuple):
+    """What each device remembers."""
+
+    motion_capture: Any
+    inertial: Any
+    arm_length: Any
+
+
+def noise_count(arm_count: int) -> int:
+    """Number of standard normal numbers that `sensed` takes at each tick.
+
+    It does not depend on which devices are chosen: so two sets of sensors can be compared on the
+    same noise.
+    """
+    return NOISE + arm_count
+
+
+def sensors_at_start(sensors: Sensors, start: State, gravity: float) -> SensorsMemory:
+    """Memory of all sensors before tick 0; plain Python.
+
+    Args:
+        sensors: Settings.
+        start: State at tick 0.
+        gravity: g along −Z [m/s²].
+    """
+    return SensorsMemory(
+        motion_capture_at_start(sensors.motion_capture, start),
+        inertial_at_start(sensors.inertial, start, gravity),
+        arms_at_start(sensors.arm_length, start),
+    )
+
+
+@kernel
+def revealed(state: State, reveal: float) -> Estimate:
+    """The exact motion, or zeros where ``reveal`` is 0."""
+    q, s = state.attitude, reveal
+    attitude = Quat(s * q.w, s * q.x, s * q.y, s * q.z)
+    return Estimate(s * state.position, attitude, s * state.velocity, s * state.angular_velocity)
+
+
+@sensed.register(Sensors)
+@kernel
+def _sensed(
+    sensors: Sensors, tick: float, truth: Truth, noise: tuple[float, ...], memory: SensorsMemory
+) -> Sensed:
+    n = noise
+    pose_noise = MotionCaptureNoise(Vec(n[0], n[1], n[2]), Vec(n[3], n[4], n[5]), n[6])
+    white_a, white_g = Vec(n[7], n[8], n[9]), Vec(n[10], n[11], n[12])
+    walk_a, walk_g = Vec(n[13], n[14], n[15]), Vec(n[16], n[17], n[18])
+    inertial_noise = InertialNoise(white_a, white_g, walk_a, walk_g)
+    posed = captured(sensors.motion_capture, tick, truth, pose_noise, memory.motion_capture)
+    moved = felt(sensors.inertial, tick, truth, inertial_noise, memory.inertial)
+    arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
+
+    exact = revealed(truth.now, sensors.reveal)
+    told = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
+    return Sensed(told, SensorsMemory(posed.memory, moved.memory, arms.memory))

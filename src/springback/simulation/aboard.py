@@ -1,0 +1,132 @@
+"""What flies along: sensors, a pilot, rotors, and the weather around them, tick by tick.
+
+Everything aboard lives on a clock of equal ticks.  At each tick the sensors look, the pilot
+decides, the rotors follow, and the equations of motion carry the vehicle to the next tick with the
+thrust that the rotors give on average.  The flight knows sensors and pilots only as functions of
+their type; a new one is a NamedTuple of floats with `sensed` or `piloted` registered for it::
+
+    class Bang(NamedTuple): ...
+
+    @piloted.register(Bang)
+    @kernel
+    def _(pilot, time, measurement, memory):
+        return Piloted(thrusts, memory)
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Vec
+from springback.vehicle.rotors import Rotors
+from springback.vehicle.state import State
+
+
+class Truth(NamedTuple):
+    """The motion over the last tick, for sensors only."""
+
+    before: State  # at the tick before
+    now: State
+    duration: float  # between the two [s]
+    gravity: float  # g along −Z [m/s²]
+
+
+class Sensed(NamedTuple):
+    """A measurement, and what the sensors remember."""
+
+    measurement: Any
+    memory: Any
+
+
+@generic
+def sensed(
+    sensors: Any, tick: float, truth: Truth, noise: tuple[float, ...], memory: Any
+) -> Sensed:
+    """What the sensors say at a tick.
+
+    Args:
+        sensors: Settings of the sensors, a NamedTuple.
+        tick: Number of the tick, from 0; a whole number.
+        truth: The motion over the last tick.
+        noise: Independent standard normal numbers, drawn for this tick.
+        memory: What the sensors remember; returned anew, never changed in place.
+    """
+    raise TypeError(f"{type(sensors).__name__} is no set of sensors; register sensed for it")
+
+
+class Piloted(NamedTuple):
+    """What a pilot commands, and what it remembers."""
+
+    thrust: tuple[float, ...]  # command to each rotor [N]
+    memory: Any
+
+
+@generic
+def piloted(pilot: Any, time: float, measurement: Any, memory: Any) -> Piloted:
+    """What a pilot does at a tick.
+
+    Args:
+        pilot: Settings of the pilot, a NamedTuple.
+        time: Since the start [s].
+        measurement: What the sensors say, `springback.sensing.measurement.Measurement`.
+        memory: What the pilot remembers; returned anew, never changed in place.
+    """
+    raise TypeError(f"{type(pilot).__name__} is no pilot; register piloted for it")
+
+
+@generic
+def told(pilot: Any, memory: Any) -> Any:
+    """What a pilot tells the diary of a flight at a tick: a tree of floats, for people to look at.
+
+    Pilots that are not registered tell nothing.
+    """
+    return (0.0,)
+
+
+@told.register(object)
+@kernel
+def _tells_nothing(pilot: Any, memory: Any) -> Any:
+    return (0.0,)
+
+
+class Relay(NamedTuple):
+    """A pilot that sits outside: plain Python puts its commands aboard, tick by tick."""
+
+    unused: float
+
+
+@piloted.register(Relay)
+@kernel
+def _relayed(pilot: Relay, time: float, measurement: Any, memory: Any) -> Piloted:
+    return Piloted(memory, memory)
+
+
+class Guidance(NamedTuple):
+    """Everything aboard that does not change during a flight."""
+
+    sensors: Any
+    pilot: Any
+    rotors: Rotors
+    weather: Any  # Calm or Dryden
+    mean_wind: Vec  # world [m/s]
+    period: float  # of the clock [s]
+
+
+class Aboard(NamedTuple):
+    """Everything aboard that changes from tick to tick."""
+
+    before: State  # at the tick before
+    measurement: Any
+    sensors: Any  # what they remember
+    pilot: Any  # what it remembers
+    command: tuple[float, ...]  # to each rotor [N]
+    thrust: tuple[float, ...]  # of each rotor at the tick [N]
+    weather: Any  # what it remembers
+
+
+class Cabin(NamedTuple):
+    """What is aboard."""
+
+    guidance: Guidance
+    aboard: Aboard

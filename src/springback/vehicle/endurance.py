@@ -1,0 +1,157 @@
+"""How long a vehicle hovers and how much it lifts.
+
+Momentum theory of the hovering rotor (J. G. Leishman, Principles of Helicopter Aerodynamics,
+chapter 2): the ideal power of one disk is T^1.5/√(2ρA), and the figure of merit is the share of it
+in what the battery gives.  The battery gives constant power until its usable energy is spent; its
+falling voltage and the loss in its resistance are left out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.vehicle.parameters import Vehicle
+
+GRAVITY = 9.81
+"""g [m/s²], that of a world by default."""
+ROUNDING = 1e-9
+"""Chosen: share of the most thrust that is forgiven, so that the largest payload can hover."""
+
+
+def induced_power(thrust: float, disk_radius: float, air_density: float) -> float:
+    """Ideal power of one hovering rotor, T v_i with v_i = √(T/(2ρA)) [W].
+
+    Args:
+        thrust: T [N].
+        disk_radius: Of the propeller; A = π r² [m].
+        air_density: ρ [kg/m³].
+    """
+    area = math.pi * disk_radius**2
+    return float(thrust**1.5 / math.sqrt(2.0 * air_density * area))
+
+
+def _known(vehicle: Vehicle, name: str) -> float:
+    """A number of the propulsion."""
+    if vehicle.propulsion is None:
+        raise InputError(f"vehicle {vehicle.name} has no propulsion; give it one")
+    value = getattr(vehicle.propulsion, name)
+    if value is None:
+        raise InputError(f"vehicle {vehicle.name}: propulsion.{name} is missing; give it a number")
+    return float(value)
+
+
+def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
+    """Thrust of one rotor [N]."""
+    if not (math.isfinite(payload) and payload >= 0.0):
+        raise InputError(f"payload must be at least 0 kg (got {payload:g} kg)")
+    thrust = (vehicle.mass + payload) * GRAVITY / vehicle.arm_count
+    most = _known(vehicle, "most_thrust")
+    if thrust > most * (1.0 + ROUNDING):
+        raise InputError(
+            f"vehicle {vehicle.name} with {payload:g} kg of payload cannot hover: "
+            f"it takes {thrust:.6g} N a rotor, propulsion.most_thrust is {most:.6g} N"
+        )
+    return thrust
+
+
+def _ideal_power(vehicle: Vehicle, payload: float) -> float:
+    """Of all rotors [W]."""
+    thrust = _hover_thrust(vehicle, payload)
+    radius, density = _known(vehicle, "disk_radius"), _known(vehicle, "air_density")
+    return vehicle.arm_count * induced_power(thrust, radius, density)
+
+
+def hover_power(vehicle: Vehicle, payload: float = 0.0) -> float:
+    """Power from the battery in hover, n T^1.5/(FM √(2ρA)) + P_e [W].
+
+    Args:
+        vehicle: With propulsion.
+        payload: Carried besides [kg].
+
+    Raises:
+        InputError: If a number of the propulsion is missing, or the payload cannot be lifted.
+    """
+    ideal = _ideal_power(vehicle, payload)
+    return ideal / _known(vehicle, "figure_of_merit") + _known(vehicle, "electronics_power")
+
+
+def hover_time(vehicle: Vehicle, payload: float = 0.0) -> float:
+    """Time until the usable energy of the full battery is spent in hover [s].
+
+    Args:
+        vehicle: With propulsion.
+        payload: Carried besides [kg].
+
+    Raises:
+        InputError: If a number of the propulsion is missing, or the payload cannot be lifted.
+    """
+    return _usable_energy(vehicle) / hover_power(vehicle, payload)
+
+
+def _usable_energy(vehicle: Vehicle) -> float:
+    """[J]."""
+    return _known(vehicle, "usable_share") * _known(vehicle, "battery_energy")
+
+
+def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
+    """Mass that can be carried besides the vehicle's own, m_p = n T_most/(k g) − m [kg].
+
+    Args:
+        vehicle: With propulsion.
+        thrust_to_weight: k, most thrust over weight that must remain with the payload; 1 leaves
+            nothing to steer with.
+
+    Raises:
+        InputError: If the vehicle has no propulsion, or cannot even lift itself.
+    """
+    if not (math.isfinite(thrust_to_weight) and thrust_to_weight >= 1.0):
+        raise InputError(f"thrust_to_weight must be at least 1 (got {thrust_to_weight:g})")
+    most = vehicle.arm_count * _known(vehicle, "most_thrust")
+    payload = most / (thrust_to_weight * GRAVITY) - vehicle.mass
+    if payload < 0.0:
+        raise InputError(
+            f"vehicle {vehicle.name} cannot lift itself with thrust_to_weight {thrust_to_weight:g}:"
+            f" it weighs {vehicle.mass:.3g} kg, {most:.3g} N is the most thrust of all rotors"
+        )
+    return payload
+
+
+def endurance_curve(
+    vehicle: Vehicle, payloads: Iterable[float]
+) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """`hover_time` for each payload [kg]: times [s], one for each.
+
+    Raises:
+        InputError: If a number of the propulsion is missing, or a payload cannot be lifted.
+    """
+    return np.array([hover_time(vehicle, float(payload)) for payload in payloads], dtype=float)
+
+
+def figure_of_merit_for(vehicle: Vehicle, time: float, payload: float = 0.0) -> float:
+    """The figure of merit that makes a measured hover time come out.
+
+    FM = P_ideal/(E/t − P_e); the vehicle's own figure of merit is not read.
+
+    Args:
+        vehicle: With propulsion.
+        time: Measured, t [s].
+        payload: Carried at that [kg].
+
+    Raises:
+        InputError: If another number is missing, the payload cannot be lifted, or the electronics
+            alone would empty the battery sooner.
+    """
+    if not (math.isfinite(time) and time > 0.0):
+        raise InputError(f"time must be more than 0 s (got {time:g} s)")
+    ideal = _ideal_power(vehicle, payload)
+    left = _usable_energy(vehicle) / time - _known(vehicle, "electronics_power")
+    if left <= 0.0:
+        raise InputError(
+            f"vehicle {vehicle.name}: the electronics alone empty the battery within {time:g} s"
+        )
+    return ideal / left

@@ -1,0 +1,145 @@
+"""What drives a vehicle: rotors that lag and saturate, and the battery behind them.
+
+One law for every rotor: its thrust follows the command, kept between its bounds, with one time
+constant τ.  Between two ticks the command stands still, so the response is known exactly.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from pydantic import model_validator
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import column, each, pick
+from springback.quantities import Length, quantity
+from springback.settings import Settings, problem
+
+#: [s] Chosen: time constants below it count as zero, and h/τ stays finite for every duration h.
+INSTANT = 1e-9
+#: Chosen: below this h/τ the mean's share is summed as a series, exact there to 1e-14.
+SHORT = 1e-3
+
+
+class Rotors(NamedTuple):
+    """Constants of the rotors of a vehicle, all alike."""
+
+    least: float  # thrust of one rotor [N]
+    most: float  # thrust of one rotor [N]
+    time_constant: float  # τ [s]; 0 follows at once
+
+
+class Lagged(NamedTuple):
+    """Thrust of one rotor after a time under a constant command."""
+
+    thrust: float  # at the end [N]; give it back as the memory
+    mean: float  # over the time [N]; this goes into the equations of motion
+
+
+class Thrusts(NamedTuple):
+    """`Lagged` of all rotors, in the order of the arms."""
+
+    thrust: tuple[float, ...]  # at the end [N]; give it back as the memory
+    mean: tuple[float, ...]  # over the time [N]; this goes into the equations of motion
+
+
+class _Shares(NamedTuple):
+    """How much of the start is left after a time."""
+
+    end: float  # e^(−x), x = h/τ
+    mean: float  # (1 − e^(−x))/x
+
+
+@kernel
+def limited(rotors: Rotors, command: float) -> float:
+    """The command [N] kept between the least and the most thrust of one rotor."""
+    above = pick(command > rotors.least, command, rotors.least)
+    return pick(above < rotors.most, above, rotors.most)
+
+
+@kernel
+def _shares(time_constant: float, duration: float) -> _Shares:
+    """Shares of the start in the end and in the mean of a first-order lag."""
+    instant = time_constant < INSTANT
+    x = duration / pick(instant, 1.0, time_constant)
+    end = math.exp(-x)
+    series = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)))
+    mean = pick(x < SHORT, series, (1.0 - end) / pick(x < SHORT, 1.0, x))
+    return _Shares(pick(instant, 0.0, end), pick(instant, 0.0, mean))
+
+
+@kernel
+def lagged(rotors: Rotors, thrust: float, command: float, duration: float) -> Lagged:
+    """Exact response of one rotor to a constant command u: τ Ṫ = u − T.
+
+    T(h) = u + (T_0 − u) e^(−h/τ), and its mean over h is u + (T_0 − u) (1 − e^(−h/τ)) τ/h.  The
+    rotor's torque about body z is ``Arm.torque_ratio`` times the thrust, so its mean follows too.
+
+    Args:
+        rotors: Bounds and time constant.
+        thrust: T_0, at the start [N].
+        command: Asked for [N]; kept between the bounds.
+        duration: h [s]; 0 leaves the thrust as it is, if τ is not 0.
+    """
+    u = limited(rotors, command)
+    share = _shares(rotors.time_constant, duration)
+    return Lagged(u + (thrust - u) * share.end, u + (thrust - u) * share.mean)
+
+
+@kernel
+def _one(thrust: float, command: float, rotors: Rotors, duration: float) -> Lagged:
+    return lagged(rotors, thrust, command, duration)
+
+
+@kernel
+def all_lagged(
+    rotors: Rotors,
+    thrusts: tuple[float, ...],
+    commands: tuple[float, ...],
+    duration: float,
+) -> Thrusts:
+    """`lagged` for every rotor, in the order of the arms [N]."""
+    results = each(_one, (thrusts, commands), (rotors, duration))
+    return Thrusts(column(results, "thrust"), column(results, "mean"))
+
+
+class Propulsion(Settings):
+    """Rotors, one at the end of each arm, all alike, and the battery they share.
+
+    The battery is needed only where hover power or time is asked for.
+    """
+
+    most_thrust: quantity("N", above=0.0)  # type: ignore[valid-type]
+    """Of one rotor."""
+    least_thrust: quantity("N", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Of one rotor; 0: rotors stop but do not turn backwards."""
+    time_constant: quantity("s", least=0.0) = 0.03  # type: ignore[valid-type]
+    """τ of the thrust.  Chosen: between 12.5 ms up and 25 ms down of RotorS's Hummingbird and the
+    90 ms that JSK's aerial_robot assumes."""
+    figure_of_merit: quantity("", above=0.0, most=1.0) | None = None  # type: ignore[valid-type]
+    """Ideal induced power over power from the battery: propeller, motor and controller together."""
+    disk_radius: Length | None = None
+    """Of one propeller."""
+    battery_energy: quantity("J", above=0.0) | None = None  # type: ignore[valid-type]
+    """Full, such as ``"52 Wh"``."""
+    usable_share: quantity("", above=0.0, most=1.0) = 0.8  # type: ignore[valid-type]
+    """Of the battery's energy; the rest is reserve.  Chosen: the usual rule for lithium polymer."""
+    electronics_power: quantity("W", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Of everything but the rotors."""
+    air_density: quantity("kg/m^3", above=0.0) = 1.225  # type: ignore[valid-type]
+    """ρ, of the International Standard Atmosphere at sea level (ISO 2533)."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Propulsion:
+        if not self.least_thrust < self.most_thrust:
+            raise problem(
+                f"must be less than most_thrust, {self.most_thrust:g} N "
+                f"(got {self.least_thrust:g} N)",
+                "least_thrust",
+            )
+        return self
+
+    def rotors(self) -> Rotors:
+        """The numbers for the equations of motion."""
+        return Rotors(self.least_thrust, self.most_thrust, self.time_constant)

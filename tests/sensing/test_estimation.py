@@ -1,0 +1,149 @@
+"""Estimators as a user writes them down."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from pydantic import ValidationError
+
+from oracles.estimating import NOTHING, ZERO
+from springback.kernels.vectors import Quat, Vec
+from springback.sensing.complementary import Complementary
+from springback.sensing.estimation import EstimatorSettings, KalmanSettings, Rhythm
+from springback.sensing.kalman import Kalman
+from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose, estimated
+from springback.sensing.parameters import SensorSettings
+from springback.sensing.perfect import PerfectState
+
+RHYTHM = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.0042)
+TRUTH = Estimate(
+    Vec(1.0, 2.0, 3.0), Quat(0.6, 0.8, 0.0, 0.0), Vec(4.0, 5.0, 6.0), Vec(7.0, 8.0, 9.0)
+)
+
+
+def seen(inertial_fresh=1.0, pose_fresh=0.0, exact=NOTHING):
+    return Measurement(
+        Inertial(Vec(0.0, 0.0, 9.81), ZERO, inertial_fresh),
+        Pose(ZERO, Quat(1.0, 0.0, 0.0, 0.0), pose_fresh, 0.0),
+        (0.1,),
+        0.0,
+        exact,
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [("kalman", Kalman), ("complementary", Complementary), ("perfect", PerfectState)],
+)
+def test_every_estimator_starts_from_what_it_is_told(name, kind):
+    settings = EstimatorSettings(type=name)
+    estimator = settings.estimator(RHYTHM, 9.81)
+    assert isinstance(estimator, kind)
+    start = NOTHING._replace(position=Vec(1.0, -2.0, 3.0))
+    believed = estimated(estimator, 1.0, seen(exact=start), settings.memory(estimator, start))
+    assert believed.estimate.position == pytest.approx(start.position, abs=1e-15)
+    assert believed.estimate.velocity == pytest.approx(ZERO, abs=1e-15)
+
+
+def test_perfect_state_is_what_is_revealed():
+    settings = EstimatorSettings(type="perfect")
+    estimator = settings.estimator(RHYTHM, 9.81)
+    assert (
+        estimated(estimator, 3.0, seen(exact=TRUTH), settings.memory(estimator, NOTHING)).estimate
+        == TRUTH
+    )
+
+
+def test_between_inertial_samples_the_estimate_goes_on_at_constant_rates():
+    start = Estimate(ZERO, Quat(1.0, 0.0, 0.0, 0.0), Vec(2.0, 0.0, 0.0), Vec(0.0, 0.0, 3.0))
+    for name in ("kalman", "complementary"):
+        settings = EstimatorSettings(type=name, kalman={"inertial_lag": 0.0})
+        estimator = settings.estimator(Rhythm(tick=1e-3, interval=4e-3), 9.81)
+        memory = settings.memory(estimator, start)
+        for tick in (1.0, 2.0):
+            estimate, memory = estimated(estimator, tick, seen(inertial_fresh=0.0), memory)
+        assert estimate.position == pytest.approx(Vec(4e-3, 0.0, 0.0), abs=1e-15)
+        assert 2.0 * math.asin(estimate.attitude.z) == pytest.approx(6e-3)
+
+
+def test_slow_inertial_samples_cover_their_whole_interval():
+    for name in ("kalman", "complementary"):
+        settings = EstimatorSettings(type=name, kalman={"inertial_lag": 0.0})
+        estimator = settings.estimator(Rhythm(tick=1e-3, interval=4e-3), 9.81)
+        memory = settings.memory(estimator, NOTHING)
+        falling = seen()._replace(inertial=Inertial(ZERO, ZERO, 1.0))
+        for tick in range(1, 101):
+            said = falling if tick % 4 == 0 else seen(inertial_fresh=0.0)
+            estimate, memory = estimated(estimator, float(tick), said, memory)
+        assert estimate.velocity.z == pytest.approx(-9.81 * 0.1)
+        assert estimate.position.z == pytest.approx(-0.5 * 9.81 * 0.1**2)
+
+
+def test_the_filter_speaks_for_the_main_body():
+    offset = (0.1, -0.2, 0.05)
+    settings = EstimatorSettings(kalman={"offset": offset, "inertial_lag": 0.0})
+    estimator = settings.estimator(RHYTHM, 9.81)
+    memory = settings.memory(estimator, TRUTH)
+    assert memory.track.nominal.position != pytest.approx(TRUTH.position)
+    quiet = seen(inertial_fresh=0.0)
+    estimate, _ = estimated(estimator._replace(tick=0.0), 1.0, quiet, memory)
+    for got, expected in zip(estimate, TRUTH, strict=True):
+        assert got == pytest.approx(expected, abs=1e-12)
+
+
+def test_the_register_reaches_back_to_the_oldest_pose():
+    kalman = EstimatorSettings(kalman={"inertial_lag": 0.0}).estimator(RHYTHM, 9.81)
+    assert kalman.delays == pytest.approx((0.0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3))
+    exact = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.01)
+    assert EstimatorSettings().estimator(exact, 9.81).delays[-1] == pytest.approx(0.01)
+    assert EstimatorSettings().estimator(Rhythm(tick=1e-3, interval=1e-3), 9.81).delays == (0.0,)
+
+
+def test_defaults_are_those_of_the_sensors():
+    held, real = KalmanSettings(), SensorSettings()
+    a, g, m = real.imu.accelerometer, real.imu.gyroscope, real.motion_capture
+    assert held.accelerometer_noise == a.noise
+    assert held.accelerometer_walk == a.walk
+    assert held.accelerometer_range == a.full_scale
+    assert held.gyroscope_noise == g.noise
+    assert held.gyroscope_walk == g.walk
+    assert held.gyroscope_range == g.full_scale
+    assert held.offset == real.imu.offset
+    assert held.position_noise == m.position_noise
+    assert held.attitude_noise == m.attitude_noise
+    assert held.initial_accelerometer_bias == a.bias
+    assert held.initial_gyroscope_bias == g.bias
+    share = -math.expm1(-2.0 * math.pi * g.bandwidth * 1e-3)
+    assert held.inertial_lag == pytest.approx(1e-3 * (1.0 - share) / share, rel=0.02)
+
+
+def test_noise_is_inflated_and_clipping_distrusted_as_told():
+    kalman = EstimatorSettings(kalman={"inflation": 3.0}).estimator(RHYTHM, 9.81)
+    assert kalman.accelerometer_noise == pytest.approx(3.0 * 150e-6 * 9.80665)
+    assert kalman.distrust == 0.01
+    trusting = EstimatorSettings(kalman={"distrust_clipped": False}).estimator(RHYTHM, 9.81)
+    assert trusting.distrust == 0.0
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"type": "magic"}, "kalman"),
+        ({"kalman": {"position_noise": "-1 mm"}}, "more than 0 m"),
+        ({"kalman": {"gyroscope_noise": "1 m"}}, "wrong unit"),
+        ({"kalman": {"postion_noise": 1.0}}, "did you mean position_noise"),
+        ({"kalman": {"every": 0}}, "greater than or equal to 1"),
+        ({"complementary": {"bandwidth": 0.0}}, "more than 0 1/s"),
+    ],
+)
+def test_bad_input_is_named(given, words):
+    with pytest.raises(ValidationError, match=words):
+        EstimatorSettings(**given)
+
+
+def test_densities_take_units():
+    kalman = KalmanSettings(
+        gyroscope_noise="0.006 deg/s/Hz^0.5", accelerometer_noise="150e-6 g_0/Hz^0.5"
+    )
+    assert kalman == KalmanSettings()
