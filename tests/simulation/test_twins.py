@@ -142,7 +142,7 @@ def test_lanes_in_plain_python() -> None:
     buffers = loaded(shape, models, starts, 2)
     loop: Any = getattr(advance, "py_func", advance)
     logged = np.zeros(1, dtype=np.int64)
-    assert loop(shape, buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000) == 0
+    assert loop(Like(shape), buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000, 0.0) == 0
     for k, flown in enumerate(unloaded(shape, models, starts, buffers, 2)):
         assert same(flown, fly_one(models[k], starts[k], trace=False))
 
