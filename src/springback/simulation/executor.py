@@ -19,11 +19,12 @@ import numpy as np
 from springback.contact.obstacles import Forces, Impulses
 from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
-from springback.dynamics.motion import Motion, Rates, View, Work, rates
+from springback.dynamics.motion import NEVER, ArmView, Motion, Rates, View, Work, rates
+from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flight_rates, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, Like, read, row_of, rows, write
-from springback.kernels.trees import along, along_strictly, pick, square
-from springback.kernels.vectors import Quat
+from springback.kernels.trees import along, along_strictly, each, pick, square
+from springback.kernels.vectors import Quat, Vec, normalised
 from springback.simulation.record import (
     APPLY_IMPULSE,
     ARRIVED,
@@ -32,9 +33,10 @@ from springback.simulation.record import (
     NOTHING,
     Model,
     Record,
+    cruised_past,
     observed,
 )
-from springback.vehicle.state import State
+from springback.vehicle.state import Airframe, Arm, State
 
 #: A flight whose squared coordinates and speeds add up to more than this has diverged.
 DIVERGED = 1e12
@@ -89,11 +91,13 @@ class Places(NamedTuple):
     total: int  # weighted sum of the stages' rates
     rate: int  # of the state, at the stage before
     seen: int  # the view, of a single flight only
-    record: int  # it begins with time, step, status, phase, request
+    kept: int  # marks of lanes that cruise; of several lanes, their motion and record besides
+    record: int  # it begins with time, step, status, phase, request, cruising
     step: int
     status: int
     phase: int
     request: int
+    cruising: int
     end: int
 
 
@@ -104,11 +108,10 @@ def places(shape: Like | Shape, w: int) -> Places:
     total = motion + rows(shape.motion)
     rate = total + rows(shape.motion)
     view = rate + rows(shape.motion.state)
-    record = view + (rows(shape.seen) if w == 1 else 0)
-    end = record + rows(shape.record)
-    return Places(
-        motion, total, rate, view, record, record + 1, record + 2, record + 3, record + 4, end
-    )
+    kept = view + (rows(shape.seen) if w == 1 else 0)
+    r = kept + 1 + (rows(shape.motion) + rows(shape.record) if w > 1 else 0)
+    end = r + rows(shape.record)
+    return Places(motion, total, rate, view, kept, r, r + 1, r + 2, r + 3, r + 4, r + 5, end)
 
 
 @kernel
@@ -159,6 +162,42 @@ def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
 
 
 @guard
+def is_finite(x: Flight) -> bool:
+    """Whether a motion is finite, and within reason."""
+    return square(x) < DIVERGED
+
+
+@kernel
+def landed(motion: Motion, x: Flight) -> Motion:
+    """The motion of a vehicle that flew as one body; its attitude is normalised."""
+    s, w = motion.state, motion.work
+    state = State(
+        x.position, normalised(x.attitude), x.velocity, x.angular_velocity, s.arm_length, s.arm_rate
+    )
+    work = Work(
+        x.thrust_work, w.arm, w.stop, w.contact, w.friction, w.settling, x.air_work, w.impulse
+    )
+    return Motion(state, work)
+
+
+@kernel
+def _far_arm(arm: Arm, length: float, room: float) -> ArmView:
+    none = Vec(0.0, 0.0, 0.0)
+    pressed = arm.length - length
+    return ArmView(room, 0.0, 0.0, none, pressed, NEVER, 0.0, 0.0, 0.0, none, 0.0, 0.0, 0.0)
+
+
+@kernel
+def cruise_view(
+    airframe: Airframe, lengths: tuple[float, ...], known: FlightRates, room: float
+) -> View:
+    """The view of a flight that cruises: no cage touches, no arm moves."""
+    arms = each(_far_arm, (airframe.arms, lengths), (room,))
+    none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
+    return View(a, known.specific_force, centre, none, arms, 0.0, 0.0)
+
+
+@guard
 def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
     """Take the step of one lane where it leads to finite numbers; else its last state stays."""
     at = places(shape, w)
@@ -176,6 +215,74 @@ def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
     write(pick(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0
     b[at.status * w + i] = b[at.status * w + i] if good else NOT_FINITE
+
+
+@kernel
+def cruised(shape: Like, b: Buffer, w: int) -> None:
+    """One step of every lane that cruises: those whose mark is 1."""
+    at = places(shape, w)
+    for i in range(w):
+        model = read(shape.model, b, 0, w, i)
+        motion = read(shape.motion, b, at.motion, w, i)
+        record = read(shape.record, b, at.record, w, i)
+        s, work = motion.state, motion.work
+        body = as_one_body(model.airframe, s.arm_length, model.thrust)
+        x = Flight(s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air)
+        guide, air, gravity = model.guide, model.air, model.world.gravity
+        known = flight_rates(body, guide, air, gravity, x)
+        left = model.timing.until - record.time
+        h = left if left < model.timing.free_step else model.timing.free_step
+        new = flown_on(body, guide, air, gravity, x, known.flight, h)
+        good = is_finite(new)
+        goes = b[at.kept * w + i] > 0.0
+        write(pick(goes & good, landed(motion, new), motion), b, at.motion, w, i)
+        write(
+            pick(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
+        )
+        if w == 1:
+            view = cruise_view(model.airframe, s.arm_length, known, record.room)
+            write(view, b, at.seen, w, i)
+
+
+@kernel
+def put_aside(shape: Like, b: Buffer, w: int) -> None:
+    """Put motion and record of all lanes aside: lanes that cruise are not to be steered."""
+    at, moving = places(shape, w), rows(shape.motion)
+    for k in range(moving * w):
+        b[(at.kept + 1) * w + k] = b[at.motion * w + k]
+    for k in range(rows(shape.record) * w):
+        b[(at.kept + 1 + moving) * w + k] = b[at.record * w + k]
+
+
+@kernel
+def put_back(shape: Like, b: Buffer, w: int) -> None:
+    """Give the lanes that cruise their motion and record back."""
+    at, moving = places(shape, w), rows(shape.motion)
+    for k in range(moving):
+        for i in range(w):
+            old, place = b[(at.kept + 1 + k) * w + i], (at.motion + k) * w + i
+            b[place] = old if b[at.kept * w + i] > 0.0 else b[place]
+    for k in range(rows(shape.record)):
+        for i in range(w):
+            old, place = b[(at.kept + 1 + moving + k) * w + i], (at.record + k) * w + i
+            b[place] = old if b[at.kept * w + i] > 0.0 else b[place]
+
+
+@kernel
+def log_motion(shape: Like, b: Buffer, line: Buffer) -> None:
+    """Time and motion of a single flight, into its line of the log."""
+    at = places(shape, 1)
+    line[0] = b[at.record]
+    for k in range(rows(shape.motion)):
+        line[1 + k] = b[at.motion + k]
+
+
+@kernel
+def log_view(shape: Like, b: Buffer, line: Buffer) -> None:
+    """The view of a single flight, into its line of the log."""
+    at, moving = places(shape, 1), rows(shape.motion)
+    for k in range(rows(shape.seen)):
+        line[1 + moving + k] = b[at.seen + k]
 
 
 @executor(nogil=True)
@@ -209,9 +316,11 @@ def advance(
     """
     w = len(lanes)
     at = places(shape, w)
-    motion_rows, view_rows = rows(shape.motion), rows(shape.seen)
     until = row_of(shape.model, "timing")  # its first field
+    logs = (w == 1) & (log.shape[0] > 0)
     flying = 0
+    # It is 1, which the compiler does not know: loops of known length it would unroll, not pack.
+    once = logged.shape[0]
 
     for group in range(first, last):
         b = buffers[group]
@@ -219,20 +328,35 @@ def advance(
         for _ in range(budget):
             if log.shape[0] > 0 and logged[0] >= log.shape[0]:
                 break
-            begun(shape, b, w)
-            if w == 1 and log.shape[0] > 0 and (b[at.step] > 0.0 or b[at.status] != FLYING):
-                line = logged[0]
-                log[line, 0] = b[at.record]
-                for k in range(motion_rows):
-                    log[line, 1 + k] = b[at.motion + k]
-                for k in range(view_rows):
-                    log[line, 1 + motion_rows + k] = b[at.seen + k]
-                logged[0] = line + 1
-            for stage in range(1, 4):
-                staged(shape, b, w, REACH[stage], WEIGHT[stage])
-
+            cruising, steering = 0, 0
             for i in range(w):
-                taken(shape, b, w, i)
+                flies = b[at.status * w + i] == FLYING
+                far = b[until * w + i] - b[at.record * w + i] > ARRIVED
+                goes = flies & far & (b[at.cruising * w + i] > 0.0)
+                b[at.kept * w + i] = 1.0 if goes else 0.0
+                cruising += 1 if goes else 0
+                steering += 1 if flies & (not goes) & (far | (early == 0.0)) else 0
+            if (steering > 0) | (cruising == 0):
+                if cruising > 0:
+                    put_aside(shape, b, w)
+                begun(shape, b, w)
+                if logs and (b[at.step] > 0.0 or b[at.status] != FLYING):
+                    log_motion(shape, b, log[logged[0]])
+                    log_view(shape, b, log[logged[0]])
+                    logged[0] += 1
+                for stage in range(1, 3 + once):
+                    staged(shape, b, w, REACH[stage], WEIGHT[stage])
+                for i in range(w * once):
+                    taken(shape, b, w, i)
+                if cruising > 0:
+                    put_back(shape, b, w)
+            if cruising > 0:
+                if logs:
+                    log_motion(shape, b, log[logged[0]])
+                cruised(shape, b, w)
+                if logs:
+                    log_view(shape, b, log[logged[0]])
+                    logged[0] += 1
             running = 0
             asked = 0
             for i in range(w):

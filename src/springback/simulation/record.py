@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.obstacles import World
 from springback.dynamics.motion import LANDED, NEVER, ArmView, Motion, View, crossing_time
+from springback.dynamics.rigid import Flight, FlightRates
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, largest, least, pick, total
 from springback.kernels.vectors import Vec, norm
@@ -25,6 +26,12 @@ FRICTION_SHARE = 2.0
 SHORTEST = 1e-3
 #: A flight is at its end within this time [s].
 ARRIVED = 1e-12
+#: A flight cruises while its cages cannot come to anything within so many free steps ...
+ROOMY_STEPS = 8.0
+#: ... and this far [m].
+ROOM = 1e-3
+#: Cages are taken to be this much faster than at the beginning of a step.
+HASTE = 2.0
 #: Against division by zero.
 TINY = 1e-9
 
@@ -55,13 +62,15 @@ class Model(NamedTuple):
 
 
 class Record(NamedTuple):
-    """Streaming measures of one flight.  The first five fields steer the executor."""
+    """Streaming measures of one flight.  The first seven fields steer the executor."""
 
     time: float  # [s]
     step: float  # the step about to be taken [s]
     status: float  # FLYING, FINISHED, NOT_FINITE
     phase: float  # FREE_FLIGHT, IMPACT
     request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
+    cruising: float  # 1 where the next step can be that of one rigid body far from everything
+    room: float  # at least so far is every cage from every obstacle [m]
 
     steps: float  # taken so far
     touching: float  # 1 while any cage touches
@@ -102,6 +111,7 @@ def blank_record(arm_count: int) -> Record:
     never, none = -1.0, (0.0,) * arm_count
     return Record(
         time=0.0, step=0.0, status=FLYING, phase=FREE_FLIGHT, request=NOTHING,
+        cruising=0.0, room=0.0,
         steps=0.0, touching=0.0, contacts=0.0, arm_touching=none, arm_contacts=none,
         impacts=0.0, impact_open=0.0, last_touch_time=never, contact_duration=0.0,
         inward=Vec(0.0, 0.0, 0.0), touch_time=never, touch_depth=0.0, touch_speed=0.0,
@@ -161,6 +171,58 @@ def smaller(a: float, b: float) -> float:
 
 
 @kernel
+def has_room(timing: Timing, room: float, fastest: float) -> bool:
+    """Whether no cage can touch anything for a while.
+
+    Args:
+        timing: Of the flight.
+        room: At least so far is every cage from every obstacle [m].
+        fastest: No cage is faster [m/s].
+    """
+    return room > ROOMY_STEPS * HASTE * fastest * timing.free_step + ROOM
+
+
+@kernel
+def fastest_cage(airframe: Airframe, velocity: Vec, angular_velocity: Vec) -> float:
+    """No point of the vehicle is faster [m/s]; arms standing still."""
+    reach = largest(each(_reach, (airframe.arms,), ()))
+    return norm(velocity) + reach * norm(angular_velocity)
+
+
+@kernel
+def cruised_past(
+    model: Model, flight: Flight, known: FlightRates, m: Record, good: bool, step: float
+) -> Record:
+    """The record after one step as one rigid body: `observed` where nothing can happen.
+
+    Args:
+        model: Of the flight.
+        flight: Motion at the beginning of the step.
+        known: Its rates.
+        m: The record before.
+        good: Whether the step leads to finite numbers.
+        step: Taken [s].
+    """
+    a, spin = norm(known.flight.velocity), norm(flight.angular_velocity)
+    fastest = fastest_cage(model.airframe, flight.velocity, flight.angular_velocity)
+    room = m.room - HASTE * fastest * step
+    return Record(
+        m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
+        pick(good & has_room(model.timing, room, fastest), 1.0, 0.0), room,
+        m.steps + 1.0, m.touching, m.contacts, m.arm_touching, m.arm_contacts,
+        m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
+        m.inward, m.touch_time, m.touch_depth, m.touch_speed, m.touch_mass_centre_speed,
+        m.separation_time, m.separation_speed, m.separation_mass_centre_speed,
+        m.return_time, m.return_speed,
+        larger(a, m.peak_acceleration),
+        pick(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
+        larger(norm(known.specific_force), m.peak_specific_force),
+        larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
+        m.peak_compression, m.peak_extension, m.travel, m.bottomed_time, m.ground_time,
+    )  # fmt: skip
+
+
+@kernel
 def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     """The record after one more instant, with the next step and phase decided.
 
@@ -209,8 +271,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     step = pick(sliding, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so no cage can touch unnoticed within the step.
-    reach = largest(each(_reach, (model.airframe.arms,), ()))
-    fastest = norm(state.velocity) + reach * norm(state.angular_velocity)
+    fastest = fastest_cage(model.airframe, state.velocity, state.angular_velocity)
     near = least(column(view.arms, "gap"))
     step = smaller(step, larger(near / larger(fastest, TINY), timing.impact_step))
     calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
@@ -220,6 +281,9 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     changed = (phase != m.phase) | strike
     halted = finished | changed | (m.status != FLYING)
     step = pick(halted, 0.0, smaller(step, left))
+    quiet = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0) & (not ahead)
+    quiet &= (timing.hybrid > 0.0) & (step > 0.0)
+    cruising = pick(quiet & has_room(timing, near, fastest), 1.0, 0.0)
 
     a = norm(view.acceleration)
     grew = a > m.peak_acceleration
@@ -230,6 +294,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         status=pick((m.status == FLYING) & finished, FINISHED, m.status),
         phase=phase,
         request=pick(strike, APPLY_IMPULSE, pick(lock, LOCK_ARMS, NOTHING)),
+        cruising=cruising,
+        room=near,
         steps=m.steps + pick(step > 0.0, 1.0, 0.0),
         touching=touching,
         contacts=m.contacts + pick(began, 1.0, 0.0),

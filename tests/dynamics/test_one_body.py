@@ -1,0 +1,128 @@
+"""A locked vehicle far from everything is one rigid body: the short way to the same motion."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from springback.dynamics.air import Air, Still
+from springback.dynamics.motion import rates
+from springback.dynamics.rigid import Flight, as_one_body, flight_rates
+from springback.experiments.scenario import scenario_from
+from springback.kernels.trees import leaves
+from springback.kernels.vectors import Quat, Vec
+from springback.simulation import record
+from springback.simulation.flight import fly_one
+from springback.vehicle.state import State
+
+WIND = Air(Vec(2.0, -1.0, 0.5), Vec(0.3, 0.2, 0.1), 0.05, Vec(0.01, 0.02, 0.0))
+
+
+def scenario(**changes: object) -> dict[str, object]:
+    return {
+        "vehicle": "arq", "thrust": [3.0, 3.6, 3.3, 3.5],
+        "start": {"velocity": [1.0, 0.5, 0.2], "angular_velocity": [0.5, -1.0, 2.0], "pitch": 0.3},
+        "simulation": {"duration": 0.4}, **changes,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("air", [Still(0.0), WIND], ids=["still", "wind"])
+def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
+    rng = np.random.default_rng(5)
+    model = scenario_from(scenario()).flight_model()._replace(air=air)
+    for _ in range(50):
+        q = rng.normal(size=4)
+        state = (
+            scenario_from(scenario())
+            .start_state()
+            ._replace(
+                attitude=Quat(*(float(x) for x in q / np.linalg.norm(q))),
+                velocity=Vec(*map(float, rng.normal(size=3))),
+                angular_velocity=Vec(*map(float, 5.0 * rng.normal(size=3))),
+                arm_length=tuple(float(x) for x in rng.uniform(0.15, 0.19, 4)),
+            )
+        )
+        whole = rates(
+            model.airframe, model.world, model.contact_point, model.guide, air, state,
+            model.thrust, 0.0,
+        )  # fmt: skip
+        body = as_one_body(model.airframe, state.arm_length, model.thrust)
+        x = Flight(state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0)
+        short = flight_rates(body, model.guide, air, model.world.gravity, x)
+        s, w = whole.motion.state, whole.motion.work
+        expected = [*s.position, *s.attitude, *s.velocity, *s.angular_velocity, w.thrust, w.air]
+        np.testing.assert_allclose(leaves(short.flight), expected, rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(short.specific_force, whole.seen.specific_force, atol=1e-12)
+        np.testing.assert_allclose(
+            short.mass_centre_velocity, whole.seen.mass_centre_velocity, atol=1e-13
+        )
+
+
+def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Room for ever against no room at all: what differs is rounding."""
+    ready = scenario_from(scenario())
+    model, start = ready.flight_model(), ready.start_state()
+    short = fly_one(model, start, executor="python")
+    assert short.record.room != 0.0
+    monkeypatch.setattr(record, "ROOM", 1e30)
+    long = fly_one(model, start, executor="python")
+    assert long.record.steps == short.record.steps
+    np.testing.assert_allclose(leaves(short.motion), leaves(long.motion), rtol=1e-10, atol=1e-12)
+    for name in ("peak_acceleration", "peak_specific_force", "peak_angular_rate"):
+        assert getattr(short.record, name) == pytest.approx(getattr(long.record, name), rel=1e-12)
+    assert short.trace is not None
+    assert long.trace is not None
+    assert short.trace.values.shape == long.trace.values.shape
+
+
+def test_the_last_steps_before_a_wall_are_taken_with_open_eyes() -> None:
+    """However far away the flight begins, it meets the wall at the same speed, to the step."""
+    hits = []
+    for distance in (0.05, 1.0, 4.0):
+        wall = {"type": "wall", "distance": distance + 0.3, "surface": "wall"}
+        flown = fly_one(
+            *(
+                lambda ready: (ready.flight_model(), ready.start_state())
+            )(
+                scenario_from(
+                    {
+                        "vehicle": "quad", "thrust": 0.0,
+                        "world": {"gravity": 0.0, "obstacles": [wall]},
+                        "start": {"velocity": [2.0, 0.0, 0.0]},
+                        "simulation": {"duration": distance / 2.0 + 0.1},
+                    }
+                )
+            )
+        )  # fmt: skip
+        hits.append(flown.record)
+    assert {h.contacts for h in hits} == {1.0}
+    for other in hits[1:]:
+        assert other.peak_penetration == pytest.approx(hits[0].peak_penetration, rel=1e-9)
+        assert other.separation_speed == pytest.approx(hits[0].separation_speed, rel=1e-9)
+
+
+def test_room_shrinks_no_slower_than_the_gap() -> None:
+    """The room that a cruising flight counts on never exceeds the true distance of its cages."""
+    ready = scenario_from(
+        scenario(world={"obstacles": [{"type": "wall", "distance": 2.0, "surface": "wall"}]})
+    )
+    model, start = ready.flight_model(), ready.start_state()
+    flown = fly_one(model, start)
+    assert flown.trace is not None
+    trace = flown.trace
+    for k in range(0, len(trace.values), 20):
+        row = dict(zip(trace.columns, map(float, trace.values[k]), strict=True))
+        state = State(
+            Vec(*(row[f"state.position.{a}"] for a in "xyz")),
+            Quat(*(row[f"state.attitude.{a}"] for a in "wxyz")),
+            Vec(*(row[f"state.velocity.{a}"] for a in "xyz")),
+            Vec(*(row[f"state.angular_velocity.{a}"] for a in "xyz")),
+            start.arm_length,
+            start.arm_rate,
+        )
+        m = model
+        seen = rates(
+            m.airframe, m.world, m.contact_point, m.guide, m.air, state, m.thrust, 0.0
+        ).seen
+        told = min(row[f"arms.{j}.gap"] for j in range(1, 5))
+        assert 0.0 < told <= min(arm.gap for arm in seen.arms) + 1e-12
