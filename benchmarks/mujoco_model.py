@@ -37,13 +37,21 @@ def _arm(arm: Arm, cage: str) -> str:
         </body>"""
 
 
-def xml(model: Model, integrator: str, cage: str) -> str:
+#: What our step measures besides: specific force, angular rate, velocity of the centre of mass.
+SENSORS = """
+      <sensor>
+        <accelerometer site="thrust"/><gyro site="thrust"/><subtreelinvel body="main"/>
+      </sensor>"""
+
+
+def xml(model: Model, integrator: str, cage: str, measuring: bool) -> str:
     """The vehicle and its wall as an MJCF document.
 
     Args:
         model: Ours.
         integrator: ``implicitfast`` or ``RK4``.
         cage: ``disc`` or ``sphere``.
+        measuring: With energies and sensors, as our step has its ledger and measures.
     """
     frame = model.airframe
     body_mass = frame.mass - sum(arm.mass for arm in frame.arms)
@@ -55,7 +63,9 @@ def xml(model: Model, integrator: str, cage: str) -> str:
     return f"""
     <mujoco>
       <option timestep="{model.timing.impact_step!r}" integrator="{integrator}"
-              gravity="0 0 {-model.world.gravity!r}"/>
+              gravity="0 0 {-model.world.gravity!r}">
+        <flag energy="{"enable" if measuring else "disable"}"/>
+      </option>
       <worldbody>
         <geom type="plane" pos="{abs(wall)!r} 0 0" zaxis="-1 0 0" size="5 5 1" contype="2"
               conaffinity="1" friction="{surface.friction!r}"/>
@@ -66,7 +76,7 @@ def xml(model: Model, integrator: str, cage: str) -> str:
           {arms}
         </body>
       </worldbody>
-      <actuator><motor site="thrust" gear="0 0 1 0 0 0"/></actuator>
+      <actuator><motor site="thrust" gear="0 0 1 0 0 0"/></actuator>{SENSORS if measuring else ""}
     </mujoco>"""
 
 
@@ -80,6 +90,7 @@ class Rollout:
         steps: Of every flight.
         threads: In the pool.
         cage: ``disc`` or ``sphere``.
+        measuring: With energies and sensors.
     """
 
     def __init__(
@@ -90,12 +101,13 @@ class Rollout:
         steps: int,
         threads: int,
         cage: str = "disc",
+        measuring: bool = False,
     ) -> None:
         """Compile the model and lay out the start states."""
         import mujoco
         from mujoco import rollout
 
-        self.model = mujoco.MjModel.from_xml_string(xml(model, integrator, cage))
+        self.model = mujoco.MjModel.from_xml_string(xml(model, integrator, cage, measuring))
         self.data = [mujoco.MjData(self.model) for _ in range(threads)]
         self.pool: Any = rollout.Rollout(nthread=threads)
         self.steps = steps
@@ -113,11 +125,15 @@ class Rollout:
         control = np.full((len(states), steps, 1), sum(model.thrust))
         self.control: Array = control
         self.output: Array = np.zeros((len(states), steps, len(blank)))
+        self.measured: Array = np.zeros((len(states), steps, self.model.nsensordata))
 
     def run(self) -> float:
         """Steps a second, all flights together."""
         began = time.perf_counter()
-        self.pool.rollout(self.model, self.data, self.initial, self.control, state=self.output)
+        self.pool.rollout(
+            self.model, self.data, self.initial, self.control,
+            state=self.output, sensordata=self.measured,
+        )  # fmt: skip
         seconds = time.perf_counter() - began
         if not math.isfinite(float(self.output[:, -1].sum())):
             raise RuntimeError("MuJoCo's flights are not finite")

@@ -1,118 +1,240 @@
-"""Which force gains answer steps as Quad does in Table IV?  And how does ARQ answer with the same?
+"""Which gains answer steps as Quad does in Table IV?  And how does ARQ answer by the same rule?
 
     python studies/gains.py [--out DIR]
 
-A planar model of the default cascade: position loop with hold and offboard delay, attitude and rate
-loop, rotor lag.  Two gains are fitted to two printed numbers for each kind of axis.  Writes
-``gains.csv`` and prints the table that stands in studies/README.md.
+Every number is from whole flights with sensors and estimator.  Gains are fitted to Quad alone: four
+of them, three (one damping ratio for all axes), two (one stiffness, too).  Then ARQ flies by some
+rules for what becomes of Quad's gains on a heavier robot.  The paper prints no inner loop either,
+so the fit is made again with others.  Last, what the errors on circles depend on.  Writes
+``fits.csv``, ``rules.csv``, ``inner.csv`` and ``circles.csv``, and prints them as they stand in
+studies/README.md.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import functools
 import math
+from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
 
-from springback.control.parameters import ControlSettings
+import springback
+from springback.experiments.paper.flight import (
+    CIRCLE_TIME,
+    PERIODS,
+    QUANTITIES,
+    RADIUS,
+    TABLE_IV_CIRCLES,
+    TABLE_IV_STEPS,
+    circle_tables,
+)
+from springback.experiments.paper.responses import (
+    circle_errors,
+    mean_square_error,
+    rise_time,
+    step_response,
+)
+from springback.vehicle.library import BATTERY, VEHICLES
 
-#: Table IV, Quad: rise time 10 to 90 % [s] and mean of (1 − p)² over 5 s; x and y as their mean.
-QUAD = {"horizontal": ((0.649 + 0.662) / 2.0, (0.090 + 0.094) / 2.0), "vertical": (0.625, 0.059)}
-#: Table IV, ARQ before collisions.
-ARQ = {"horizontal": ((0.760 + 0.782) / 2.0, (0.098 + 0.107) / 2.0), "vertical": (0.627, 0.064)}
-#: [kg] with the battery that the printed hover times give, and without: Quad, ARQ.
-MASSES = {"with battery": (1.22, 1.41), "without": (0.844, 1.034)}
-GRAVITY, ROTOR_LAG, STEP, DWELL = 9.81, 0.03, 1e-3, 5.0  # SI; rotor lag as in the fit's source
-SETTINGS = ControlSettings()
+Kind = Literal["horizontal", "vertical"]
+Robot = Literal["quad", "arq"]
+WAIT, DWELL = 0.5, 5.0  # [s]
+MASS = {name: VEHICLES[name].vehicle.mass for name in ("quad", "arq")}
+DRY = {name: mass - BATTERY for name, mass in MASS.items()}
+INERTIA = {name: float(VEHICLES[name].vehicle.inertia()[1, 1]) for name in ("quad", "arq")}
 
 
 class Answer(NamedTuple):
-    """Measures of a step response."""
+    """Of a step: rise time [s] and mean square error [m²]."""
 
     rise: float
     mse: float
-    overshoot: float
 
 
-def step(kind: str, k_p: float, k_v: float, mass: float) -> np.ndarray:
-    """Position over the dwell after a unit step along x or z, every millisecond."""
-    c = SETTINGS
-    every = round(1.0 / (c.position_frequency * STEP))
-    late = round(c.offboard_delay / STEP)
-    p = v = angle = omega = push = 0.0  # push: angular acceleration (x), force per mass (z)
-    force, queue, path = 0.0, [0.0] * (late + 1), []
-    for k in range(round(DWELL / STEP)):
-        if k % every == 0:
-            asked = (k_p * (1.0 - p) - k_v * v) / mass
-            force = max(-c.feedback_acceleration, min(c.feedback_acceleration, asked))
-        queue = [*queue[1:], force]
-        if kind == "horizontal":
-            error = math.atan2(queue[0], GRAVITY) - angle
-            limit = c.rate_limit
-            wanted = max(-limit, min(limit, 2.0 * math.sin(error / 2.0) / c.time_constant))
-            push += STEP / ROTOR_LAG * (c.rate_gain * (wanted - omega) - push)
-            omega += STEP * push
-            angle += STEP * omega
-            acceleration = GRAVITY * math.tan(angle)  # height is held
-        else:
-            push += STEP / ROTOR_LAG * (queue[0] - push)
-            acceleration = push
-        v += STEP * acceleration
-        p += STEP * v
-        path.append(p)
-    return np.array(path)
+class Gains(NamedTuple):
+    """Of one kind of axis, [N/m] and [N s/m]."""
+
+    stiffness: float
+    damping: float
 
 
-def measured(path: np.ndarray) -> Answer:
-    """Rise time from 10 to 90 % of where the path settles, mean square error, overshoot."""
-    settled = path[-round(0.5 / STEP) :].mean()
-    times = []
-    for level in (0.1 * settled, 0.9 * settled):
-        k = int(np.argmax(path >= level))
-        times.append(k - (path[k] - level) / (path[k] - path[k - 1]))
-    mse = float(np.mean((1.0 - path) ** 2))
-    return Answer(STEP * (times[1] - times[0]), mse, float(path.max() / settled - 1.0))
+def printed(robot: Robot, kind: Kind) -> Answer:
+    """Table IV; x and y as their mean."""
+    table = TABLE_IV_STEPS[robot]
+    rows = [table[axis] for axis in (("z",) if kind == "vertical" else ("x", "y"))]
+    return Answer(*np.mean(rows, axis=0).tolist())
 
 
-def fitted(kind: str, mass: float, start: tuple[float, float]) -> tuple[float, float]:
-    """K_p [N/m] and K_v [N s/m] with Quad's rise time and mean square error."""
-    rise, mse = QUAD[kind]
+@functools.cache
+def answer(robot: Robot, kind: Kind, gains: Gains, inner: tuple[tuple[str, float], ...]) -> Answer:
+    """Fly one step of 1 m along x or z."""
+    stem, axis = ("vertical_", "z") if kind == "vertical" else ("", "x")
+    goal = [0.0, 0.0, 2.0] if kind == "vertical" else [1.0, 0.0, 1.0]
+    control: dict[str, Any] = {
+        f"{stem}stiffness": gains.stiffness, f"{stem}damping": gains.damping, **dict(inner)
+    }  # fmt: skip
+    flight = springback.fly(
+        {
+            "vehicle": robot,
+            "reference": {"type": "steps", "positions": [[0.0, 0.0, 1.0], goal], "dwell": WAIT},
+            "simulation": {"duration": WAIT + DWELL},
+            "control": control,
+        }
+    )
+    response = step_response(flight, axis, WAIT, DWELL, 1.0 if kind == "vertical" else 0.0)
+    return Answer(rise_time(*response), mean_square_error(*response))
 
-    def residual(gains: np.ndarray) -> list[float]:
-        answer = measured(step(kind, *gains, mass))
-        return [answer.rise / rise - 1.0, answer.mse / mse - 1.0]
 
-    found = least_squares(residual, start, bounds=(0.5, 100.0), diff_step=1e-3, x_scale=start)
-    return float(found.x[0]), float(found.x[1])
+def of_ratio(stiffness: float, ratio: float, mass: float) -> Gains:
+    """K_v = 2 ζ √(K_p m)."""
+    return Gains(stiffness, 2.0 * ratio * math.sqrt(stiffness * mass))
+
+
+def fitted(
+    kinds: tuple[Kind, ...],
+    split: Callable[[np.ndarray], list[tuple[float, float]]],
+    start: list[float],
+    inner: tuple[tuple[str, float], ...] = (),
+) -> tuple[np.ndarray, list[float]]:
+    """Numbers with which Quad answers as printed, and the relative deviations that remain.
+
+    Args:
+        kinds: Of axis.
+        split: From the numbers to stiffness and damping ratio for each kind.
+        start: Of the search.
+        inner: Settings of the inner loops.
+    """
+
+    def residual(numbers: np.ndarray) -> list[float]:
+        found = []
+        for kind, (stiffness, ratio) in zip(kinds, split(numbers), strict=True):
+            got = answer("quad", kind, of_ratio(stiffness, ratio, MASS["quad"]), inner)
+            wanted = printed("quad", kind)
+            found += [got.rise / wanted.rise - 1.0, got.mse / wanted.mse - 1.0]
+        return found
+
+    bounds = ([1.0 if value > 2.0 else 0.2 for value in start], [100.0] * len(start))
+    solved = least_squares(residual, start, bounds=bounds, diff_step=3e-3, x_scale=start, xtol=1e-5)
+    return solved.x, residual(solved.x)
+
+
+def fits() -> list[dict[str, Any]]:
+    """Four, three and two free numbers; what Quad and ARQ then do."""
+    both: tuple[Kind, ...] = ("horizontal", "vertical")
+    kinds: dict[str, tuple[Callable[[np.ndarray], list[tuple[float, float]]], list[float]]] = {
+        "four": (lambda v: [(v[0], v[1]), (v[2], v[3])], [10.8, 0.94, 28.0, 0.96]),
+        "three": (lambda v: [(v[0], v[2]), (v[1], v[2])], [11.0, 26.5, 0.95]),
+        "two": (lambda v: [(v[0], v[1]), (v[0], v[1])], [13.0, 0.78]),
+        "three, rounded": (lambda v: [(11.0, 0.95), (26.5, 0.95)], []),
+    }
+    rows = []
+    for name, (split, start) in kinds.items():
+        numbers = fitted(both, split, start)[0] if start else np.array([])
+        for kind, (stiffness, ratio) in zip(both, split(numbers), strict=True):
+            for robot in ("quad", "arq"):
+                got = answer(robot, kind, of_ratio(stiffness, ratio, MASS[robot]), ())
+                rows.append(_row({"free numbers": name, "axis": kind, "K_p": stiffness,
+                                  "zeta": ratio}, robot, kind, got))  # fmt: skip
+    return rows
+
+
+def rules() -> list[dict[str, Any]]:
+    """ARQ by rules that need no further number, from the rounded gains of Quad."""
+    heavier, dry = MASS["arq"] / MASS["quad"], DRY["arq"] / DRY["quad"]
+    lazier = (("rate_gain", 40.0 * INERTIA["quad"] / INERTIA["arq"]),)
+    named: dict[str, tuple[float, float, tuple[tuple[str, float], ...]]] = {
+        "same stiffness and damping ratio": (1.0, math.sqrt(heavier), ()),
+        "same forces": (1.0, 1.0, ()),
+        "same accelerations": (heavier, heavier, ()),
+        "accelerations by dry masses": (heavier / dry, heavier / dry, ()),
+        "same forces and torques": (1.0, 1.0, lazier),
+        "same stiffness, damping ratio, torques": (1.0, math.sqrt(heavier), lazier),
+        "stiffness by dry masses, same ratio": (heavier / dry, heavier / math.sqrt(dry), ()),
+    }
+    rows = []
+    for name, (stiffer, damper, inner) in named.items():
+        for kind, k_p in (("horizontal", 11.0), ("vertical", 26.5)):
+            quad = of_ratio(k_p, 0.95, MASS["quad"])
+            gains = Gains(stiffer * quad.stiffness, damper * quad.damping)
+            got = answer("arq", kind, gains, inner)  # type: ignore[arg-type]
+            rows.append(_row({"rule": name, "axis": kind}, "arq", kind, got))  # type: ignore[arg-type]
+    return rows
+
+
+def inner_loops() -> list[dict[str, Any]]:
+    """The horizontal fit with other inner loops, how ill it is conditioned, and ARQ's answer."""
+    rows = []
+    for tau in (0.1, 1.0 / 6.5, 0.2):
+        for rate_gain in (20.0, 30.0, 40.0, 50.0):
+            inner = (("rate_gain", rate_gain), ("time_constant", tau))
+            (k_p, ratio), left = fitted(
+                ("horizontal",), lambda v: [(v[0], v[1])], [11.0, 0.95], inner
+            )
+            gains = of_ratio(k_p, ratio, MASS["quad"])
+            softer = Gains(0.98 * gains.stiffness, gains.damping)
+            soft = answer("quad", "horizontal", softer, inner).rise
+            got = answer("arq", "horizontal", of_ratio(k_p, ratio, MASS["arq"]), inner)
+            rows.append(
+                _row(
+                    {
+                        "tau": tau, "k_omega": rate_gain, "K_p": k_p, "zeta": ratio,
+                        "left": max(map(abs, left)),
+                        "Quad's rise, K_p 2 % less": soft,
+                    },
+                    "arq", "horizontal", got,
+                )
+            )  # fmt: skip
+    return rows
+
+
+def circles() -> list[dict[str, Any]]:
+    """Errors by the rounds that count, and by how late the reference is in the record."""
+    rows = []
+    for robot in ("quad", "arq"):
+        for pace, period in PERIODS.items():
+            flight = springback.fly(circle_tables(robot, pace, 0))
+            counted = {
+                "whole": (0.0, CIRCLE_TIME, 0.0), "first round": (0.0, period, 0.0),
+                "second round": (period, 2.0 * period, 0.0),
+                "whole, 10 ms late": (0.0, CIRCLE_TIME, 0.01),
+                "whole, 25 ms late": (0.0, CIRCLE_TIME, 0.025),
+            }  # fmt: skip
+            for name, (begins, ends, late) in counted.items():
+                found = circle_errors(flight, period, RADIUS, begins, ends, late)
+                rows.append({"robot": robot, "pace": pace, "counted": name} | found)
+            cells = dict(zip(QUANTITIES, TABLE_IV_CIRCLES[robot, pace], strict=True))  # type: ignore[index]
+            rows.append({"robot": robot, "pace": pace, "counted": "printed"} | cells)
+    return rows
+
+
+def _row(head: dict[str, Any], robot: Robot, kind: Kind, got: Answer) -> dict[str, Any]:
+    wanted = printed(robot, kind)
+    return {
+        **head, "robot": robot, "rise": got.rise, "rise, printed": wanted.rise,
+        "MSE": got.mse, "MSE, printed": wanted.mse,
+    }  # fmt: skip
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path())
     out = parser.parse_args().out
-    rows = []
-    print(
-        "| masses | axis | K_p [N/m] | K_v [N s/m] | robot | "
-        "rise [s], printed | MSE, printed | over |"
-    )
-    print("|---|---|---:|---:|---|---:|---:|---:|")
-    for label, (quad, arq) in MASSES.items():
-        for kind, start in (("horizontal", (8.6, 5.3)), ("vertical", (15.0, 6.4))):
-            k_p, k_v = fitted(kind, quad, (start[0] * quad, start[1] * quad))
-            for robot, mass, printed in (("Quad", quad, QUAD[kind]), ("ARQ", arq, ARQ[kind])):
-                a = measured(step(kind, k_p, k_v, mass))
-                rows.append([label, kind, k_p, k_v, robot, *a, *printed])
-                print(
-                    f"| {label} | {kind} | {k_p:.2f} | {k_v:.2f} | {robot} | {a.rise:.3f}, "
-                    f"{printed[0]:.3f} | {a.mse:.4f}, {printed[1]:.4f} | {a.overshoot:.1%} |"
-                )
     out.mkdir(parents=True, exist_ok=True)
-    with (out / "gains.csv").open("w", newline="") as file:
-        csv.writer(file).writerows(rows)
+    for part in (fits, rules, inner_loops, circles):
+        rows = part()
+        print("\n| " + " | ".join(rows[0]) + " |\n|" + "---|" * len(rows[0]))
+        for row in rows:
+            cells = (f"{x:.4g}" if isinstance(x, float) else str(x) for x in row.values())
+            print("| " + " | ".join(cells) + " |", flush=True)
+        with (out / f"{part.__name__.replace('_loops', '')}.csv").open("w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0])
+            writer.writeheader()
+            writer.writerows(rows)
 
 
 if __name__ == "__main__":

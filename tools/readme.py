@@ -8,7 +8,7 @@ from pathlib import Path
 from springback.experiments.comparison import Mark
 from springback.experiments.paper.slider import SliderResults, slider_experiments
 from springback.interfaces.canvas import png
-from springback.interfaces.plots import readme_figure
+from springback.interfaces.plots_slider import readme_figure
 
 README = Path(__file__).parents[1] / "README.md"
 FIGURE = README.parent / "docs/figures/slider.png"

@@ -30,7 +30,7 @@ from springback.experiments.paper.slider import (
 )
 from springback.experiments.result import Flight
 from springback.experiments.scenario import scenario_from
-from springback.interfaces import canvas, plots
+from springback.interfaces import canvas, plots, plots_slider
 from springback.simulation.measures import MEASURES, Outcome
 
 TOUCH, LASTS = 0.03, 0.04
@@ -134,12 +134,12 @@ def figures() -> dict[str, Figure]:
     return {
         "flight": plots.flight_figure(made_up_flight(stroke=0.01)),
         "no contact": plots.flight_figure(made_up_flight(hit=False)),
-        "quad": plots.slider_figure(results, "quad"),
-        "arq": plots.slider_figure(results, "arq"),
-        "sweep": plots.sweep_figure(results),
-        "readings": plots.readings_figure(results),
+        "quad": plots_slider.slider_figure(results, "quad"),
+        "arq": plots_slider.slider_figure(results, "arq"),
+        "sweep": plots_slider.sweep_figure(results),
+        "readings": plots_slider.readings_figure(results),
         "energy": plots.energy_figure(made_up_flight(), made_up_flight(hit=False)),
-        "readme": plots.readme_figure(results),
+        "readme": plots_slider.readme_figure(results),
     }
 
 
@@ -210,7 +210,7 @@ def test_a_flight_without_trajectory_says_so() -> None:
 
 def test_slider_figures_mark_what_is_printed() -> None:
     for robot, rows in (("quad", 3), ("arq", 4)):
-        figure = plots.slider_figure(made_up_results(), robot)
+        figure = plots_slider.slider_figure(made_up_results(), robot)
         assert len(figure.axes) == 2 * rows
         for column, surface in enumerate(("wall", "mat")):
             printed = TABLE_III[robot, surface]
@@ -228,7 +228,7 @@ def test_slider_figures_mark_what_is_printed() -> None:
 
 
 def test_readings_are_told_apart_by_more_than_colour() -> None:
-    figure = plots.slider_figure(made_up_results(), "arq")
+    figure = plots_slider.slider_figure(made_up_results(), "arq")
     lines = [line for line in figure.axes[0].lines if str(line.get_label()).startswith("reading")]
     assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == 3  # type: ignore[attr-defined]  # fmt: skip
     assert len({line.get_color() for line in lines}) == 3
@@ -239,10 +239,10 @@ def test_any_number_of_readings_with_any_names() -> None:
     extra = tuple(replace(READINGS[1], name=name) for name in names)
     results = made_up_results((*READINGS, *extra))
     for figure in (
-        plots.slider_figure(results, "arq"), plots.sweep_figure(results), plots.readings_figure(results),
+        plots_slider.slider_figure(results, "arq"), plots_slider.sweep_figure(results), plots_slider.readings_figure(results),
     ):  # fmt: skip
         assert canvas.png(figure)
-    legend = plots.readings_figure(results).legends[0]
+    legend = plots_slider.readings_figure(results).legends[0]
     words = [text.get_text() for text in legend.get_texts()]
     assert "reading $\\frac$" in words
     assert "reading _hidden" in words
@@ -319,6 +319,6 @@ def test_notebooks_show_figures() -> None:
 
 
 def test_readme_figure_has_the_size_of_its_place() -> None:
-    data = canvas.png(plots.readme_figure(made_up_results()))
+    data = canvas.png(plots_slider.readme_figure(made_up_results()))
     assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (1600, 600)
     assert len(data) < 200_000

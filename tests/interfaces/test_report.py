@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 
 from springback.experiments.comparison import Mark
 from springback.experiments.paper.slider import READINGS, SliderResults
-from springback.interfaces import report
+from springback.interfaces import plots, plots_slider, report, report_page, report_slider
+from springback.interfaces.report import Results
 
 # Run by path, so that it does not matter under which name this folder is imported.
 MADE_UP = runpy.run_path(str(Path(__file__).with_name("test_plots.py")))
@@ -70,7 +71,7 @@ def results() -> SliderResults:
 @pytest.fixture(scope="module")
 def folder(results: SliderResults, tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("report") / "new" / "folder"
-    written = report.write_report(results, made, about=ABOUT)
+    written = report.write_report(Results(results), made, about=ABOUT)
     assert sorted(written) == sorted(path for path in made.rglob("*") if path.is_file())
     return made
 
@@ -126,7 +127,8 @@ def test_every_row_is_on_the_page_with_the_number_of_the_json(page: Page, folder
         assert cells[3]["text"] == row["reading"]
         assert cells[4]["text"] == row["quantity"]
         assert cells[9]["text"] == row["mark"]
-        assert cells[10]["value"] == row["dissipation"]
+        hit = bool(row["dissipation_from"])
+        assert cells[10]["value"] == (row["dissipation"] if hit else None)
 
 
 def test_numbers_of_the_tables_are_those_of_the_json(page: Page, folder: Path) -> None:
@@ -135,7 +137,7 @@ def test_numbers_of_the_tables_are_those_of_the_json(page: Page, folder: Path) -
     for surface in ("wall", "mat"):
         table = page.tables[f"ARQ on the {surface}, with Quad's ca"]
         assert [cell["text"] for cell in table[0][2:-1]] == [f"ARQ, {name}" for name in names]
-        for quantity, cells in zip(report.QUANTITIES, table[2:], strict=True):
+        for quantity, cells in zip(report_slider.QUANTITIES, table[2:], strict=True):
             for name, cell in zip(names, cells[2:-1], strict=True):
                 (row,) = [
                     row
@@ -162,7 +164,7 @@ def test_csv_holds_the_same_numbers(folder: Path) -> None:
 def test_the_same_results_give_the_same_bytes(
     results: SliderResults, folder: Path, tmp_path: Path
 ) -> None:
-    for path in report.write_report(results, tmp_path, about=ABOUT):
+    for path in report.write_report(Results(results), tmp_path, about=ABOUT):
         assert path.read_bytes() == (folder / path.relative_to(tmp_path)).read_bytes(), path.name
 
 
@@ -177,14 +179,15 @@ def test_marks_are_words_as_well_as_colours(results: SliderResults, folder: Path
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Empty figures, for tests of words."""
-    for name in ("slider", "sweep", "readings", "energy", "readme"):
-        monkeypatch.setattr(report.plots, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+    for name in ("slider", "sweep", "readings", "readme"):
+        monkeypatch.setattr(plots_slider, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+    monkeypatch.setattr(plots, "energy_figure", lambda *_: Figure(figsize=(1, 1)))
 
 
 @pytest.mark.usefixtures("undrawn")
 def test_the_verdict_follows_the_results(results: SliderResults) -> None:
     def verdict(of: SliderResults) -> str:
-        block = report.slider_sections(of, ABOUT)[0].blocks[1]
+        block = report_slider.slider_sections(of)[0].blocks[1]
         assert isinstance(block, str)
         return block
 
@@ -203,25 +206,26 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
 
 
 def test_words_carry_no_typed_numbers() -> None:
-    for key, words in report.TEXT.items():
-        if isinstance(words, str):
-            law = words.replace("1 + 1.5 c_a", "")  # the law itself
-            assert not re.search(r"\d", law), key
+    for name in ("report", "slider", "flight"):
+        for key, words in report_page.Words.of(name).text.items():
+            if isinstance(words, str):
+                law = words.replace("1 + 1.5 c_a", "")  # the law itself
+                assert not re.search(r"\d", law), key
 
 
 def test_numbers_are_rounded_and_signed_like_print() -> None:
-    assert report._number(-0.04321, 3) == "−0.043"
-    assert report._number(None, 1) == "–"
-    assert report._percent(-1e-9) == "+0.0 %"
-    assert report._percent(-0.0506) == "−5.1 %"
-    assert report._plain(2e5) == "200000"
-    assert report._plain(0.014 * 1e3) == "14"
-    assert report._listed([]) == "none"
-    assert report._listed("abc") == "a, b and c"
+    assert report_page.rounded(-0.04321, 3) == "−0.043"
+    assert report_page.rounded(None, 1) == "–"
+    assert report_page.percent(-1e-9) == "+0.0 %"
+    assert report_page.percent(-0.0506) == "−5.1 %"
+    assert report_page.plain(2e5) == "200000"
+    assert report_page.plain(0.014 * 1e3) == "14"
+    assert report_page.listed([]) == "none"
+    assert report_page.listed("abc") == "a, b and c"
 
 
 def test_parts_that_were_not_flown_are_left_out(tmp_path: Path) -> None:
-    report.write_report(SliderResults(), tmp_path, about={})
+    report.write_report(Results(SliderResults()), tmp_path, about={})
     page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert not [tag for tag, _ in page.tags if tag == "img"]
     assert json.loads((tmp_path / "comparison.json").read_text(encoding="utf-8"))["rows"] == []
@@ -233,7 +237,7 @@ def test_a_reading_that_no_c_a_can_fit_is_said_so(results: SliderResults) -> Non
         row for row in results.rows
         if not (row.reading == "A" and row.dissipation_from.startswith("ARQ"))
     ]  # fmt: skip
-    sections = report.slider_sections(replace(results, rows=kept), ABOUT)
-    text = report.page("x", sections)
+    sections = report_slider.slider_sections(replace(results, rows=kept))
+    text = report_page.page("x", sections)
     assert "no <var>c<sub>a</sub></var> gives this COR" in text
     assert "none does" in text

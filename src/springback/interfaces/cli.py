@@ -10,6 +10,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -103,6 +104,10 @@ def cli() -> None:
 @click.option(
     "--out", type=OUT, required=True, help="Folder for summary.json, trajectory.parquet, figures."
 )
+@click.option(
+    "--pilot", metavar="FILE.py:NAME",
+    help="Fly with a pilot of your own: a function, or an OwnPilot, which is compiled.",
+)  # fmt: skip
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option
 @json_option
@@ -111,6 +116,7 @@ def fly(
     scenario: Path,
     overrides: tuple[str, ...],
     out: Path,
+    pilot: str | None,
     no_figures: bool,
     force: bool,
     as_json: bool,
@@ -121,15 +127,21 @@ def fly(
     \b
     springback fly scenario.toml --out results
     springback fly scenario.toml vehicle.arms.stiffness="6 N/mm" start.pitch="15 deg" --out results
+    springback fly scenario.toml --pilot my_pilot.py:hover --out results
     """
+    from springback.experiments.guidance import uneasy
+    from springback.experiments.pilots import read_pilot
     from springback.experiments.result import fly as fly_scenario
     from springback.experiments.scenario_file import read_scenario
     from springback.interfaces.files import output_folder, write_flight
 
-    ready = read_scenario(scenario, overrides)
+    own = read_pilot(pilot) if pilot else None
+    ready = read_scenario(scenario, overrides, pilot=own is not None)
+    for sentence in uneasy(ready, own=own is not None):
+        _say(f"warning: {sentence}", False)
     with output_folder(out, force=force) as folder:
         with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
-            flight = fly_scenario(ready)
+            flight = fly_scenario(ready, pilot=own)
             figures = not no_figures and _have_figures(quiet)
             written = write_flight(flight, folder, figures=figures)
         names = [path.name for path in written]
@@ -143,7 +155,32 @@ def fly(
 
 
 @cli.command()
-@click.argument("part", type=click.Choice(["all", "slider"]), default="all")
+@click.argument("pilot", metavar="FILE.py:NAME")
+@click.argument("scenario", type=click.Path(path_type=Path), required=False)
+@json_option
+@quiet_option
+def check(pilot: str, scenario: Path | None, as_json: bool, quiet: bool) -> None:
+    r"""Try a pilot of your own on what every pilot should keep to.
+
+    At rest at the start of the SCENARIO (by default quad at [0, 0, 1] m) it must hover.
+
+    \b
+    springback check my_pilot.py:hover
+    """
+    from springback.experiments.pilot_check import check_pilot
+
+    with _progress("trying the pilot", quiet) as show:
+        findings = check_pilot(pilot, scenario, progress=show)
+    lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
+    _print([f._asdict() for f in findings] if as_json else "\n".join(lines), as_json)
+    failed = sum(not f.passed for f in findings)
+    _say(f"{len(findings) - failed} of {len(findings)} passed", quiet)
+    if failed:
+        sys.exit(1)
+
+
+@cli.command()
+@click.argument("part", type=click.Choice(["all", "slider", "flight"]), default="all")
 @click.option(
     "--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV."
 )
@@ -159,28 +196,43 @@ def reproduce(
 ) -> None:
     """Reproduce the paper: its numbers beside ours, in a report.
 
-    `slider` is Table III, the deflections and contact times, and the speed sweep.
+    `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
+    I, sizes, payload and hover time, and Table IV, steps and circles.
     """
-    from springback.experiments.paper.slider import named_reading, slider_experiments
     from springback.interfaces.files import output_folder
 
-    extra = [named_reading(text) for text in readings]
+    if readings and part == "flight":
+        raise InputError("--reading is for the slider tests; leave it out, or reproduce all")
     _needs_figures()
-    from springback.interfaces.report import write_report
-
     with output_folder(out, force=force) as folder:
-        _say(
-            "slider tests: Table III and the sweep; the first run compiles for about a minute",
-            quiet,
-        )
-        with _progress("slider tests", quiet) as show:
-            results = slider_experiments(extra, show)
-        write_report(results, folder, about=_about())
+        rows = _reproduced(part, readings, folder, quiet)
     if as_json:
-        _print([row.as_dict() for row in results.rows], as_json)
+        _print([row.as_dict() for row in rows], as_json)
     elif not quiet:
-        _print(_table(results.rows), as_json)
+        _print(_table(rows), as_json)
     _say(f"report: {out / 'report.html'}", quiet)
+
+
+def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool) -> list[Any]:
+    """Reproduce a part, write the report into a folder, give the compared numbers."""
+    from springback.experiments.paper.features import feature_rows
+    from springback.experiments.paper.flight import flight_experiments
+    from springback.experiments.paper.slider import named_reading, slider_experiments
+    from springback.interfaces.report import Results, write_report
+
+    extra, results = [named_reading(text) for text in readings], Results()
+    if part != "flight":
+        _say("slider tests: Table III and the sweep; the first run compiles for a minute", quiet)
+        with _progress("slider tests", quiet) as show:
+            results = replace(results, slider=slider_experiments(extra, show))
+    if part != "slider":
+        _say("free flight: Tables I and IV; the first run compiles for a minute", quiet)
+        with _progress("free flight", quiet) as show:
+            flown = flight_experiments(progress=show)
+        results = replace(results, features=feature_rows(), flight=flown)
+    with _patience("writing the report", quiet):
+        write_report(results, folder, about=_about())
+    return results.rows
 
 
 @cli.command()
@@ -266,7 +318,7 @@ def _described(data: dict[str, Any], indent: str = "") -> str:
 def _table(rows: list[Any]) -> str:
     """Compared numbers as text."""
     lines = [
-        f"{'':<11}{'robot':<6}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}"
+        f"{'':<11}{'robot':<16}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}"
         f"{'':>9}  mark"
     ]
     for row in rows:
@@ -274,9 +326,13 @@ def _table(rows: list[Any]) -> str:
             "" if row.deviation is None or row.mark.word == "given" else f"{row.deviation:+.1%}"
         )
         ours = "-" if row.ours is None else f"{row.ours:.4g}"
+        printed = "-" if row.printed is None else f"{row.printed:.4g}"
+        slider = bool(row.dissipation_from)  # elsewhere a reading is a part of what the number is
+        reading = row.reading if slider else ""
+        quantity = row.quantity if slider or not row.reading else f"{row.quantity}, {row.reading}"
         lines.append(
-            f"{row.experiment:<11}{row.robot[:5]:<6}{row.surface:<6}{row.reading:<9}{row.quantity:<36}"
-            f"{ours:>10}{row.printed:>10.4g}{deviation:>9}  {row.mark.word}"
+            f"{row.experiment:<11}{row.robot:<16}{row.surface:<6}{reading:<9}{quantity:<36}"
+            f"{ours:>10}{printed:>10}{deviation:>9}  {row.mark.word}"
         )
     return "\n".join(lines)
 

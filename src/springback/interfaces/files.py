@@ -97,26 +97,47 @@ def _quoted(text: str) -> str:
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
-    """Write ``summary.json``, ``trajectory.parquet`` and, if wanted, figures."""
+    """Write ``summary.json``, ``trajectory.parquet``, with a pilot ``diary.parquet``, and figures.
+
+    Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
+    flight beside what was wanted, and ``impact.png`` the collision if there was one.
+
+    Args:
+        flight: Any.
+        folder: To write into.
+        figures: Whether figures are wanted.
+
+    Returns:
+        The files written.
+    """
     summary = flight.summary()
     write_json(folder / "summary.json", summary)
     written = [folder / "summary.json"]
-    if flight.columns:
-        about = {
-            "springback": summary["springback"],
-            "name": flight.scenario.name,
-            "frames": "world NWU, body FLU",
-        }
-        write_parquet(folder / "trajectory.parquet", flight.columns, flight.units, about)
-        written.append(folder / "trajectory.parquet")
+    about = {
+        "springback": summary["springback"],
+        "name": flight.scenario.name,
+        "frames": "world NWU, body FLU",
+    }
+    for stem, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
+        if columns:
+            path = folder / f"{stem}.parquet"
+            write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
+            written.append(path)
     if figures:
-        from springback.interfaces import canvas, plots
-
-        pictures = {
-            "flight.png": canvas.picture(plots.flight_figure, flight),
-            "energy.png": canvas.picture(plots.energy_figure, flight),
-        }
-        for name, picture in pictures.items():
+        for name, picture in _pictures(flight).items():
             (folder / name).write_bytes(picture)
             written.append(folder / name)
     return written
+
+
+def _pictures(flight: Flight) -> dict[str, bytes]:
+    """The figures of a flight by file name."""
+    from springback.interfaces import canvas, plots
+
+    found = {
+        "flight.png": canvas.picture(plots.flight_figure, flight),
+        "energy.png": canvas.picture(plots.energy_figure, flight),
+    }
+    if flight.diary and flight.measures["touch_time"] is not None:
+        found["impact.png"] = canvas.picture(plots.impact_figure, flight)
+    return found
