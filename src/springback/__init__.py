@@ -22,14 +22,23 @@ if TYPE_CHECKING:
     from springback.contact.restitution import dissipation_for as dissipation_for
     from springback.contact.restitution import restitution as restitution
     from springback.errors import InputError as InputError
+    from springback.experiments.guidance import OwnPilot as OwnPilot
     from springback.experiments.paper.slider import Reading as Reading
     from springback.experiments.paper.slider import slider_experiments as slider_experiments
+    from springback.experiments.pilot_check import Finding as Finding
+    from springback.experiments.pilot_check import check_pilot as check_pilot
     from springback.experiments.result import Flight as Flight
     from springback.experiments.result import fly as fly
     from springback.experiments.scenario import Scenario as Scenario
     from springback.experiments.scenario_file import read_scenario as read_scenario
     from springback.kernels.compiler import kernel as kernel
+    from springback.kernels.vectors import Quat as Quat
     from springback.kernels.vectors import Vec as Vec
+    from springback.kernels.vectors import rotation as rotation
+    from springback.sensing.measurement import Measurement as Measurement
+    from springback.simulation.aboard import Piloted as Piloted
+    from springback.simulation.aboard import piloted as piloted
+    from springback.simulation.aboard import told as told
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
     from springback.simulation.measures import Outcome as Outcome
@@ -48,7 +57,12 @@ _PUBLIC = {
     "WALL": "contact.library", "MAT": "contact.library",
     "restitution": "contact.restitution", "dissipation_for": "contact.restitution",
     "signed_distance": "contact.obstacles", "outward_normal": "contact.obstacles",
-    "kernel": "kernels.compiler", "Vec": "kernels.vectors",
+    "kernel": "kernels.compiler", "Vec": "kernels.vectors", "Quat": "kernels.vectors",
+    "rotation": "kernels.vectors",
+    "Measurement": "sensing.measurement",
+    "piloted": "simulation.aboard", "Piloted": "simulation.aboard", "told": "simulation.aboard",
+    "OwnPilot": "experiments.guidance",
+    "check_pilot": "experiments.pilot_check", "Finding": "experiments.pilot_check",
     "Scenario": "experiments.scenario", "read_scenario": "experiments.scenario_file",
     "fly": "experiments.result", "Flight": "experiments.result",
     "fly_many": "simulation.flight",

@@ -70,7 +70,7 @@ def test_gains_are_forces_not_accelerations() -> None:
         )
         moving = HERE._replace(velocity=Vec(0.0, 0.0, 0.1))
         assert aimed(law, moving).target.thrust - mass * GRAVITY == (
-            pytest.approx(-0.1 * SETTINGS.vertical_damping, rel=1e-12)
+            pytest.approx(-0.1 * SETTINGS.damping_for(mass)[1], rel=1e-12)
         )
 
 

@@ -78,7 +78,7 @@ def test_integral_holds_against_a_steady_torque() -> None:
     """About one axis with unit inertia and a torque of −2 N m: the rate returns to its set-point."""
     rate_law = law(rate_integral=60.0)
     unit = Mat(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
-    for given, left in ((rate_law, 0.0), (law(), -2.0 / 25.0)):
+    for given, left in ((rate_law, 0.0), (law(), -2.0 / ControlSettings().rate_gain)):
         omega, memory = ZERO, rate_memory(ZERO)
         for _ in range(4000):
             done = turn(given, unit, ZERO, omega, ZERO, memory)

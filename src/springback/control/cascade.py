@@ -87,11 +87,26 @@ def cascade_memory(
 
 
 @kernel
+def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> Target:
+    """Where to be now, and how to lean and turn by the time that the robot will.
+
+    A word of the position loop acts late by the delays on its way, and a rate later still by the
+    lag 1/k_ω of the rate loop.  The reference is known ahead, so it is read ahead.
+    """
+    soon = target(reference, time + law.tilt_lead)
+    later = target(reference, time + law.rate_lead)
+    return Target(
+        now.position, now.velocity, soon.acceleration, later.jerk, now.yaw, later.yaw_rate
+    )
+
+
+@kernel
 def _steered(pilot: Cascade, tick: float, time: float, at: Estimate, before: Offboard) -> Offboard:
     """The position loop, at its ticks."""
     if due(tick, pilot.schedule.position):
         wanted = target(pilot.reference, time)
-        aimed = aim(pilot.position, wanted, at, before.position)
+        ahead = _anticipated(pilot.position, pilot.reference, wanted, time)
+        aimed = aim(pilot.position, ahead, at, before.position)
         return Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
     return before
 

@@ -65,11 +65,12 @@ def characteristic(
     if axis == "yaw":
         tau = settings.yaw_time_constant if settings.attitude == "reduced" else None
         return attitude_loop(settings, rotor_lag, tau or settings.time_constant).denominator
+    horizontal, vertical = settings.damping_for(mass)
     if axis == "vertical":
-        kp, kv = settings.vertical_stiffness, settings.vertical_damping
+        kp, kv = settings.vertical_stiffness, vertical
         inner = Transfer(Polynomial([1.0]), 1.0 + rotor_lag * S)
     else:
-        kp, kv = settings.stiffness, settings.damping
+        kp, kv = settings.stiffness, horizontal
         inner = attitude_loop(settings, rotor_lag, settings.time_constant)
     late = delay(settings.offboard_delay + 0.5 / settings.position_frequency)
     ki = settings.integral

@@ -1,8 +1,8 @@
 """Controllers as a user writes them down, checked once, and turned into numbers.
 
-Gains of the position loop are forces, and the same numbers serve both robots of the paper.  It
-prints no gains; its text lays ARQ's slower steps (Table IV) to its weight, which acts through gains
-that are forces.  How far that explains the table is in studies/gains.py.
+The paper prints no gains.  One rule serves both of its robots: the same stiffness, a force per
+metre, and the same damping ratio.  A heavier robot is then slower, as ARQ's steps are in Table IV.
+Three numbers are fitted to the steps of Quad, and those of ARQ follow (studies/gains.py).
 """
 
 from __future__ import annotations
@@ -40,14 +40,16 @@ class Schedule(NamedTuple):
 class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
-    stiffness: quantity("N/m", least=0.0) = 11.2  # type: ignore[valid-type]
+    stiffness: quantity("N/m", least=0.0) = 11.0  # type: ignore[valid-type]
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
-    damping: quantity("N s/m", least=0.0) = 7.1  # type: ignore[valid-type]
-    """K_v, horizontal. Fitted, as above."""
-    vertical_stiffness: quantity("N/m", least=0.0) = 26.0  # type: ignore[valid-type]
+    vertical_stiffness: quantity("N/m", least=0.0) = 26.5  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""
-    vertical_damping: quantity("N s/m", least=0.0) = 10.6  # type: ignore[valid-type]
-    """K_v, vertical. Fitted, as above."""
+    damping_ratio: quantity("", least=0.0) = 0.95  # type: ignore[valid-type]
+    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Fitted, as above."""
+    damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    """K_v, horizontal, in place of that of the damping ratio."""
+    vertical_damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    """K_v, vertical, in place of that of the damping ratio."""
     integral: quantity("N/(m s)", least=0.0) = 0.0  # type: ignore[valid-type]
     """K_i of all three axes; the paper's laws have none."""
     integral_limit: quantity("N", least=0.0) = 2.0  # type: ignore[valid-type]
@@ -56,8 +58,9 @@ class ControlSettings(Settings):
     """Position and velocity errors ask for no more than this. Chosen: nearly what the rotors have
     to spare, 1.34 g; the 9 of mavros_controllers (max_fb_acc) keeps Quad's steps in z from the MSE
     of Table IV (studies/gains.py)."""
-    feed_forward: bool = False
-    """Angular velocity ahead, from jerk and yaw rate; the paper's references give neither."""
+    feed_forward: bool | None = None
+    """Angular velocity from jerk and yaw rate, and tilt ahead of time by the known delays of the
+    loops. By default for run-ups only; the paper's other references have no jerk to give."""
     tilt_limit: quantity("rad", above=0.0, most=math.radians(89.0)) = math.radians(85.0)  # type: ignore[valid-type]
     """Largest tilt asked for. Chosen: beyond the 66 deg that the paper reports, short of 90 deg."""
 
@@ -74,8 +77,10 @@ class ControlSettings(Settings):
     yaw_rate_limit: quantity("rad/s", above=0.0) = math.radians(200.0)  # type: ignore[valid-type]
     """PX4's MC_YAWRATE_MAX = 200 deg/s."""
 
-    rate_gain: quantity("1/s", above=0.0) = 25.0  # type: ignore[valid-type]
-    """k_ω of all three axes. Chosen between 20 and 30 1/s: a rate lag of 40 ms, as fitted."""
+    rate_gain: quantity("1/s", above=0.0) = 40.0  # type: ignore[valid-type]
+    """k_ω of all three axes. PX4's MC_ROLLRATE_P = MC_PITCHRATE_P = 0.15 of the full roll or pitch
+    of its mixer, 4 T √½ L √½ with T = 7.0 N and L = 0.19 m, is 0.40 N m s: 43 and 37 1/s by Quad's
+    moments of inertia about x and y.  With 20 1/s the fit above would hang on a hair."""
     rate_integral: quantity("1/s^2", least=0.0) = 0.0  # type: ignore[valid-type]
     """Chosen: none; the modelled robots have no steady torque to hold against."""
     rate_integral_limit: quantity("rad/s^2", least=0.0) = 10.0  # type: ignore[valid-type]
@@ -99,12 +104,22 @@ class ControlSettings(Settings):
     offboard_delay: quantity("s", least=0.0) = 0.01  # type: ignore[valid-type]
     """From the position loop to the autopilot. Chosen: one period of the position loop."""
 
+    def damping_for(self, mass: float) -> tuple[float, float]:
+        """K_v, horizontal and vertical [N s/m]: as given, else 2 ζ √(K_p m) for a mass m [kg]."""
+        springs = (self.stiffness, self.damping), (self.vertical_stiffness, self.vertical_damping)
+        ratio = self.damping_ratio
+        horizontal, vertical = (
+            2.0 * ratio * math.sqrt(kp * mass) if kv is None else float(kv) for kp, kv in springs
+        )
+        return horizontal, vertical
+
     def position_law(self, mass: float, gravity: float) -> PositionLaw:
         """The numbers of the position loop, for a mass [kg] and gravity [m/s²] it believes in."""
-        kp, kv, ki = self.stiffness, self.damping, self.integral
+        kp, ki = self.stiffness, self.integral
+        kv, vertical = self.damping_for(mass)
         return PositionLaw(
             stiffness=Vec(kp, kp, self.vertical_stiffness),
-            damping=Vec(kv, kv, self.vertical_damping),
+            damping=Vec(kv, kv, vertical),
             integral=Vec(ki, ki, ki),
             integral_limit=self.integral_limit,
             feedback_limit=mass * self.feedback_acceleration,
@@ -113,8 +128,28 @@ class ControlSettings(Settings):
             slope=math.tan(self.tilt_limit),
             least_lift=LEAST_LIFT * mass * gravity,
             feed_forward=1.0 if self.feed_forward else 0.0,
+            tilt_lead=self.tilt_lead() if self.feed_forward else 0.0,
+            rate_lead=self.rate_lead() if self.feed_forward else 0.0,
             period=1.0 / self.position_frequency,
         )
+
+    def tilt_lead(self) -> float:
+        """How far ahead a reference's tilt is asked for [s].
+
+        The offboard delay, and half a period for which the attitude loop's word stands.  (The
+        position loop's word stands, too, half a period on average.  That is left out: the rate
+        loop, which the lag of the rotors makes overshoot, gives as much back.)
+        """
+        return float(self.offboard_delay) + 0.5 / float(self.attitude_frequency)
+
+    def rate_lead(self) -> float:
+        """How far ahead a reference's angular velocity is asked for [s].
+
+        By the lead of the tilt, and by the lag 1/k_ω − τ_f of the rate loop.  Its filter τ_f in the
+        feedback hastens it: ω/ω_wanted = 1/(F + s (1 + τ s)/k_ω), F = 1/(1 + τ_f s), to first
+        order in s.  The rotors' τ is of second order.
+        """
+        return self.tilt_lead() + max(1.0 / float(self.rate_gain) - self.gyro_lag(), 0.0)
 
     def attitude_law(self) -> AttitudeLaw:
         """The numbers of the attitude loop; their type is the law."""
@@ -152,12 +187,29 @@ class ControlSettings(Settings):
         Raises:
             The problem of a frequency that the clock cannot keep, with those nearest that it can.
         """
+        position = self._every("position_frequency", clock)
         return Schedule(
-            self._every("position_frequency", clock),
+            position,
             self._every("attitude_frequency", clock),
             self._every("rate_frequency", clock),
-            float(round(self.offboard_delay * clock)),
+            self._delay(position, clock),
         )
+
+    def _delay(self, position: float, clock: float) -> float:
+        """The offboard delay in ticks: one word of the position loop is under way, never two."""
+        ticks, delay = self.offboard_delay * clock, self.offboard_delay
+        if abs(ticks - round(ticks)) > WHOLE * max(ticks, 1.0):
+            raise problem(
+                f"must be a whole number of ticks of {1.0 / clock:.6g} s (got {delay:.6g} s)",
+                "offboard_delay",
+            )
+        if round(ticks) > position:
+            raise problem(
+                f"must be at most one period of the position loop, {position / clock:.6g} s "
+                f"(got {delay:.6g} s)",
+                "offboard_delay",
+            )
+        return float(round(ticks))
 
     def _every(self, name: str, clock: float) -> float:
         wanted: Any = getattr(self, name)

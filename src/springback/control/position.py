@@ -41,6 +41,8 @@ class PositionLaw(NamedTuple):
     slope: float  # tangent of the largest tilt
     least_lift: float  # the vertical force never falls below it [N]
     feed_forward: float  # 1: angular velocity from jerk and yaw rate; 0: none
+    tilt_lead: float  # the reference's acceleration is that of so much later [s]
+    rate_lead: float  # and its jerk and yaw rate are those of so much later [s]
     period: float  # of the loop [s]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,8 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from springback.control.cascade import Cascade, cascade_memory
-from springback.control.demands import Limits
+from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
+from springback.control.parameters import ControlSettings
+from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
@@ -66,14 +69,16 @@ def propulsion_of(scenario: Scenario) -> Propulsion:
             "vehicle.propulsion",
         )
     vehicle = scenario.true_vehicle()
-    weight = vehicle.mass * scenario.world.gravity
-    least = weight / vehicle.arm_count
-    if not propulsion.most_thrust > least:
-        raise problem(
-            f"must be more than {least:.4g} N, this rotor's share of the weight "
-            f"(got {propulsion.most_thrust:g} N)",
-            "vehicle.propulsion.most_thrust",
-        )
+    share = vehicle.mass * scenario.world.gravity / vehicle.arm_count
+    sides = {"most_thrust": "more", "least_thrust": "less"} if share > 0.0 else {}
+    for name, side in sides.items():
+        given = getattr(propulsion, name)
+        if (given <= share) if side == "more" else (given >= share):
+            raise problem(
+                f"must be {side} than {share:.4g} N, each rotor's share of the true weight, "
+                f"payload and model_error included (got {given:g} N)",
+                f"vehicle.propulsion.{name}",
+            )
     return propulsion
 
 
@@ -138,6 +143,14 @@ def _estimator_settings(scenario: Scenario) -> EstimatorSettings:
     return given.model_copy(update={"kalman": kalman})
 
 
+def _control_settings(scenario: Scenario) -> ControlSettings:
+    """Settings of the controller; unless told, it feeds forward where the reference is a run-up."""
+    given = scenario.control
+    if given.feed_forward is not None:
+        return given
+    return given.model_copy(update={"feed_forward": isinstance(scenario.reference, RunUpSettings)})
+
+
 def estimate_at(state: State) -> Estimate:
     """The exact estimate of a state."""
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
@@ -149,7 +162,7 @@ def cascade_of(scenario: Scenario, model: Model, start: State) -> OwnPilot:
     settings, rhythm = _estimator_settings(scenario), _rhythm(scenario)
     with _in_table("estimator"):
         estimator = settings.estimator(rhythm, gravity)
-    control = scenario.control
+    control = _control_settings(scenario)
     with _in_table("control"):
         schedule = control.schedule(scenario.clock)
     pilot = Cascade(
@@ -208,9 +221,44 @@ def board_of(
     return Board(cabin, channels + GUST_NOISE)
 
 
-def uneasy(scenario: Scenario) -> list[str]:
-    """What a user had better know before the flight: one sentence each."""
+#: Tables that only the pilot of the paper reads, and those that every pilot flies with.
+_PAPERS = ("reference", "control", "estimator")
+_PILOTS = ("sensors", "clock", "seed")
+
+
+def uneasy(scenario: Scenario, *, own: bool = False) -> list[str]:
+    """What a user had better know before the flight: one sentence each.
+
+    Args:
+        scenario: To be flown.
+        own: By a pilot of the user's own, who takes the place of the paper's.
+    """
+    given = scenario.model_fields_set
+    if own:
+        unread = [name for name in _PAPERS if name in given]
+        return _unread(unread, "a pilot of your own flies, who is not told of it")
     if scenario.reference is None or scenario.vehicle.propulsion is None:
-        return []
+        unread = [name for name in (*_PAPERS[1:], *_PILOTS) if name in given]
+        return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
-    return warnings_for(scenario.control, scenario.vehicle.mass, lag)
+    gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
+    return gains + _circle_shortfalls(scenario)
+
+
+def _unread(names: list[str], why: str) -> list[str]:
+    return [f"{name} is not used: {why}" for name in names]
+
+
+def _circle_shortfalls(scenario: Scenario) -> list[str]:
+    """What a circle at full speed asks for beyond the limits.
+
+    The thrust leans inwards by atan(R ω²/g) and turns about the vertical with ω.
+    """
+    circle, limits = scenario.reference, limits_of(scenario)
+    if not isinstance(circle, CircleSettings):
+        return []
+    rate = 2.0 * math.pi / circle.period
+    inwards = circle.radius * rate**2
+    thrust, tilt = math.hypot(inwards, limits.gravity), math.atan2(inwards, limits.gravity)
+    asked = Demands(limits.mass * thrust, limits.mass * thrust, tilt, rate * math.sin(tilt))
+    return shortfalls(asked, limits, "the circle")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.experiments.guidance import OwnPilot, board_of
+from springback.experiments.pilots import careful, in_words, read_pilot, tried
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
 from springback.simulation.flight import Executor, Flown, Trace, fly_one
@@ -205,7 +207,7 @@ def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,
     own: Sequence[Own] = (),
-    pilot: PlainPilot | OwnPilot | None = None,
+    pilot: PlainPilot | OwnPilot | str | None = None,
     trajectory: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -219,19 +221,21 @@ def fly(
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
         pilot: A pilot of one's own in place of the scenario's: a plain function
             ``(time, measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or
-            an `OwnPilot`, which is compiled.
+            an `OwnPilot`, which is compiled, or ``"file.py:name"`` of either.
         trajectory: Keep the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called now and then with the simulated time [s].
 
     Raises:
-        InputError: If the scenario cannot be flown; one line for each problem.
+        InputError: If the scenario cannot be flown; one line for each problem.  If a pilot of one's
+            own fails, in one line with its file and line; what it raised is the cause.
     """
-    ready = as_scenario(scenario, overrides)
+    flown_by = read_pilot(pilot) if isinstance(pilot, str) else pilot
+    ready = as_scenario(scenario, overrides, flown_by is not None)
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
-    if ready.reference is not None or pilot is not None:
-        return _guided(ready, model, start, pilot, trajectory, executor, progress)
+    if ready.reference is not None or flown_by is not None:
+        return _guided(ready, model, start, flown_by, trajectory, executor, progress)
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
     return Flight(ready, outcome_of(flown.record), measures_of(flown), columns, units)
@@ -248,25 +252,36 @@ def _guided(
 ) -> Flight:
     """Fly with a pilot aboard."""
     own = pilot if isinstance(pilot, OwnPilot) else None
-    plain = None if isinstance(pilot, OwnPilot) else pilot
+    rotors = len(start.arm_length)
+    plain = careful(pilot, rotors) if callable(pilot) else None
     if pilot is not None and ready.reference is None and not any(model.thrust):
         model = model._replace(thrust=ready.hover_thrusts())
-    try:
+    with _as_input():  # of a scenario that was not meant to have a pilot
         board = board_of(ready, model, start, pilot=own, relay=plain is not None)
-    except PydanticCustomError as error:  # of a scenario that was not meant to have a pilot
-        raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
+    if own is not None:
+        tried(own, board.cabin.aboard.measurement, rotors)
     ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
     noise = noise_table(ready.seed, 0, ticks, board.noise)
-    guided = fly_guided(
-        model, start, board.cabin, noise,
-        pilot=plain, trace=trajectory, executor=executor, progress=progress,
-    )  # fmt: skip
+    with in_words(own):
+        guided = fly_guided(
+            model, start, board.cabin, noise,
+            pilot=plain, trace=trajectory, executor=executor, progress=progress,
+        )  # fmt: skip
     columns, units = _columns(guided.flown)
     diary, diary_units = _diary(guided.diary, len(start.arm_length))
     record = guided.flown.record
     return Flight(
         ready, outcome_of(record), measures_of(guided.flown), columns, units | diary_units, diary
     )
+
+
+@contextmanager
+def _as_input() -> Iterator[None]:
+    """Tell the problem of a scenario that was checked before as bad input."""
+    try:
+        yield
+    except PydanticCustomError as error:
+        raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
 
 
 def _check_start(model: Model, start: State) -> None:
@@ -281,15 +296,27 @@ def _check_start(model: Model, start: State) -> None:
 
 
 def as_scenario(
-    scenario: Scenario | Mapping[str, Any] | str | Path, overrides: tuple[str, ...] = ()
+    scenario: Scenario | Mapping[str, Any] | str | Path,
+    overrides: tuple[str, ...] = (),
+    pilot: bool | None = None,
 ) -> Scenario:
-    """A checked scenario from whatever describes one."""
+    """A checked scenario from whatever describes one.
+
+    Args:
+        scenario: A `Scenario`, plain tables, or the path of a TOML file.
+        overrides: Words such as ``"vehicle.arms.stiffness=6000"``.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+    """
     if isinstance(scenario, Scenario):
         if overrides:
             raise InputError("overrides need a file or tables; a ready Scenario has .model_copy")
+        if pilot is False:
+            with _as_input():
+                scenario.check_without_pilot()
         return scenario
     if isinstance(scenario, Mapping):
         if not overrides:
-            return scenario_from(scenario)
-        return checked_scenario(overridden(dict(scenario), overrides), "scenario", "", overrides)
-    return read_scenario(scenario, overrides)
+            return scenario_from(scenario, pilot)
+        given = overridden(dict(scenario), overrides)
+        return checked_scenario(given, "scenario", "", overrides, pilot)
+    return read_scenario(scenario, overrides, pilot=pilot)

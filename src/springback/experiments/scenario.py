@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import math
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import ConfigDict, Field, ValidationError, model_validator
+from pydantic import ConfigDict, Field, ValidationError, ValidationInfo, model_validator
+from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import ArmTip, Ring, meeting
 from springback.contact.library import SURFACES
@@ -20,6 +21,7 @@ from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.errors import InputError
+from springback.experiments.problems import dotted, problem_paths
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, norm, rotation
 from springback.quantities import Angle, Duration, checked, quantity, triple
@@ -37,6 +39,8 @@ RING_ROUNDING = 5e-3
 STABLE = 2.5
 #: More steps than this are a slip of the pen.
 MOST_STEPS = 1e9
+#: Most ticks of a flight with a pilot (chosen): its luck and its diary then take some 4 GB.
+MOST_TICKS = 5e6
 
 
 class WorldSettings(Settings):
@@ -140,7 +144,7 @@ class Scenario(Settings):
     sensors: SensorSettings = SensorSettings()
     clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
     """Ticks per second of everything aboard [Hz]."""
-    seed: Annotated[int, Field(ge=0)] = 0
+    seed: Annotated[int, Field(ge=0, strict=True)] = 0
     """Of the noise."""
     air: AirSettings = AirSettings()
     payload: Payload = Payload()
@@ -149,7 +153,7 @@ class Scenario(Settings):
     simulation: SimulationSettings = SimulationSettings()
 
     @model_validator(mode="after")
-    def _can_be_flown(self) -> Scenario:
+    def _can_be_flown(self, info: ValidationInfo) -> Scenario:
         self._check_pilot()
         self.thrusts()
         self._check_slider()
@@ -157,8 +161,11 @@ class Scenario(Settings):
         self._check_steps()
         self._check_drag()
         self._check_start()
-        if self.reference is not None:
-            self._check_aboard()
+        given = (info.context or {}).get("pilot")
+        if self.reference is not None or given:
+            self._check_aboard(own=bool(given))
+        elif given is False:
+            self.check_without_pilot()
         return self
 
     # -- made ready -------------------------------------------------------------------------------
@@ -264,10 +271,40 @@ class Scenario(Settings):
         if self.model.slider is not None:
             raise problem("cannot be given beside a reference: nobody flies on it", "model.slider")
 
-    def _check_aboard(self) -> None:
+    def check_without_pilot(self) -> None:
+        """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
+        if self.reference is None and self.air.gusts is not None:
+            raise problem(
+                "blow only where a pilot flies: give a [reference], or a pilot of your own",
+                "air.gusts",
+            )
+
+    def _check_aboard(self, own: bool) -> None:
         from springback.experiments.guidance import board_of
 
-        board_of(self, self.flight_model(), self.start_state())
+        if own and self.model.slider is not None:
+            raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
+        most = MOST_TICKS / self.simulation.duration
+        if self.clock > most:
+            raise problem(
+                f"must be at most {most:.6g} 1/s for a flight this long (got {self.clock:g} 1/s)",
+                "clock",
+            )
+        with self._blaming_the_clock():
+            board_of(self, self.flight_model(), self.start_state(), relay=own)
+
+    @contextlib.contextmanager
+    def _blaming_the_clock(self) -> Iterator[None]:
+        """Where the clock was given and a rate was not, the clock is at fault, not the rate."""
+        try:
+            yield
+        except PydanticCustomError as error:
+            field = str((error.context or {}).get("field", ""))
+            table = field.partition(".")[0]
+            innocent = "clock" in self.model_fields_set and table not in self.model_fields_set
+            if innocent and "clock" in error.message():
+                raise problem(f"does not suit {field}, which {error.message()}", "clock") from None
+            raise
 
     def _check_slider(self) -> None:
         axis = self.model.slider
@@ -407,75 +444,18 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     return result
 
 
-#: Tables of which there are several kinds, by the name of the key that holds them.
-_KINDS = {
-    "obstacles": ("wall", "ground", "mat"),
-    "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
-}
-
-
-def _listed(words: Sequence[str]) -> str:
-    return f"{', '.join(words[:-1])} or {words[-1]}"
-
-
-def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
-    """A path without the names of kinds, which are no keys."""
-    path: list[str | int] = []
-    for part in where:
-        holder = next((key for key in reversed(path) if isinstance(key, str)), "")
-        if part not in _KINDS.get(holder, ()):
-            path.append(part)
-    return tuple(path)
-
-
-def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
-    """Where and what each problem is."""
-    found = []
-    for detail in error.errors(include_url=False):
-        path = _without_kinds(detail["loc"])
-        kinds = _KINDS.get(next((key for key in reversed(path) if isinstance(key, str)), ""), ())
-        message = detail["msg"]
-        if detail["type"] == "problem":
-            path = (*path, *key_path(str(detail["ctx"]["field"])))
-        elif detail["type"] == "missing":
-            message = "is missing"
-        elif detail["type"] == "union_tag_not_found":
-            path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
-        elif detail["type"] == "union_tag_invalid":
-            tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {tag!r})"
-        elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
-            message = f"must be a table (got {detail['input']!r})"
-        elif detail["type"] == "tuple_type":
-            message = f"must be a list (got {detail['input']!r})"
-        elif isinstance(detail.get("input"), str | int | float | bool):
-            message = f"{message} (got {detail['input']!r})"
-        found.append((path, message))
-    return found
-
-
-def key_path(text: str) -> tuple[str | int, ...]:
-    """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
-    words = [word for word in re.split(r"[.\[\]]+", text) if word]
-    return tuple(int(word) if word.isdigit() else word for word in words)
-
-
-def scenario_from(given: Mapping[str, Any]) -> Scenario:
+def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenario:
     """A scenario from plain tables, presets included.
+
+    Args:
+        given: The tables.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
 
     Raises:
         InputError: One line for each problem: its path, and what is wrong.
     """
     try:
-        return Scenario.model_validate(expanded(given))
+        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
     except ValidationError as error:
         lines = [f"{dotted(path)}: {what}" if path else what for path, what in problem_paths(error)]
         raise InputError(*lines) from None
-
-
-def dotted(path: tuple[str | int, ...]) -> str:
-    """``world.obstacles[0].distance`` of a path."""
-    text = ""
-    for part in path:
-        text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
-    return text

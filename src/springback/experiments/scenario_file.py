@@ -11,7 +11,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from springback.errors import InputError
-from springback.experiments.scenario import Scenario, dotted, expanded, key_path, problem_paths
+from springback.experiments.problems import dotted, key_path, problem_paths
+from springback.experiments.scenario import Scenario, expanded
 
 Key = str | int
 
@@ -102,12 +103,15 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
     return f"{name}:{line_of(text, path)}"
 
 
-def read_scenario(path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
+def read_scenario(
+    path: str | Path, overrides: Sequence[str] = (), *, pilot: bool | None = None
+) -> Scenario:
     """Read a scenario file, apply overrides, and check it.
 
     Args:
         path: TOML file.
         overrides: Words such as ``vehicle.arms.stiffness=6000`` or ``start.pitch="15 deg"``.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
 
     Raises:
         InputError: One line for each problem: file and line or override, field, value, unit, range.
@@ -123,15 +127,19 @@ def read_scenario(path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
         given = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path}: is not TOML: {error}") from None
-    return checked_scenario(overridden(given, overrides), str(path), text, overrides)
+    return checked_scenario(overridden(given, overrides), str(path), text, overrides, pilot)
 
 
 def checked_scenario(
-    given: dict[str, Any], name: str, text: str, overrides: Sequence[str]
+    given: dict[str, Any],
+    name: str,
+    text: str,
+    overrides: Sequence[str],
+    pilot: bool | None = None,
 ) -> Scenario:
     """A scenario from raw tables; problems are blamed on lines of ``text`` or on overrides."""
     try:
-        return Scenario.model_validate(expanded(given))
+        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
     except InputError as error:
         quoted = re.search(r"'([^']+)'", str(error))
         value = f"""[=\\s{{\\[]["']?{re.escape(quoted[1])}["']?\\s*([,}}#]|$)""" if quoted else "$^"

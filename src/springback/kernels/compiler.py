@@ -24,6 +24,7 @@ import numba
 import numba.extending
 import platformdirs
 from numba import njit
+from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
 #: numba.extending.overload and numba.config, whose stubs know only some of their options.
@@ -43,6 +44,9 @@ _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
 INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}
 GUARDING: dict[str, Any] = {"fastmath": False, **_UNCOUNTED}
 STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
+
+#: What the compiler raises where it cannot translate a kernel.
+CompilerError: type[Exception] = NumbaError
 
 _SOURCES = ("kernels", "vehicle", "contact", "dynamics", "simulation", "sensing", "control")
 
@@ -94,6 +98,15 @@ class Generic(Protocol[P, R]):
         """The function for ``cls``."""
 
 
+#: Every generic function there is.
+_GENERICS: list[Generic[..., Any]] = []
+
+
+def registered(cls: type) -> list[Callable[..., Any]]:
+    """What each generic function does for ``cls``."""
+    return [known.dispatch(cls) for known in _GENERICS]
+
+
 def generic(function: Callable[P, R]) -> Generic[P, R]:
     """A kernel that is chosen by the type of its first argument, in Python and when compiled.
 
@@ -105,7 +118,9 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
     def by_type(*arguments: Any) -> Any:
         return chosen.dispatch(arguments[0].instance_class)
 
-    return cast("Generic[P, R]", chosen)
+    typed = cast("Generic[P, R]", chosen)
+    _GENERICS.append(typed)
+    return typed
 
 
 def is_named(numba_type: Any, cls: type) -> bool:

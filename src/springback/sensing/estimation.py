@@ -76,7 +76,7 @@ class KalmanSettings(Settings):
     """
     offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
     """Of the inertial sensor from the main body's centre of mass, body axes."""
-    every: Annotated[int, Field(ge=1)] = 4
+    every: Annotated[int, Field(ge=1, strict=True)] = 4
     """Inertial samples to one prediction of the covariance: 250 Hz at 1 kHz; chosen."""
     position_noise: Length = 2e-4
     """Of motion capture, standard deviation along each axis; chosen, a common camera system."""

@@ -87,7 +87,7 @@ class ChannelSettings(Settings):
     """Standard deviation of each axis from flight to flight."""
     walk: float
     """Random walk of the bias [unit/s/√Hz]."""
-    bits: Annotated[int, Field(ge=2, le=32)] = 16
+    bits: Annotated[int, Field(ge=2, le=32, strict=True)] = 16
 
     def channel(self, tick: float, normal: Vec) -> Channel:
         """The numbers.
@@ -202,7 +202,7 @@ class HallSettings(Settings):
     highest: quantity("V", above=0.0) = 4.7  # type: ignore[valid-type]
     noise: quantity("V", least=0.0) = 150e-6  # type: ignore[valid-type]
     """Standard deviation at each sample."""
-    bits: Annotated[int, Field(ge=2, le=32)] = 10
+    bits: Annotated[int, Field(ge=2, le=32, strict=True)] = 10
 
     @model_validator(mode="after")
     def _readable(self) -> HallSettings:

@@ -38,6 +38,8 @@ from springback.simulation.record import (
 )
 from springback.vehicle.state import Airframe, Arm, State
 
+#: Marks of lanes that fly as one body, and of those that wait for their neighbours at a tick.
+CRUISES, WAITS = 1.0, 2.0
 #: A flight whose squared coordinates and speeds add up to more than this has diverged.
 DIVERGED = 1e12
 
@@ -91,7 +93,7 @@ class Places(NamedTuple):
     total: int  # weighted sum of the stages' rates
     rate: int  # of the state, at the stage before
     seen: int  # the view, of a single flight only
-    kept: int  # marks of lanes that cruise; of several lanes, their motion and record besides
+    kept: int  # marks of lanes; of several lanes, their motion and record besides
     record: int  # it begins with time, step, status, phase, request, cruising
     step: int
     status: int
@@ -219,7 +221,7 @@ def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
 
 @kernel
 def cruised(shape: Like, b: Buffer, w: int) -> None:
-    """One step of every lane that cruises: those whose mark is 1."""
+    """One step of every lane that is marked as one that cruises."""
     at = places(shape, w)
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
@@ -234,7 +236,7 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         h = left if left < model.timing.free_step else model.timing.free_step
         new = flown_on(body, guide, air, gravity, x, known.flight, h)
         good = is_finite(new)
-        goes = b[at.kept * w + i] > 0.0
+        goes = b[at.kept * w + i] == CRUISES
         write(pick(goes & good, landed(motion, new), motion), b, at.motion, w, i)
         write(
             pick(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
@@ -246,7 +248,7 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
 
 @kernel
 def put_aside(shape: Like, b: Buffer, w: int) -> None:
-    """Put motion and record of all lanes aside: lanes that cruise are not to be steered."""
+    """Put motion and record of all lanes aside: marked lanes are not to be steered."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving * w):
         b[(at.kept + 1) * w + k] = b[at.motion * w + k]
@@ -256,7 +258,7 @@ def put_aside(shape: Like, b: Buffer, w: int) -> None:
 
 @kernel
 def put_back(shape: Like, b: Buffer, w: int) -> None:
-    """Give the lanes that cruise their motion and record back."""
+    """Give the marked lanes their motion and record back."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving):
         for i in range(w):
@@ -328,16 +330,20 @@ def advance(
         for _ in range(budget):
             if log.shape[0] > 0 and logged[0] >= log.shape[0]:
                 break
-            cruising, steering = 0, 0
+            cruising, steering, waiting = 0, 0, 0
             for i in range(w):
                 flies = b[at.status * w + i] == FLYING
                 far = b[until * w + i] - b[at.record * w + i] > ARRIVED
                 goes = flies & far & (b[at.cruising * w + i] > 0.0)
-                b[at.kept * w + i] = 1.0 if goes else 0.0
+                # A lane that waits for its neighbours at the end of a tick is not to be looked at:
+                # a flight alone is next looked at when its new tick has begun.
+                waits = (w > 1) & (early > 0.0) & flies & (not far)
+                b[at.kept * w + i] = CRUISES if goes else WAITS if waits else 0.0
                 cruising += 1 if goes else 0
+                waiting += 1 if waits else 0
                 steering += 1 if flies & (not goes) & (far | (early == 0.0)) else 0
             if (steering > 0) | (cruising == 0):
-                if cruising > 0:
+                if cruising + waiting > 0:
                     put_aside(shape, b, w)
                 begun(shape, b, w)
                 if logs and (b[at.step] > 0.0 or b[at.status] != FLYING):
@@ -348,7 +354,7 @@ def advance(
                     staged(shape, b, w, REACH[stage], WEIGHT[stage])
                 for i in range(w * once):
                     taken(shape, b, w, i)
-                if cruising > 0:
+                if cruising + waiting > 0:
                     put_back(shape, b, w)
             if cruising > 0:
                 if logs:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.contact.obstacles import outward_normal, signed_distance
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
-from springback.kernels.compiler import own_executor
+from springback.kernels.compiler import own_executor, registered
 from springback.kernels.layout import Buffer, Like, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
@@ -29,6 +29,8 @@ LANES = 16
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
+#: When this process read its first sources [s since the epoch].
+BEGUN = time.time()
 
 
 class Trace(NamedTuple):
@@ -127,7 +129,7 @@ def unloaded(
 
 
 def own_types(tree: Any) -> set[type]:
-    """Types in a model that are not the package's: shapes of the user's."""
+    """Types in a tree that are not the package's: shapes and pilots of the user's."""
     if not isinstance(tree, tuple):
         return set()
     own = {type(tree)} if hasattr(tree, "_fields") else set()
@@ -136,13 +138,35 @@ def own_types(tree: Any) -> set[type]:
 
 
 def sources(types: set[type]) -> tuple[str, ...] | None:
-    """Files of own types and their functions; None if their kernels had better not be kept."""
-    functions = [rule.dispatch(cls) for cls in types for rule in (signed_distance, outward_normal)]
-    modules = {entry.__module__ for entry in (*types, *functions)}
-    files = {getattr(sys.modules.get(module), "__file__", None) for module in modules}
-    if "__main__" in modules or None in files:
+    """Files of own types, of what is registered for them, and of the modules beside them.
+
+    None if their kernels had better not be kept: those of a script or of a session, and those of a
+    file that was changed while this process runs, which may have read it before.
+    """
+    own = {entry.__module__ for cls in types for entry in (cls, *registered(cls))}
+    own = {name for name in own if not name.startswith("springback.")}
+    files = {getattr(sys.modules.get(name), "__file__", None) for name in own}
+    if "__main__" in own or None in files:
         return None
-    return tuple(sorted(str(file) for file in files))
+    named = sorted({str(file) for file in files} | _beside({str(file) for file in files}))
+    try:
+        return tuple(named) if all(os.path.getmtime(file) < BEGUN for file in named) else None
+    except OSError:
+        return None
+
+
+def _beside(files: set[str]) -> set[str]:
+    """Files of loaded modules in the folders of some files or below, but for what is installed."""
+    folders = tuple(os.path.join(os.path.dirname(file), "") for file in files)
+    installed = (sys.prefix + os.sep, sys.base_prefix + os.sep)
+    loaded_from = {
+        str(getattr(module, "__file__", None) or "")
+        for name, module in list(sys.modules.items())
+        if name != "__main__" and not name.startswith("springback.")
+    }
+    return {
+        file for file in loaded_from if file.startswith(folders) and not file.startswith(installed)
+    }
 
 
 def entry_for(model: Model, executor: Executor = "compiled") -> Any:

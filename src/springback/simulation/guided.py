@@ -6,6 +6,7 @@ pilot is compiled apart from them, so that a new pilot does not compile the phys
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -14,9 +15,9 @@ import numpy as np
 
 from springback.dynamics.air import in_wind
 from springback.dynamics.gusts import first_gust, gust
-from springback.kernels.compiler import executor, kernel, own_executor, rebound
+from springback.kernels.compiler import executor, guard, kernel, own_executor, rebound
 from springback.kernels.layout import Buffer, Like, read, row_of, rows, write
-from springback.kernels.trees import leaves, names, rebuilt
+from springback.kernels.trees import leaves, names, rebuilt, square
 from springback.simulation.aboard import (
     Aboard,
     Cabin,
@@ -40,7 +41,7 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
-from springback.simulation.record import FINISHED, FLYING, Model
+from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Model
 from springback.vehicle.rotors import all_lagged
 from springback.vehicle.state import State
 
@@ -50,12 +51,20 @@ GUST_NOISE = 3
 FIRST_GUST_NOISE = 5
 #: What comes next within a tick.
 LOOK, DRIVE, FLY = 0, 1, 2
+#: Squares of finite commands [N] add up to less than this (chosen: far beyond any).
+ABSURD = 1e30
 #: Ticks between two looks at the keyboard and the progress bar.
 TICKS = 2_000
 
 Command = tuple[float, ...]
 #: A pilot in plain Python: time [s], measurement, memory → thrust of each rotor [N], memory.
 PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
+
+
+@guard
+def _status_after(thrust: Command, status: float) -> float:
+    """Status of a flight after its pilot has commanded: not finite where a command is not."""
+    return status if square(thrust) < ABSURD else NOT_FINITE
 
 
 @kernel
@@ -69,10 +78,10 @@ def looked(
     gravity_row = row_of(shape.model, "world") + row_of(shape.model.world, "gravity")
     measured_row = after + row_of(memory, "measurement")
     sensors_row, pilot_row = after + row_of(memory, "sensors"), after + row_of(memory, "pilot")
-    period = g[row_of(settings, "period") * w + i]
+    period = float(g[row_of(settings, "period") * w + i])
     state = read(shape.motion.state, b, at.motion, w, i)
     before = read(memory.before, g, after + row_of(memory, "before"), w, i)
-    truth = Truth(before, state, period, b[gravity_row * w + i])
+    truth = Truth(before, state, period, float(b[gravity_row * w + i]))
     sensors = read(settings.sensors, g, row_of(settings, "sensors"), w, i)
     remembered = read(memory.sensors, g, sensors_row, w, i)
     seen = sensed(sensors, tick, truth, read(channels, noise, 0, w, i), remembered)
@@ -85,6 +94,7 @@ def looked(
     said = piloted(pilot, tick * period, seen.measurement, thought)
     write(said.memory, g, pilot_row, w, i)
     write(said.thrust, g, after + row_of(memory, "command"), w, i)
+    b[at.status * w + i] = _status_after(said.thrust, b[at.status * w + i])
 
 
 @kernel
@@ -147,7 +157,7 @@ def driven(
     at, model = places(shape, w), shape.model
     thrust_row, weather_row = after + row_of(memory, "thrust"), after + row_of(memory, "weather")
     air_row = row_of(model, "air")
-    period = g[row_of(settings, "period") * w + i]
+    period = float(g[row_of(settings, "period") * w + i])
     rotors = read(settings.rotors, g, row_of(settings, "rotors"), w, i)
     thrust = read(memory.thrust, g, thrust_row, w, i)
     command = read(memory.command, g, after + row_of(memory, "command"), w, i)
@@ -337,14 +347,21 @@ def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> 
     if not own_model | own_cabin:
         return Entries(guide, ticked)
     files = sources(own_model | own_cabin)
-    parts = dict(_PARTS)
-    for name, types in {"advance": own_model, "powered": own_model | own_cabin}.items():
-        if types:
-            parts[name] = own_executor(plain[name], files, nogil=True)
+    return _own_entries(frozenset(own_model), frozenset(own_cabin), files)
+
+
+@functools.cache
+def _own_entries(
+    own_model: frozenset[type], own_cabin: frozenset[type], files: tuple[str, ...] | None
+) -> Entries:
+    """The functions for types of the user's, from some files."""
+    plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
     parts["ticked"] = own_executor(plain["ticked"], files, nogil=True)
-    return Entries(
-        own_executor(rebound(plain["guide"], **parts), files, nogil=True), parts["ticked"]
-    )
+    parts["powered"] = own_executor(plain["powered"], files, nogil=True)
+    if own_model:
+        parts["advance"] = own_executor(plain["advance"], files, nogil=True)
+    loop = own_executor(rebound(plain["guide"], **parts), files, nogil=True)
+    return Entries(loop, parts["ticked"])
 
 
 _PARTS: dict[str, Any] = {
@@ -385,7 +402,8 @@ def fly_guided(
     buffers, cabins = loaded(shape, [model], [start], 1), cabins_loaded([cabin], 1)
     entries, ticks = entries_for(model, cabin, executor), len(noise)
     channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
-    head = (*_diary_columns(cabin),)
+    like, like_cabin = Like(shape), Like(cabin)
+    head, seat = (*_diary_columns(cabin),), _seat(cabin, cabins[0])
     diary = np.zeros((ticks if trace else 0, len(head)))
     next_up = np.zeros(2, dtype=np.int64)
     logs, record_row = [], -rows(shape.record)
@@ -396,11 +414,13 @@ def fly_guided(
         while next_up[0] < end and (not trace or logged[0] < len(log)):
             before = tuple(next_up)
             entries.guide(
-                Like(shape), Like(cabin), buffers, cabins[0], (0,), channels, gusts, noise,
+                like, like_cabin, buffers, cabins[0], (0,), channels, gusts, noise,
                 next_up, end, duration, pilot is not None, log, logged, diary,
             )  # fmt: skip
-            if pilot is not None and next_up[1] == DRIVE and before[1] != DRIVE:
-                memory = _asked(pilot, cabin, cabins[0], float(next_up[0]), memory)
+            if pilot is not None and next_up[1] == DRIVE and tuple(next_up) != before:
+                memory = _asked(pilot, cabin, seat, float(next_up[0]), memory)
+                if trace:  # the page of this tick has been written before the pilot spoke
+                    diary[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
         logs.append(log[: logged[0]])
         if progress is not None:
             progress(float(buffers[0, record_row]))
@@ -412,15 +432,25 @@ def fly_guided(
     return GuidedFlown(flown, aboard, Trace(head, diary))
 
 
-def _asked(pilot: PlainPilot, cabin: Cabin, buffer: Buffer, tick: float, memory: Any) -> Any:
+def _seat(cabin: Cabin, buffer: Buffer) -> tuple[Buffer, Buffer, Buffer]:
+    """Where measurement, command and the relay's memory lie in a buffer."""
+    aboard, after = cabin.aboard, rows(cabin.guidance)
+    firsts = {name: after + row_of(aboard, name) for name in ("measurement", "command", "pilot")}
+    seen, said, relayed = (buffer[k : k + rows(getattr(aboard, n))] for n, k in firsts.items())
+    return seen, said, relayed
+
+
+def _asked(
+    pilot: PlainPilot, cabin: Cabin, seat: tuple[Buffer, Buffer, Buffer], tick: float, memory: Any
+) -> Any:
     """Ask a plain pilot, and put its command aboard."""
-    after = rows(cabin.guidance)
-    aboard = rebuilt(cabin.aboard, buffer[after:])
-    command, memory = pilot(tick * cabin.guidance.period, aboard.measurement, memory)
-    thrusts = tuple(float(thrust) for thrust in command)
-    if len(thrusts) != len(aboard.command):
-        raise ValueError(f"the pilot commands {len(thrusts)} rotors of {len(aboard.command)}")
-    buffer[after:] = leaves(aboard._replace(command=thrusts, pilot=thrusts))
+    seen, said, relayed = seat
+    measurement = rebuilt(cabin.aboard.measurement, seen.tolist())
+    command, memory = pilot(tick * cabin.guidance.period, measurement, memory)
+    thrusts = [float(thrust) for thrust in command]
+    if len(thrusts) != len(said):
+        raise ValueError(f"the pilot commands {len(thrusts)} rotors of {len(said)}")
+    said[:] = relayed[:] = thrusts
     return memory
 
 

@@ -1,0 +1,224 @@
+"""One flight with sensors, pilot and rotors: ``python -m benchmarks.closed_loop``.
+
+A hover of ten seconds, compiled and warm, without trajectory, with each estimator; where its time
+goes; and RotorPy's loop with the same vehicle for as long, alternating with ours in one run.
+RotorPy is looked for here, or in another environment::
+
+    python -m benchmarks.closed_loop --rotorpy-python /path/to/bin/python
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+
+from springback.experiments.guidance import board_of
+from springback.experiments.scenario import scenario_from
+from springback.kernels.layout import Buffer, Like
+from springback.simulation.flight import loaded, shape_of
+from springback.simulation.guided import (
+    GUST_NOISE,
+    cabins_loaded,
+    fly_guided,
+    noise_table,
+    powered,
+    ticked,
+    ticks_of,
+)
+from springback.vehicle.library import VEHICLES
+
+ESTIMATORS = ("kalman", "complementary", "perfect")
+DURATION = 10.0  # [s]
+TARGET = 10.0  # [ms], with the default estimator
+#: Of RotorPy's loop [Hz]: what its own examples take, and our clock.
+RATES = (100.0, 1000.0)
+
+
+class Job(NamedTuple):
+    """A hover, ready to fly."""
+
+    model: Any
+    start: Any
+    cabin: Any
+    channels: int
+    ticks: int
+
+
+def job(estimator: str, duration: float = DURATION) -> Job:
+    """Quad holding its place, default sensors."""
+    scenario = scenario_from(
+        {
+            "vehicle": "quad",
+            "reference": {"type": "hold"},
+            "start": {"position": [0.0, 0.0, 1.0]},
+            "estimator": {"type": estimator},
+            "simulation": {"duration": duration},
+        }
+    )
+    model, start = scenario.flight_model(), scenario.start_state()
+    board = board_of(scenario, model, start)
+    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
+    return Job(model, start, board.cabin, board.noise, ticks)
+
+
+def luck(job: Job) -> Any:
+    return noise_table(0, 0, job.ticks, job.channels)
+
+
+def whole(job: Job) -> None:
+    """The flight, its noise included."""
+    fly_guided(job.model, job.start, job.cabin, luck(job), trace=False)
+
+
+@numba.njit(nogil=True)
+def _looking(
+    shape: Like, cabin: Like, b: Buffer, g: Buffer, lanes: tuple[int, ...], channels: Like,
+    noise: Buffer, diary: Buffer,
+) -> None:  # fmt: skip
+    for k in range(noise.shape[0]):
+        ticked(shape, cabin, b, g, lanes, float(k), channels, noise[k], diary, 0)
+
+
+@numba.njit(nogil=True)
+def _driving(
+    shape: Like, cabin: Like, b: Buffer, g: Buffer, lanes: tuple[int, ...], last: float,
+    gusts: Like, noise: Buffer, first: int,
+) -> None:  # fmt: skip
+    for k in range(noise.shape[0]):
+        powered(shape, cabin, b, g, lanes, float(k), last, gusts, noise[k], first)
+
+
+def parts(job: Job) -> dict[str, Callable[[], None]]:
+    """Parts of the loop by themselves, over all ticks, at a state that stands still."""
+    noise, shape = luck(job), shape_of(job.model, job.start)
+    b, g = loaded(shape, [job.model], [job.start], 1), cabins_loaded([job.cabin], 1)
+    like, cabin = Like(shape), Like(job.cabin)
+    sensing = job.channels - GUST_NOISE
+    channels, gusts = Like((0.0,) * sensing), Like((0.0,) * GUST_NOISE)
+    none, last = np.zeros((0, 1)), job.model.timing.until
+    return {
+        "noise table": lambda: (luck(job), None)[1],
+        "sensors and pilot": lambda: _looking(like, cabin, b[0], g[0], (0,), channels, noise, none),
+        "rotors and wind": lambda: _driving(
+            like, cabin, b[0], g[0], (0,), last, gusts, noise, sensing
+        ),
+    }
+
+
+def _milliseconds(run: Callable[[], Any]) -> float:
+    began = time.perf_counter()
+    run()
+    return 1e3 * (time.perf_counter() - began)
+
+
+def vehicle_for_rotorpy() -> dict[str, Any]:
+    """What RotorPy is told of Quad."""
+    vehicle = VEHICLES["quad"].vehicle
+    arms, rotors = vehicle.airframe().arms, vehicle.propulsion
+    if rotors is None:
+        raise SystemExit("the vehicle has no rotors")
+    return {
+        "mass": vehicle.mass,
+        "inertia": [float(vehicle.inertia()[k][k]) for k in range(3)],
+        "rotors": [[arm.length * arm.cosine, arm.length * arm.sine, 0.0] for arm in arms],
+        "spins": [1.0 if arm.torque_ratio > 0.0 else -1.0 for arm in arms],
+        "torque_ratio": abs(arms[0].torque_ratio),
+        "most_thrust": float(rotors.most_thrust),
+        "rotor_lag": float(rotors.time_constant),
+    }
+
+
+def rotorpy(python: str, rate: float, rounds: int) -> dict[str, Any] | None:
+    """Seconds of RotorPy's hovers in a process of its own; None if it is not there."""
+    asked = {
+        "vehicle": vehicle_for_rotorpy(), "duration": DURATION, "rate": rate, "rounds": rounds,
+    }  # fmt: skip
+    program = Path(__file__).with_name("rotorpy_hover.py")
+    done = subprocess.run(
+        [python, str(program)], input=json.dumps(asked), capture_output=True, text=True
+    )
+    if done.returncode:
+        print(f"no RotorPy: {done.stderr.strip().splitlines()[-1]}", file=sys.stderr)
+        return None
+    found: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return found
+
+
+def measure(rounds: int, python: str) -> dict[str, Any]:
+    """Milliseconds of everything in every round, programs alternating."""
+    jobs = {name: job(name) for name in ESTIMATORS}
+    pieces = {name: parts(one) for name, one in jobs.items()}
+    for name, one in jobs.items():  # compiles
+        whole(one)
+        for run in pieces[name].values():
+            run()
+    ours: dict[str, dict[str, list[float]]] = {
+        name: {key: [] for key in ("total", *pieces[name])} for name in ESTIMATORS
+    }
+    theirs: dict[float, list[float]] = {rate: [] for rate in RATES}
+    described: dict[str, Any] = {}
+    for _ in range(rounds):
+        for _ in range(5):  # ours are short: five of each for one of theirs
+            for name, one in jobs.items():
+                ours[name]["total"].append(_milliseconds(lambda one=one: whole(one)))  # type: ignore[misc]
+                for key, run in pieces[name].items():
+                    ours[name][key].append(_milliseconds(run))
+        for rate in [*theirs]:
+            found = rotorpy(python, rate, 1)
+            if found is None:
+                theirs.clear()
+                break
+            theirs[rate] += [1e3 * seconds for seconds in found["seconds"]]
+            described |= {"version": found["version"], f"strayed, {rate:g} Hz": found["strayed"]}
+    return {"ours": ours, "theirs": theirs, "rotorpy": described}
+
+
+def table(report: dict[str, Any]) -> str:
+    """The report as text."""
+    lines = [f"{'hover of 10 s, milliseconds':40}{'median':>10}{'lowest':>10}"]
+    for name, found in report["ours"].items():
+        totals = [statistics.median(v) for v in found.values()], [min(v) for v in found.values()]
+        rows = {key: (statistics.median(v), min(v)) for key, v in found.items()}
+        rows["physics, by difference"] = (
+            totals[0][0] - sum(totals[0][1:]), totals[1][0] - sum(totals[1][1:]),
+        )  # fmt: skip
+        for key, (median, lowest) in rows.items():
+            lines.append(f"{name + ', ' + key:40}{median:10.2f}{lowest:10.2f}")
+    default = report["ours"][ESTIMATORS[0]]["total"]
+    median, lowest = statistics.median(default), min(default)
+    mark = "reached" if median <= TARGET else "MISSED"
+    lines.append(f"target with {ESTIMATORS[0]}: <= {TARGET:g} ms  {mark}")
+    for rate, values in report["theirs"].items():
+        theirs = statistics.median(values), min(values)
+        lines.append(f"{f'RotorPy at {rate:g} Hz':40}{theirs[0]:10.0f}{theirs[1]:10.0f}")
+        lines.append(
+            f"{'  as many times as ours':40}{theirs[0] / median:10.0f}{theirs[1] / lowest:10.0f}"
+        )
+    lines += [f"RotorPy {key}: {value}" for key, value in report["rotorpy"].items()]
+    return "\n".join(lines)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.closed_loop", description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5, help="rounds of all programs")
+    parser.add_argument("--rotorpy-python", default=sys.executable, help="where RotorPy is")
+    parser.add_argument("--json", type=Path, help="also write all figures to this file")
+    given = parser.parse_args()
+    report = measure(given.rounds, given.rotorpy_python)
+    print(table(report))
+    if given.json:
+        given.json.write_text(json.dumps(report, indent=2) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""A pilot of one's own in plain Python: it hovers with motion capture and a gyroscope.
+
+springback fly steps.toml --pilot own_pilot.py:hover --out results
+springback check own_pilot.py:hover
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+import springback
+from springback import Measurement
+
+VEHICLE = springback.QUAD.vehicle
+GRAVITY, MASS, INERTIA = 9.81, VEHICLE.mass, VEHICLE.inertia()
+PLACE = np.array([0.0, 0.0, 1.0])  # where to hover [m]
+STIFFNESS, DAMPING = 5.0, 3.5  # of position [1/s², 1/s]
+LEANING, TURNING = 6.5, 25.0  # of attitude and of rates [1/s]
+SMOOTHING = 0.2  # share of a new velocity that is believed
+
+#: What one newton of each rotor does: thrust, roll, pitch and yaw moment.
+EFFECTS = np.array([
+    [1.0, arm.sine * arm.length, -arm.cosine * arm.length, arm.torque_ratio]
+    for arm in VEHICLE.airframe().arms
+]).T  # fmt: skip
+
+
+class Memory(NamedTuple):
+    """What the pilot remembers between ticks."""
+
+    seen: float  # when motion capture last spoke [s]
+    position: np.ndarray  # there and then [m]
+    velocity: np.ndarray  # smoothed [m/s]
+
+
+def hover(time: float, measurement: Measurement, memory: Memory | None):
+    """Thrust of each rotor [N], and what to remember; memory is None at first."""
+    pose, position = measurement.pose, np.array(measurement.pose.position)
+    if memory is None:
+        memory = Memory(time, position, np.zeros(3))
+    if pose.fresh and time > memory.seen:
+        raw = (position - memory.position) / (time - memory.seen)
+        velocity = memory.velocity + SMOOTHING * (raw - memory.velocity)
+        memory = Memory(time, position, velocity)
+
+    force = MASS * (-STIFFNESS * (position - PLACE) - DAMPING * memory.velocity)
+    force = force + np.array([0.0, 0.0, MASS * GRAVITY])
+    axes = np.array(springback.rotation(pose.attitude))  # columns are the body axes in the world
+    wanted = axes.T @ force / np.linalg.norm(force)  # thrust direction, seen from the body
+    yaw = math.atan2(axes[1, 0], axes[0, 0])
+    rates = LEANING * np.array([-wanted[1], wanted[0], -0.4 * yaw])
+    gyroscope = np.array(measurement.inertial.angular_velocity)
+    moment = INERTIA @ (TURNING * (rates - gyroscope))
+
+    thrusts = np.linalg.solve(EFFECTS, [force @ axes[:, 2], *moment])
+    return np.clip(thrusts, 0.0, VEHICLE.propulsion.most_thrust), memory
+
+
+def main() -> springback.Flight:
+    scenario = {
+        "name": "own pilot",
+        "vehicle": "quad",
+        "start": {"position": [0.3, 0.0, 1.0], "roll": "10 deg"},
+        "simulation": {"duration": 3.0},
+    }
+    return springback.fly(scenario, pilot=hover)
+
+
+if __name__ == "__main__":
+    flight = main()
+    print(flight)
+    print("at the end:", *(f"{flight.columns[axis][-1]:.3f} m" for axis in "xyz"))

@@ -1,0 +1,72 @@
+"""Where and what the problems of a scenario are, in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from pydantic import ValidationError
+
+#: Tables of which there are several kinds, by the name of the key that holds them.
+_KINDS = {
+    "obstacles": ("wall", "ground", "mat"),
+    "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
+}
+
+
+def _listed(words: Sequence[str]) -> str:
+    return f"{', '.join(words[:-1])} or {words[-1]}"
+
+
+def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
+    """A path without the names of kinds, which are no keys."""
+    path: list[str | int] = []
+    for part in where:
+        holder = next((key for key in reversed(path) if isinstance(key, str)), "")
+        if part not in _KINDS.get(holder, ()):
+            path.append(part)
+    return tuple(path)
+
+
+def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
+    """Where and what each problem is."""
+    found = []
+    for detail in error.errors(include_url=False):
+        path = _without_kinds(detail["loc"])
+        kinds = _KINDS.get(next((key for key in reversed(path) if isinstance(key, str)), ""), ())
+        message = detail["msg"].replace("Input should be", "must be", 1)
+        if detail["type"] == "problem":
+            path = (*path, *key_path(str(detail["ctx"]["field"])))
+        elif detail["type"] == "missing":
+            message = "is missing"
+        elif detail["type"] == "union_tag_not_found":
+            path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
+        elif detail["type"] == "union_tag_invalid":
+            tag = detail["ctx"]["tag"]
+            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {tag!r})"
+        elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
+            message = f"must be a table (got {detail['input']!r})"
+        elif detail["type"] == "tuple_type":
+            message = f"must be a list (got {detail['input']!r})"
+        elif detail["type"] in ("bool_type", "bool_parsing"):
+            message = f"must be true or false (got {detail['input']!r})"
+        elif detail["type"].startswith("int_"):
+            message = f"must be a whole number (got {detail['input']!r})"
+        elif isinstance(detail.get("input"), str | int | float | bool):
+            message = f"{message} (got {detail['input']!r})"
+        found.append((path, message))
+    return found
+
+
+def key_path(text: str) -> tuple[str | int, ...]:
+    """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
+    words = [word for word in re.split(r"[.\[\]]+", text) if word]
+    return tuple(int(word) if word.isdigit() else word for word in words)
+
+
+def dotted(path: tuple[str | int, ...]) -> str:
+    """``world.obstacles[0].distance`` of a path."""
+    text = ""
+    for part in path:
+        text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
+    return text

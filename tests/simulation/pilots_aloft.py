@@ -1,0 +1,65 @@
+"""Guided flights that several tests fly, as the loop over the ticks wants them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.experiments.guidance import board_of
+from springback.experiments.scenario import scenario_from
+from springback.kernels.layout import Buffer
+from springback.kernels.trees import leaves
+from springback.simulation.aboard import Cabin
+from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+HOLD = {"type": "hold", "position": (0.2, 0.1, 1.1)}
+WALL = {"obstacles": [{"type": "wall", "distance": 1.0, "surface": "wall"}]}
+#: A little before the wall, on the way to it.
+AT_WALL = {"position": (0.69, 0.0, 1.0), "velocity": (2.0, 0.1, 0.0), "pitch": 0.1}
+GUSTY = {
+    "wind": (2.0, 1.0, 0.0),
+    "rotor_drag": (0.3, 0.3, 0.1),
+    "gusts": {"wind_at_6_m": 6.0, "altitude": 10.0},
+}
+
+
+class Ready(NamedTuple):
+    """What `fly_guided` takes."""
+
+    model: Model
+    start: State
+    cabin: Cabin
+    noise: Buffer
+
+
+def tables(duration: float, estimator: str = "perfect", **others: Any) -> dict[str, Any]:
+    """A guided flight as plain tables."""
+    return {
+        "vehicle": "arq",
+        "reference": HOLD,
+        "estimator": {"type": estimator},
+        "simulation": {"duration": duration},
+    } | others
+
+
+def ready(given: Mapping[str, Any], flight: int = 0) -> Ready:
+    """A flight of a campaign, made ready."""
+    scenario = scenario_from(given)
+    model, start = scenario.flight_model(), scenario.start_state()
+    board = board_of(scenario, model, start, flight=flight)
+    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
+    return Ready(model, start, board.cabin, noise_table(scenario.seed, flight, ticks, board.noise))
+
+
+def same(a: GuidedFlown, b: GuidedFlown) -> bool:
+    """Whether motion, record, and all that is aboard are the same, bit for bit."""
+    trees = [
+        (a.flown.motion, b.flown.motion),
+        (a.flown.record, b.flown.record),
+        (a.aboard, b.aboard),
+    ]
+    return all(np.array_equal(leaves(one), leaves(other)) for one, other in trees)
