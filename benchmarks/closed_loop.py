@@ -101,12 +101,15 @@ def _driving(
 def parts(job: Job) -> dict[str, Callable[[], None]]:
     """Parts of the loop by themselves, over all ticks, at a state that stands still."""
     noise, shape = luck(job), shape_of(job.model, job.start)
+    timing = job.model.timing._replace(until=job.cabin.guidance.period)
+    short = job._replace(model=job.model._replace(timing=timing), ticks=1)
     b, g = loaded(shape, [job.model], [job.start], 1), cabins_loaded([job.cabin], 1)
     like, cabin = Like(shape), Like(job.cabin)
     sensing = job.channels - GUST_NOISE
     channels, gusts = Like((0.0,) * sensing), Like((0.0,) * GUST_NOISE)
     none, last = np.zeros((0, 1)), job.model.timing.until
     return {
+        "setting up": lambda: whole(short),
         "noise table": lambda: (luck(job), None)[1],
         "sensors and pilot": lambda: _looking(like, cabin, b[0], g[0], (0,), channels, noise, none),
         "rotors and wind": lambda: _driving(

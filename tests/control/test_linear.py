@@ -138,7 +138,7 @@ def test_delay_has_unit_gain_and_the_phase_of_a_delay() -> None:
 
 def test_schedule_counts_ticks() -> None:
     assert ControlSettings().schedule(1000.0) == (10.0, 4.0, 1.0, 10.0)
-    assert ControlSettings(offboard_delay="25 ms").schedule(2000.0) == (20.0, 8.0, 2.0, 50.0)
+    assert ControlSettings(offboard_delay="5 ms").schedule(2000.0) == (20.0, 8.0, 2.0, 10.0)
 
 
 @pytest.mark.parametrize(
