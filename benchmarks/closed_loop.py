@@ -189,18 +189,25 @@ def measure(rounds: int, python: str) -> dict[str, Any]:
 def table(report: dict[str, Any]) -> str:
     """The report as text."""
     lines = [f"{'hover of 10 s, milliseconds':40}{'median':>10}{'lowest':>10}"]
+    compiled: dict[str, float] = {}
     for name, found in report["ours"].items():
         totals = [statistics.median(v) for v in found.values()], [min(v) for v in found.values()]
         rows = {key: (statistics.median(v), min(v)) for key, v in found.items()}
         rows["physics, by difference"] = (
             totals[0][0] - sum(totals[0][1:]), totals[1][0] - sum(totals[1][1:]),
         )  # fmt: skip
+        outside = [k for k in rows if k in ("setting up", "noise table")]
+        rows["compiled loop"] = tuple(
+            rows["total"][k] - sum(rows[name][k] for name in outside) for k in (0, 1)
+        )  # type: ignore[assignment]
+        compiled[name] = rows["compiled loop"][0]
         for key, (median, lowest) in rows.items():
             lines.append(f"{name + ', ' + key:40}{median:10.2f}{lowest:10.2f}")
     default = report["ours"][ESTIMATORS[0]]["total"]
     median, lowest = statistics.median(default), min(default)
-    mark = "reached" if median <= TARGET else "MISSED"
-    lines.append(f"target with {ESTIMATORS[0]}: <= {TARGET:g} ms  {mark}")
+    for what, value in (("compiled loop", compiled[ESTIMATORS[0]]), ("total", median)):
+        mark = "reached" if value <= TARGET else "MISSED"
+        lines.append(f"{what} with {ESTIMATORS[0]}: {value:.1f} ms, target {TARGET:g} ms: {mark}")
     for rate, values in report["theirs"].items():
         theirs = statistics.median(values), min(values)
         lines.append(f"{f'RotorPy at {rate:g} Hz':40}{theirs[0]:10.0f}{theirs[1]:10.0f}")

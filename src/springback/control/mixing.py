@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest, least, pick, total
+from springback.kernels.trees import each, largest, least, total
 from springback.kernels.vectors import Vec, within
 from springback.vehicle.state import Airframe, Arm
 
@@ -189,6 +189,21 @@ def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
 
 
 @kernel
+def _squeezed(
+    rotors: tuple[Rotor, ...], thrust: float, lowest: float, highest: float
+) -> tuple[float, ...]:
+    """Thrusts within their limits where not all that is asked for fits [N]."""
+    tilt = within(least(each(_tilt_share, (rotors,), (rotors, lowest, highest))), 0.0, 1.0)
+    floor = largest(each(_collective_bound, (rotors,), (tilt, lowest)))
+    ceiling = least(each(_collective_bound, (rotors,), (tilt, highest)))
+    collective = within(thrust, floor, ceiling)
+    turns = each(_turn_share, (rotors,), (collective, tilt, lowest, highest))
+    turn = within(least(turns), 0.0, 1.0)
+    given = each(_asked, (rotors,), (collective, tilt, turn))
+    return each(within, (given,), (lowest, highest))
+
+
+@kernel
 def mixed(
     airframe: Airframe,
     lowest: float,
@@ -218,12 +233,6 @@ def mixed(
     turning = _solution(factors, Effect(0.0, 0.0, 0.0, m.z))
     rotors = each(_rotor, (effects,), (lift, tilting, turning))
     asked = each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
-    fits = (least(asked) >= lowest) & (largest(asked) <= highest)
-    tilt = within(least(each(_tilt_share, (rotors,), (rotors, lowest, highest))), 0.0, 1.0)
-    floor = largest(each(_collective_bound, (rotors,), (tilt, lowest)))
-    ceiling = least(each(_collective_bound, (rotors,), (tilt, highest)))
-    collective = within(wrench.thrust, floor, ceiling)
-    turns = each(_turn_share, (rotors,), (collective, tilt, lowest, highest))
-    turn = within(least(turns), 0.0, 1.0)
-    given = each(_asked, (rotors,), (collective, tilt, turn))
-    return each(within, (pick(fits, asked, given),), (lowest, highest))
+    if (least(asked) >= lowest) & (largest(asked) <= highest):
+        return asked
+    return _squeezed(rotors, wrench.thrust, lowest, highest)

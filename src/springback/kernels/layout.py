@@ -32,6 +32,11 @@ _AttributeTemplate: Any = templates.AttributeTemplate
 Buffer = np.ndarray[Any, np.dtype[np.float64]]
 
 
+def structure(tree: Any) -> Any:
+    """The types in a tree, nested as they are; equal for trees that differ in numbers only."""
+    return (type(tree), *map(structure, tree)) if isinstance(tree, tuple) else type(tree)
+
+
 class Like:
     """Like a tree, but without numbers: its parts are reached by name, and are likes again."""
 
@@ -47,13 +52,23 @@ class Like:
     def _numba_type_(self) -> Any:
         """What the compiler asks for."""
         if self._type is None:
-            self._type = LikeType(_typeof(self.tree))
+            self._type = _like_type(structure(self.tree), self.tree)
         return self._type
 
     def __getattr__(self, name: str) -> Like:
         if name not in self._parts:
             self._parts[name] = Like(getattr(self.tree, name))
         return self._parts[name]
+
+
+_LIKE_TYPES: dict[Any, Any] = {}
+
+
+def _like_type(nested: Any, tree: Any) -> Any:
+    """Compiler type of a structure; the compiler takes long to find the type of a large tree."""
+    if nested not in _LIKE_TYPES:
+        _LIKE_TYPES[nested] = LikeType(_typeof(tree))
+    return _LIKE_TYPES[nested]
 
 
 def rows(like: Any) -> int:

@@ -23,9 +23,19 @@ R = TypeVar("R")
 
 def leaves(tree: Any) -> list[float]:
     """All floats of a tree, in order."""
-    if isinstance(tree, tuple):
-        return [leaf for branch in tree for leaf in leaves(branch)]
-    return [tree]
+    if not isinstance(tree, tuple):
+        return [tree]
+    found: list[float] = []
+    _gather(tree, found)
+    return found
+
+
+def _gather(tree: tuple[Any, ...], found: list[float]) -> None:
+    for branch in tree:
+        if isinstance(branch, tuple):
+            _gather(branch, found)
+        else:
+            found.append(branch)
 
 
 def rebuilt(like: T, values: Iterable[float]) -> T:

@@ -76,8 +76,9 @@ class KalmanSettings(Settings):
     """
     offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
     """Of the inertial sensor from the main body's centre of mass, body axes."""
-    every: Annotated[int, Field(ge=1, strict=True)] = 4
-    """Inertial samples to one prediction of the covariance: 250 Hz at 1 kHz; chosen."""
+    every: Annotated[int, Field(ge=1, strict=True)] = 5
+    """Inertial samples to one prediction of the covariance: 200 Hz at 1 kHz, the pace of the poses;
+    chosen."""
     position_noise: Length = 2e-4
     """Of motion capture, standard deviation along each axis; chosen, a common camera system."""
     attitude_noise: quantity("rad", above=0.0) = math.radians(0.1)  # type: ignore[valid-type]

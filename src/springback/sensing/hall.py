@@ -61,10 +61,11 @@ class HallSensors(NamedTuple):
 
 
 class ArmMemory(NamedTuple):
-    """Counts of one arm under way, and the last length that arrived."""
+    """Counts of one arm under way, and the last that arrived."""
 
     line: Line  # of counts
-    length: float  # [m]
+    word: float  # the last that arrived
+    length: float  # what it means [m]
 
 
 class HallMemory(NamedTuple):
@@ -200,8 +201,10 @@ def _arm_read(
     voltage = output(sensors, span.free - length) + sensors.noise * normal
     line = entered(memory.line, counted(sensors, voltage)) if sampling else memory.line
     word = arriving(line, sensors.delay, sensors.every)
-    known = calibrated(sensors, span, word) if fresh else memory.length
-    return ArmMemory(line, known)
+    told = word if fresh else memory.word
+    # Searching takes longer than all else here, and an arm at rest says the same word again.
+    known = memory.length if told == memory.word else calibrated(sensors, span, told)
+    return ArmMemory(line, told, known)
 
 
 @arms_read.register(HallSensors)
@@ -240,5 +243,5 @@ def _(device: HallSensors, start: State) -> HallMemory:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
         word = counted(device, output(device, span.free - length))
-        arms.append(ArmMemory(filled(word), calibrated(device, span, word)))
+        arms.append(ArmMemory(filled(word), word, calibrated(device, span, word)))
     return HallMemory(tuple(arms))

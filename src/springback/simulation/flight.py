@@ -130,11 +130,17 @@ def unloaded(
 
 def own_types(tree: Any) -> set[type]:
     """Types in a tree that are not the package's: shapes and pilots of the user's."""
-    if not isinstance(tree, tuple):
-        return set()
-    own = {type(tree)} if hasattr(tree, "_fields") else set()
-    own = {cls for cls in own if not cls.__module__.startswith("springback.")}
-    return own.union(*(own_types(branch) for branch in tree))
+    found: set[type] = set()
+    _gather_types(tree, found)
+    named = {cls for cls in found if hasattr(cls, "_fields")}
+    return {cls for cls in named if not cls.__module__.startswith("springback.")}
+
+
+def _gather_types(tree: Any, found: set[type]) -> None:
+    if isinstance(tree, tuple):
+        found.add(type(tree))
+        for branch in tree:
+            _gather_types(branch, found)
 
 
 def sources(types: set[type]) -> tuple[str, ...] | None:

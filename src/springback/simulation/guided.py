@@ -295,7 +295,10 @@ def noise_table(seed: int, flight: int, ticks: int, channels: int) -> Buffer:
         channels: Numbers at each tick.
     """
     luck = np.random.SeedSequence(seed, spawn_key=(flight, 0))
-    return np.random.Generator(np.random.SFC64(luck)).standard_normal((ticks, channels))
+    drawn = np.random.Generator(np.random.SFC64(luck)).standard_normal(
+        (ticks, channels), dtype=np.float32
+    )
+    return drawn.astype(np.float64)  # seven digits of luck are enough, and twice as fast
 
 
 def cabin_of(
