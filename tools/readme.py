@@ -1,19 +1,30 @@
-"""Write the reproduction table and the figure of README.md from the slider tests themselves.
+"""Write the reproduction tables and the figure of README.md from the experiments themselves.
 
 usage: python tools/readme.py
 """
 
 from pathlib import Path
+from statistics import mean
 
 from springback.experiments.comparison import Mark
+from springback.experiments.paper.flight import (
+    QUANTITIES as CIRCLE_QUANTITIES,
+)
+from springback.experiments.paper.flight import (
+    ROBOTS,
+    TABLE_IV_CIRCLES,
+    TABLE_IV_STEPS,
+    FlightResults,
+    flight_experiments,
+)
 from springback.experiments.paper.slider import SliderResults, slider_experiments
 from springback.interfaces.canvas import png
 from springback.interfaces.plots_slider import readme_figure
 
 README = Path(__file__).parents[1] / "README.md"
 FIGURE = README.parent / "docs/figures/slider.png"
-BEGIN = "<!-- reproduction: written by tools/readme.py -->\n"
-END = "<!-- end of reproduction -->"
+BEGIN = "<!-- {name}: written by tools/readme.py -->\n"
+END = "<!-- end of {name} -->"
 SIGNS = {Mark.FITTED: " *f*", Mark.PREDICTED: " ✓", Mark.CONTRADICTED: " ✗", Mark.GIVEN: ""}
 QUANTITIES = {
     "restitution_at_separation": ("restitution", 1.0, ".3f"),
@@ -61,15 +72,37 @@ def table(results: SliderResults) -> str:
     return "\n".join(lines) + "\n"
 
 
-def between(text: str) -> tuple[str, str, str]:
-    """README before, within and after the table's marks."""
-    before, rest = text.split(BEGIN)
-    within, after = rest.split(END)
-    return before + BEGIN, within, END + after
+def flight_table(results: FlightResults) -> str:
+    """Table IV in Markdown: ours, and in brackets the printed value."""
+    lines = ["| | Quad | ARQ | ARQ after drops |", "|---|---|---|---|"]
+    for axis in ("x", "y", "z"):
+        for k, (label, form) in enumerate((("rise time [s]", ".3f"), ("MSE [m²]", ".3f"))):
+            cells = []
+            for robot in ROBOTS:
+                values = results.step_mse(robot, axis) if k else results.rise(robot, axis)
+                cells.append(f"{mean(values):{form}} ({TABLE_IV_STEPS[robot][axis][k]:{form}})")
+            lines.append(f"| step in {axis}: {label} | {' | '.join(cells)} |")
+    for pace in ("slow", "fast"):
+        for k, quantity in enumerate(CIRCLE_QUANTITIES):
+            cells = []
+            for robot in ROBOTS:
+                ours = 1e3 * mean(results.circle_mse(robot, pace, quantity))
+                cells.append(f"{ours:.2f} ({1e3 * TABLE_IV_CIRCLES[robot, pace][k]:.2f})")
+            name = f"{quantity[0]}_{quantity[1]}"
+            lines.append(f"| {pace} circle: MSE of {name} [1e-3] | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+def with_table(text: str, name: str, table: str) -> str:
+    """README with what stands between a table's marks replaced."""
+    begin, end = BEGIN.format(name=name), END.format(name=name)
+    before, rest = text.split(begin)
+    return before + begin + table + end + rest.split(end)[1]
 
 
 if __name__ == "__main__":
     results = slider_experiments()
-    before, _, after = between(README.read_text(encoding="utf-8"))
-    README.write_text(before + table(results) + after, encoding="utf-8")
+    text = with_table(README.read_text(encoding="utf-8"), "reproduction", table(results))
+    text = with_table(text, "flight", flight_table(flight_experiments()))
+    README.write_text(text, encoding="utf-8")
     FIGURE.write_bytes(png(readme_figure(results)))

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
+import runpy
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -239,3 +242,20 @@ def test_rate_gain_is_that_of_the_autopilot() -> None:
     roll, pitch = moment / quad.inertia()[0, 0], moment / quad.inertia()[1, 1]
     assert pitch < ControlSettings().rate_gain < roll
     assert ControlSettings().rate_gain == pytest.approx((roll + pitch) / 2.0, rel=0.02)
+
+
+def test_the_table_of_the_readme_is_the_computed_one(results: FlightResults) -> None:
+    """Written by tools/readme.py from five trials; two trials differ in the last digits only."""
+    root = Path(__file__).parents[2]
+    tool = runpy.run_path(str(root / "tools/readme.py"))
+    text = (root / "README.md").read_text(encoding="utf-8")
+    number = re.compile(r"[-\d.]+(?:e-3)?")
+    wanted = tool["flight_table"](results)
+    within = text.split("<!-- flight: written by tools/readme.py -->\n")[1]
+    within = within.split("<!-- end of flight -->")[0]
+    assert number.sub("", within) == number.sub("", wanted)
+    ours, shown = (
+        [float(x) for x in re.findall(r"\| (\d[\d.]*) \(", part)] for part in (wanted, within)
+    )
+    assert len(shown) == 42
+    assert shown == pytest.approx(ours, rel=0.03, abs=0.02)
