@@ -8,8 +8,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.interpolate import BPoly
-from scipy.optimize import linprog
+import scipy  # its parts are loaded when first used
 
 from springback.control.demands import (
     ROOM,
@@ -155,7 +154,7 @@ def _simplest(end: Row, limits: Limits) -> Plan:
 
 
 def _septic(end: Row, duration: float) -> Any:
-    return BPoly.from_derivatives([0.0, duration], [REST, end])
+    return scipy.interpolate.BPoly.from_derivatives([0.0, duration], [REST, end])
 
 
 @functools.cache
@@ -213,7 +212,7 @@ def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
         left = np.concatenate([np.column_stack([m, share]) for m, share, _ in bounds])
         right = np.concatenate([right for _, _, right in bounds])
         cost = np.append(np.zeros(KNOTS), 1.0)
-        found = linprog(cost, A_ub=left, b_ub=right, bounds=(None, None)).x
+        found = scipy.optimize.linprog(cost, A_ub=left, b_ub=right, bounds=(None, None)).x
         if found is None:
             break
         plans.append(_as_plan(T, found[:-1], end, limits))

@@ -13,8 +13,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
-from scipy.optimize import brentq, minimize
+import scipy  # its parts are loaded when first used
 
 from springback.control.demands import ROOM, Array, Curve, Limits, Times, demands, shortfalls
 from springback.control.references import Polynomials, Segment
@@ -98,7 +97,8 @@ def snap_spline(times: Times, points: Array, ends: Array | None = None) -> Curve
     """
     ends = np.zeros((2, 3, *points.shape[1:])) if ends is None else ends
     clamped: Any = [[(k + 1, end[k]) for k in range(3)] for end in ends]
-    curve: Curve = make_interp_spline(np.asarray(times), points, k=DEGREE, bc_type=clamped)
+    spline = scipy.interpolate.make_interp_spline
+    curve: Curve = spline(np.asarray(times), points, k=DEGREE, bc_type=clamped)
     return curve
 
 
@@ -136,7 +136,7 @@ def shared_times(points: Array, duration: float) -> Array:
 
     # Parts below 1/e³ or above e³ of the first guess would make the spline ill-conditioned.
     first = np.log(lengths)
-    best = minimize(cost, first, bounds=[(x - 3.0, x + 3.0) for x in first]).x
+    best = scipy.optimize.minimize(cost, first, bounds=[(x - 3.0, x + 3.0) for x in first]).x
     return np.asarray(times(best) * duration)
 
 
@@ -194,5 +194,5 @@ def _shortest(corners: Array, limits: Limits) -> Array:
         raise InputError("the flight through way-points cannot keep to the limits, however slow")
     room = max(ROOM, 0.5 * (1.0 + at_hover))
     logarithms = (math.log(SHORTEST), math.log(LONGEST))
-    found = brentq(lambda x: share(math.exp(x)) - room, *logarithms, xtol=1e-10)
+    found = scipy.optimize.brentq(lambda x: share(math.exp(x)) - room, *logarithms, xtol=1e-10)
     return np.asarray(parts * math.exp(found))

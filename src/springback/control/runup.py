@@ -14,7 +14,7 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.interpolate import BPoly
+import scipy  # its parts are loaded when first used
 
 from springback.contact.cage import support
 from springback.control.approach import FEW, Row, approach
@@ -103,7 +103,7 @@ def run_up(
     direction = np.array([way.x, way.y, 0.0]) / distance
     along = np.array(rows)[:, :, None] * direction
     along[:, 0] += np.array(start)
-    curve = BPoly.from_derivatives(breaks, along)
+    curve = scipy.interpolate.BPoly.from_derivatives(breaks, along)
     asked = demands(curve, breaks[:touching], limits)
     return RunUp(
         as_reference(curve, breaks, math.atan2(way.y, way.x), begins),
@@ -133,7 +133,7 @@ def _braking(start: Row, limits: Limits) -> tuple[float, Row]:
     best: tuple[float, float, Row] = (math.inf, math.nan, start)
     for duration in np.geomspace(0.05, 20.0, 120):
         end = (x + 0.5 * v * duration + 0.1 * a * duration**2, 0.0, 0.0, 0.0)
-        curve = BPoly.from_derivatives([0.0, duration], [start, end])
+        curve = scipy.interpolate.BPoly.from_derivatives([0.0, duration], [start, end])
         t = fraction * duration
         share = max(level_demands(curve(t, 2), curve(t, 3), limits).uses(limits).values())
         best = min(best, (share, float(duration), end))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
+from statistics import NormalDist
 from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field, model_validator
-from scipy.special import ndtri
 
 from springback.kernels.vectors import Vec
 from springback.quantities import Length, quantity, triple
@@ -30,7 +30,9 @@ Delay = quantity("s", least=0.0)
 
 def _quantile(probability: float) -> float:
     """Φ⁻¹ of a probability, finite."""
-    return float(np.clip(ndtri(probability), NEVER, -NEVER))
+    if not 0.0 < probability < 1.0:
+        return NEVER if probability <= 0.0 else -NEVER
+    return min(max(NormalDist().inv_cdf(probability), NEVER), -NEVER)
 
 
 class MotionCaptureSettings(Settings):

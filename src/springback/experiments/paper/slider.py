@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from scipy.optimize import brentq
+import scipy  # its parts are loaded when first used
 
 from springback.contact.library import SURFACES
 from springback.contact.restitution import dissipation_for
@@ -174,7 +174,7 @@ def _solved(error: Callable[[float], float], low: float = 0.0, high: float = 1.5
     """c_a at which ``error`` vanishes; None if it does not within the range."""
     if error(low) * error(high) > 0.0:
         return None
-    return float(brentq(error, low, high, xtol=1e-6))
+    return float(scipy.optimize.brentq(error, low, high, xtol=1e-6))
 
 
 def _printed_of(printed: Impact, quantity: str) -> tuple[float, float | None]:
