@@ -1,5 +1,5 @@
 """``python -m springback``."""
 
-from springback.interfaces.cli import main
+from springback.interfaces.cli import run
 
-main()
+run()

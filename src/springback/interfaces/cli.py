@@ -7,6 +7,7 @@ is wrong, 130 interrupted.  Heavy modules are imported by the commands that need
 from __future__ import annotations
 
 import gc
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -356,3 +357,21 @@ def main() -> None:
     except (KeyboardInterrupt, click.Abort):
         click.echo("interrupted; nothing was written", err=True)
         sys.exit(130)
+
+
+def run() -> None:
+    """The program: `main`, and then away at once.
+
+    All files are closed by then; taking apart what was loaded would take longer than most flights.
+    """
+    code: Any = 0
+    try:
+        main()
+    except SystemExit as done:
+        code = done.code
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BrokenPipeError:  # whoever read us has left, too
+        code = code or 1
+    os._exit(code if isinstance(code, int) else 0 if code is None else 1)
