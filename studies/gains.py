@@ -3,8 +3,9 @@
     python studies/gains.py [--out DIR]
 
 Every number is from whole flights with sensors and estimator.  Gains are fitted to Quad alone: four
-of them, three (one damping ratio for all axes), two (one stiffness, too).  Then ARQ flies by some
-rules for what becomes of Quad's gains on a heavier robot.  The paper prints no inner loop either,
+of them, three (one damping ratio for all axes), two (one stiffness, too), and two stiffnesses with
+a damping ratio out of the textbook.  Then ARQ flies by some rules for what becomes of Quad's gains
+on a heavier robot.  The paper prints no inner loop either,
 so the fit is made again with others.  Last, what the errors on circles depend on.  Writes
 ``fits.csv``, ``rules.csv``, ``inner.csv`` and ``circles.csv``, and prints them as they stand in
 studies/README.md.
@@ -45,6 +46,9 @@ Kind = Literal["horizontal", "vertical"]
 Robot = Literal["quad", "arq"]
 WAIT, DWELL = 0.5, 5.0  # [s]
 MASS = {name: VEHICLES[name].vehicle.mass for name in ("quad", "arq")}
+BESSEL = math.sqrt(0.75)  # damping ratio of a Bessel filter of two poles
+HORIZONTAL, VERTICAL = 9.0, 19.5  # [N/m], the defaults
+Split = Callable[[np.ndarray], list[tuple[float, float]]]
 DRY = {name: mass - BATTERY for name, mass in MASS.items()}
 INERTIA = {name: float(VEHICLES[name].vehicle.inertia()[1, 1]) for name in ("quad", "arq")}
 
@@ -97,7 +101,7 @@ def of_ratio(stiffness: float, ratio: float, mass: float) -> Gains:
 
 def fitted(
     kinds: tuple[Kind, ...],
-    split: Callable[[np.ndarray], list[tuple[float, float]]],
+    split: Split,
     start: list[float],
     inner: tuple[tuple[str, float], ...] = (),
 ) -> tuple[np.ndarray, list[float]]:
@@ -123,14 +127,22 @@ def fitted(
     return solved.x, residual(solved.x)
 
 
+def _stiffnesses(ratio: float) -> Split:
+    """Two stiffnesses are free, the damping ratio is not."""
+    return lambda v: [(v[0], ratio), (v[1], ratio)]
+
+
 def fits() -> list[dict[str, Any]]:
     """Four, three and two free numbers; what Quad and ARQ then do."""
     both: tuple[Kind, ...] = ("horizontal", "vertical")
-    kinds: dict[str, tuple[Callable[[np.ndarray], list[tuple[float, float]]], list[float]]] = {
+    kinds: dict[str, tuple[Split, list[float]]] = {
         "four": (lambda v: [(v[0], v[1]), (v[2], v[3])], [10.8, 0.94, 28.0, 0.96]),
         "three": (lambda v: [(v[0], v[2]), (v[1], v[2])], [11.0, 26.5, 0.95]),
-        "two": (lambda v: [(v[0], v[1]), (v[0], v[1])], [13.0, 0.78]),
-        "three, rounded": (lambda v: [(11.0, 0.95), (26.5, 0.95)], []),
+        "two, one stiffness and one ratio": (lambda v: [(v[0], v[1]), (v[0], v[1])], [13.0, 0.78]),
+        "two, Butterworth": (_stiffnesses(math.sqrt(0.5)), [7.0, 14.0]),
+        "two, Bessel": (_stiffnesses(BESSEL), [9.0, 19.5]),
+        "two, critical damping": (_stiffnesses(1.0), [12.5, 32.0]),
+        "two, Bessel, rounded": (lambda v: [(HORIZONTAL, BESSEL), (VERTICAL, BESSEL)], []),
     }
     rows = []
     for name, (split, start) in kinds.items():
@@ -158,8 +170,8 @@ def rules() -> list[dict[str, Any]]:
     }
     rows = []
     for name, (stiffer, damper, inner) in named.items():
-        for kind, k_p in (("horizontal", 11.0), ("vertical", 26.5)):
-            quad = of_ratio(k_p, 0.95, MASS["quad"])
+        for kind, k_p in (("horizontal", HORIZONTAL), ("vertical", VERTICAL)):
+            quad = of_ratio(k_p, BESSEL, MASS["quad"])
             gains = Gains(stiffer * quad.stiffness, damper * quad.damping)
             got = answer("arq", kind, gains, inner)  # type: ignore[arg-type]
             rows.append(_row({"rule": name, "axis": kind}, "arq", kind, got))  # type: ignore[arg-type]
@@ -172,17 +184,15 @@ def inner_loops() -> list[dict[str, Any]]:
     for tau in (0.1, 1.0 / 6.5, 0.2):
         for rate_gain in (20.0, 30.0, 40.0, 50.0):
             inner = (("rate_gain", rate_gain), ("time_constant", tau))
-            (k_p, ratio), left = fitted(
-                ("horizontal",), lambda v: [(v[0], v[1])], [11.0, 0.95], inner
-            )
-            gains = of_ratio(k_p, ratio, MASS["quad"])
+            (k_p,), left = fitted(("horizontal",), lambda v: [(v[0], BESSEL)], [HORIZONTAL], inner)
+            gains = of_ratio(k_p, BESSEL, MASS["quad"])
             softer = Gains(0.98 * gains.stiffness, gains.damping)
             soft = answer("quad", "horizontal", softer, inner).rise
-            got = answer("arq", "horizontal", of_ratio(k_p, ratio, MASS["arq"]), inner)
+            got = answer("arq", "horizontal", of_ratio(k_p, BESSEL, MASS["arq"]), inner)
             rows.append(
                 _row(
                     {
-                        "tau": tau, "k_omega": rate_gain, "K_p": k_p, "zeta": ratio,
+                        "tau": tau, "k_omega": rate_gain, "K_p": k_p,
                         "left": max(map(abs, left)),
                         "Quad's rise, K_p 2 % less": soft,
                     },

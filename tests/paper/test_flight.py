@@ -144,22 +144,18 @@ def test_every_cell_has_a_row_and_a_mark(results: FlightResults) -> None:
 
 @pytest.mark.parametrize("axis", ["x", "y", "z"])
 def test_quad_answers_as_printed(results: FlightResults, axis: Any) -> None:
-    """Fitted: three numbers for six; x and y, alike for us, differ by up to 4 % in print."""
+    """Fitted: two numbers for six; x and y, alike for us, differ by up to 4 % in print."""
     rise, error = TABLE_IV_STEPS["quad"][axis]
     assert np.mean(results.rise("quad", axis)) == pytest.approx(rise, rel=0.03)
-    assert np.mean(results.step_mse("quad", axis)) == pytest.approx(error, rel=0.03)
+    assert np.mean(results.step_mse("quad", axis)) == pytest.approx(error, rel=0.06)
 
 
 @pytest.mark.parametrize("robot", ["arq", "arq after drops"])
 def test_arq_follows_within_a_tenth(results: FlightResults, robot: Any) -> None:
-    """Predicted: x and y, alike for us, are compared with the mean of their printed values."""
-    table = TABLE_IV_STEPS[robot]
-    across = np.mean([table["x"], table["y"]], axis=0)
-    for axis, (rise, error) in {"x": across, "y": across, "z": table["z"]}.items():
-        got = np.mean(results.rise(robot, axis)), np.mean(results.step_mse(robot, axis))  # type: ignore[arg-type]
-        within = 0.12 if robot == "arq after drops" else 0.10  # print has 10 % more along x then
-        assert got[0] == pytest.approx(rise, rel=0.10)
-        assert got[1] == pytest.approx(error, rel=within)
+    """Predicted: every rise time and every error of steps."""
+    for axis, (rise, error) in TABLE_IV_STEPS[robot].items():  # type: ignore[index]
+        assert np.mean(results.rise(robot, axis)) == pytest.approx(rise, rel=0.10)
+        assert np.mean(results.step_mse(robot, axis)) == pytest.approx(error, rel=0.10)
 
 
 def test_arq_is_slower_than_quad_and_drops_change_nothing(results: FlightResults) -> None:
@@ -190,11 +186,11 @@ def test_the_start_makes_most_of_the_errors_along_y(results: FlightResults) -> N
 
 
 def test_circles_are_within_a_factor_of_what_is_printed(results: FlightResults) -> None:
-    """Fast ones within 2.4; slow positions are tracked better here than in print, up to 9 times."""
+    """Fast ones within 2.5; slow positions are tracked better here than in print, up to 6 times."""
     for (robot, pace), printed in TABLE_IV_CIRCLES.items():
         for name, wanted in zip(QUANTITIES, printed, strict=True):
             ratio = np.mean(results.circle_mse(robot, pace, name)) / wanted
-            assert ratio < 1.4
+            assert ratio < 1.6
             assert ratio > (0.4 if pace == "fast" else 0.1)
 
 

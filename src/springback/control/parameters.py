@@ -1,8 +1,9 @@
 """Controllers as a user writes them down, checked once, and turned into numbers.
 
 The paper prints no gains.  One rule serves both of its robots: the same stiffness, a force per
-metre, and the same damping ratio.  A heavier robot is then slower, as ARQ's steps are in Table IV.
-Three numbers are fitted to the steps of Quad, and those of ARQ follow (studies/gains.py).
+metre, and the damping ratio of a Bessel filter.  A heavier robot is then slower, as ARQ's steps are
+in Table IV.  Two stiffnesses are fitted to the steps of Quad, and those of ARQ follow
+(studies/gains.py).
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ INTEGRAL_FADE = math.radians(400.0)
 #: How far a product of clock and period may be from a whole number: rounding of decimals.
 WHOLE = 1e-6
 
+#: Damping ratio of a Bessel filter of two poles, which delays all frequencies alike (Thomson 1949).
+BESSEL = math.sqrt(0.75)
+
 AttitudeLaw = FullQuaternion | Reduced | LeeSO3
 
 
@@ -40,12 +44,13 @@ class Schedule(NamedTuple):
 class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
-    stiffness: quantity("N/m", least=0.0) = 11.0  # type: ignore[valid-type]
+    stiffness: quantity("N/m", least=0.0) = 9.0  # type: ignore[valid-type]
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
-    vertical_stiffness: quantity("N/m", least=0.0) = 26.5  # type: ignore[valid-type]
+    vertical_stiffness: quantity("N/m", least=0.0) = 19.5  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""
-    damping_ratio: quantity("", least=0.0) = 0.95  # type: ignore[valid-type]
-    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Fitted, as above."""
+    damping_ratio: quantity("", least=0.0) = BESSEL  # type: ignore[valid-type]
+    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Chosen from the textbook's three, √½, √¾
+    and 1: the steps of Table IV go with no other (studies/gains.py)."""
     damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
     """K_v, horizontal, in place of that of the damping ratio."""
     vertical_damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
@@ -136,11 +141,11 @@ class ControlSettings(Settings):
     def tilt_lead(self) -> float:
         """How far ahead a reference's tilt is asked for [s].
 
-        The offboard delay, and half a period for which the attitude loop's word stands.  (The
-        position loop's word stands, too, half a period on average.  That is left out: the rate
-        loop, which the lag of the rotors makes overshoot, gives as much back.)
+        The offboard delay, and half a period each for which the words of the position loop and of
+        the attitude loop stand.
         """
-        return float(self.offboard_delay) + 0.5 / float(self.attitude_frequency)
+        holds = 0.5 / float(self.position_frequency) + 0.5 / float(self.attitude_frequency)
+        return float(self.offboard_delay) + holds
 
     def rate_lead(self) -> float:
         """How far ahead a reference's angular velocity is asked for [s].

@@ -1,6 +1,6 @@
 """Free flight, Table IV: steps and circles of Quad, and of ARQ before and after collisions.
 
-Three gains are fitted to Quad's steps (studies/gains.py); all numbers of ARQ, and both robots'
+Two gains are fitted to Quad's steps (studies/gains.py); all numbers of ARQ, and both robots'
 circles, follow.  What the paper leaves open is chosen here and said so: how long a circle is flown,
 its centre and sense, and how often and at which tilt ARQ falls before its last column.
 """
@@ -70,7 +70,7 @@ TABLE_IV_CIRCLES: dict[tuple[Robot, Pace], tuple[float, float, float, float]] = 
 }
 """Table IV, planar circle: mean square errors of p_x, p_y [m²], v_x and v_y [m²/s²]."""
 UNITS = {"px": "m^2", "py": "m^2", "vx": "m^2/s^2", "vy": "m^2/s^2"}
-FITTED = "three gains were chosen so that Quad's steps come out"
+FITTED = "two gains were chosen so that Quad's steps come out"
 
 
 @dataclass(frozen=True)
