@@ -29,6 +29,7 @@ class Cascade(NamedTuple):
     airframe: Airframe  # as the pilot believes it to be
     lowest: float  # least thrust of a rotor [N]
     highest: float  # most thrust of a rotor [N]
+    lift: float  # collective thrust to which roll and pitch may raise a smaller one [N]
     estimator: Any
     reference: Any
     position: PositionLaw
@@ -101,11 +102,22 @@ def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> 
 
 
 @kernel
-def _steered(pilot: Cascade, tick: float, time: float, at: Estimate, before: Offboard) -> Offboard:
-    """The position loop, at its ticks."""
+def steered(
+    pilot: Cascade, reference: Any, tick: float, time: float, at: Estimate, before: Offboard
+) -> Offboard:
+    """The position loop, at its ticks.
+
+    Args:
+        pilot: Settings; its own reference is not looked at.
+        reference: What to follow.
+        tick: Number of the tick.
+        time: [s].
+        at: Where the robot believes to be.
+        before: The loop's last word.
+    """
     if due(tick, pilot.schedule.position):
-        wanted = target(pilot.reference, time)
-        ahead = _anticipated(pilot.position, pilot.reference, wanted, time)
+        wanted = target(reference, time)
+        ahead = _anticipated(pilot.position, reference, wanted, time)
         aimed = aim(pilot.position, ahead, at, before.position)
         return Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
     return before
@@ -140,10 +152,36 @@ def _turned(
         inertia = inertia_at(pilot.airframe, lengths)
         asked = turn(pilot.rate, inertia, setpoint, at.angular_velocity, before.unmet, before.rate)
         wrench = Wrench(aim.thrust, asked.moment)
-        thrust = mixed(pilot.airframe, pilot.lowest, pilot.highest, lengths, wrench)
+        thrust = mixed(pilot.airframe, pilot.lowest, pilot.highest, lengths, wrench, pilot.lift)
         unmet = asked.moment - wrench_of(pilot.airframe, lengths, thrust).moment
         return Autopilot(aim, setpoint, asked.memory, unmet, thrust)
     return Autopilot(aim, setpoint, before.rate, before.unmet, before.thrust)
+
+
+@kernel
+def flown(
+    pilot: Cascade,
+    tick: float,
+    lengths: tuple[float, ...],
+    at: Estimate,
+    offboard: Offboard,
+    memory: CascadeMemory,
+) -> Autopilot:
+    """The autopilot at a tick: the last word that has reached it, attitude loop, rate loop, mixer.
+
+    Args:
+        pilot: Settings.
+        tick: Number of the tick.
+        lengths: Of the arms, as measured [m].
+        at: Where the robot believes to be.
+        offboard: The position loop after this tick.
+        memory: Of the whole pilot before it.
+    """
+    before = memory.autopilot
+    earlier = _heard(tick, memory.offboard, before.aim)  # before it is overtaken by the next word
+    aim = _heard(tick, offboard, earlier)
+    setpoint = _pointed(pilot, tick, aim, at, before.setpoint)
+    return _turned(pilot, tick, aim, setpoint, lengths, at, before)
 
 
 @piloted.register(Cascade)
@@ -154,11 +192,8 @@ def _cascaded(
     tick, m = memory.tick, memory
     believed = estimated(pilot.estimator, tick, measurement, m.estimator)
     at = believed.estimate
-    earlier = _heard(tick, m.offboard, m.autopilot.aim)  # before it is overtaken by the next word
-    offboard = _steered(pilot, tick, time, at, m.offboard)
-    aim = _heard(tick, offboard, earlier)
-    setpoint = _pointed(pilot, tick, aim, at, m.autopilot.setpoint)
-    autopilot = _turned(pilot, tick, aim, setpoint, measurement.arm_length, at, m.autopilot)
+    offboard = steered(pilot, pilot.reference, tick, time, at, m.offboard)
+    autopilot = flown(pilot, tick, measurement.arm_length, at, offboard, m)
     after = CascadeMemory(tick + 1.0, believed.memory, at, offboard, autopilot)
     return Piloted(autopilot.thrust, after)
 

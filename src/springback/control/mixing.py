@@ -166,6 +166,14 @@ def _tilt_share(j: Rotor, rotors: tuple[Rotor, ...], lowest: float, highest: flo
 
 
 @kernel
+def _tilt_under(rotor: Rotor, most: float, lowest: float) -> float:
+    """Largest share of the tilting moment for which a rotor ≥ lowest with a collective ≤ most."""
+    room, need = most * rotor.collective - lowest, -rotor.tilting
+    is_tight = need > room
+    return room / (need if is_tight else 1.0) if is_tight else 1.0
+
+
+@kernel
 def _collective_bound(rotor: Rotor, tilt: float, bound: float) -> float:
     """Collective thrust at which a rotor meets a bound [N]."""
     return (bound - tilt * rotor.tilting) / rotor.collective
@@ -190,10 +198,13 @@ def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
 
 @kernel
 def _squeezed(
-    rotors: tuple[Rotor, ...], thrust: float, lowest: float, highest: float
+    rotors: tuple[Rotor, ...], thrust: float, lowest: float, highest: float, lift: float
 ) -> tuple[float, ...]:
     """Thrusts within their limits where not all that is asked for fits [N]."""
-    tilt = within(least(each(_tilt_share, (rotors,), (rotors, lowest, highest))), 0.0, 1.0)
+    most = thrust if thrust > lift else lift
+    abreast = least(each(_tilt_share, (rotors,), (rotors, lowest, highest)))
+    under = least(each(_tilt_under, (rotors,), (most, lowest)))
+    tilt = within(under if under < abreast else abreast, 0.0, 1.0)
     floor = largest(each(_collective_bound, (rotors,), (tilt, lowest)))
     ceiling = least(each(_collective_bound, (rotors,), (tilt, highest)))
     collective = within(thrust, floor, ceiling)
@@ -210,13 +221,15 @@ def mixed(
     highest: float,
     lengths: tuple[float, ...],
     wrench: Wrench,
+    lift: float,
 ) -> tuple[float, ...]:
     """Rotor thrusts within their limits that come as near to a wrench as its parts are worth [N].
 
     What no longer fits gives way in this order: the yaw moment shrinks, down to zero; then the
     collective thrust is shifted, up or down, as far as roll and pitch need; and only where no
     collective will do, the roll and pitch moment shrinks, in its own direction.  What fits is met
-    exactly.  The order is that of PX4's mixer with airmode.
+    exactly.  The order is that of PX4's mixer: with airmode the collective may rise as far as roll
+    and pitch need, without it no further than to what is asked for, or to some small thrust.
 
     Args:
         airframe: Directions and torque ratios of the arms.
@@ -224,15 +237,16 @@ def mixed(
         highest: Most thrust of a rotor [N].
         lengths: l_j as they are [m].
         wrench: Thrust and moment asked for.
+        lift: Collective thrust to which roll and pitch may raise a smaller one [N].
     """
     effects = each(_effect, (airframe.arms, lengths), ())
     factors = _factors(total(each(_product, (effects,), ())))
     m = wrench.moment
-    lift = _solution(factors, Effect(1.0, 0.0, 0.0, 0.0))
+    lifting = _solution(factors, Effect(1.0, 0.0, 0.0, 0.0))
     tilting = _solution(factors, Effect(0.0, m.x, m.y, 0.0))
     turning = _solution(factors, Effect(0.0, 0.0, 0.0, m.z))
-    rotors = each(_rotor, (effects,), (lift, tilting, turning))
+    rotors = each(_rotor, (effects,), (lifting, tilting, turning))
     asked = each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
     if (least(asked) >= lowest) & (largest(asked) <= highest):
         return asked
-    return _squeezed(rotors, wrench.thrust, lowest, highest)
+    return _squeezed(rotors, wrench.thrust, lowest, highest, lift)

@@ -21,6 +21,8 @@ from springback.settings import Settings, problem
 #: Part of the weight that the position loop always lifts, so that it has a direction to aim at
 #: (chosen: nearly free fall is still allowed).
 LEAST_LIFT = 0.05
+#: A thrust that no rotor gives [N], for a position loop without limit.
+FAR_BEYOND = 1e9
 #: Rate error at which the rate loop's integral stops growing: 400 deg/s, PX4's RateControl.
 INTEGRAL_FADE = math.radians(400.0)
 #: How far a product of clock and period may be from a whole number: rounding of decimals.
@@ -49,8 +51,8 @@ class ControlSettings(Settings):
     vertical_stiffness: quantity("N/m", least=0.0) = 19.5  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""
     damping_ratio: quantity("", least=0.0) = BESSEL  # type: ignore[valid-type]
-    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Chosen from the textbook's three, √½, √¾
-    and 1: the steps of Table IV go with no other (studies/gains.py)."""
+    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Chosen from the textbook's √½, √¾ and
+    1: the steps of Table IV go with no other (studies/gains.py)."""
     damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
     """K_v, horizontal, in place of that of the damping ratio."""
     vertical_damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
@@ -63,6 +65,8 @@ class ControlSettings(Settings):
     """Position and velocity errors ask for no more than this. Chosen: nearly what the rotors have
     to spare, 1.34 g; the 9 of mavros_controllers (max_fb_acc) keeps Quad's steps in z from the MSE
     of Table IV (studies/gains.py)."""
+    horizontal_margin: quantity("", least=0.0, most=1.0) = 0.3  # type: ignore[valid-type]
+    """Share of a limited force that height leaves to the horizontal. PX4's MPC_THR_XY_MARG."""
     feed_forward: bool | None = None
     """Angular velocity from jerk and yaw rate, and tilt ahead of time by the known delays of the
     loops. By default for run-ups only; the paper's other references have no jerk to give."""
@@ -86,10 +90,11 @@ class ControlSettings(Settings):
     """k_ω of all three axes. PX4's MC_ROLLRATE_P = MC_PITCHRATE_P = 0.15 of the full roll or pitch
     of its mixer, 4 T √½ L √½ with T = 7.0 N and L = 0.19 m, is 0.40 N m s: 43 and 37 1/s by Quad's
     moments of inertia about x and y.  With 20 1/s the fit above would hang on a hair."""
-    rate_integral: quantity("1/s^2", least=0.0) = 0.0  # type: ignore[valid-type]
-    """Chosen: none; the modelled robots have no steady torque to hold against."""
-    rate_integral_limit: quantity("rad/s^2", least=0.0) = 10.0  # type: ignore[valid-type]
-    """Chosen."""
+    rate_integral: quantity("1/s^2", least=0.0) = 53.0  # type: ignore[valid-type]
+    """k_ω times PX4's MC_PITCHRATE_I/MC_PITCHRATE_P = 0.2/0.15 1/s: against steady torques, as of
+    a cage that leans on a wall."""
+    rate_integral_limit: quantity("rad/s^2", least=0.0) = 80.0  # type: ignore[valid-type]
+    """k_ω times PX4's MC_PR_INT_LIM/MC_PITCHRATE_P = 0.30/0.15 rad/s."""
     rate_derivative: Factor = 0.0
     """On the filtered angular acceleration. Chosen: none."""
     gyro_cutoff: quantity("1/s", least=0.0) = 30.0  # type: ignore[valid-type]
@@ -99,6 +104,10 @@ class ControlSettings(Settings):
     """
     gyroscopic: bool = True
     """Whether ω × J ω is added. Brescianini et al. 2013, inner loop."""
+
+    lift_share: quantity("", least=0.0, most=1.0) = 0.12  # type: ignore[valid-type]
+    """Of the rotors' most collective thrust, to which roll and pitch may raise a smaller one that
+    is asked for; 1 is PX4's airmode.  PX4's MPC_THR_MIN = 0.12 with its default MC_AIRMODE off."""
 
     position_frequency: quantity("1/s", above=0.0) = 100.0  # type: ignore[valid-type]
     """[Hz] mavros_controllers, main loop."""
@@ -118,8 +127,16 @@ class ControlSettings(Settings):
         )
         return horizontal, vertical
 
-    def position_law(self, mass: float, gravity: float) -> PositionLaw:
-        """The numbers of the position loop, for a mass [kg] and gravity [m/s²] it believes in."""
+    def position_law(
+        self, mass: float, gravity: float, most_thrust: float = math.inf
+    ) -> PositionLaw:
+        """The numbers of the position loop, for what it believes in.
+
+        Args:
+            mass: [kg].
+            gravity: g [m/s²].
+            most_thrust: Collective, of the rotors [N].
+        """
         kp, ki = self.stiffness, self.integral
         kv, vertical = self.damping_for(mass)
         return PositionLaw(
@@ -132,6 +149,8 @@ class ControlSettings(Settings):
             gravity=gravity,
             slope=math.tan(self.tilt_limit),
             least_lift=LEAST_LIFT * mass * gravity,
+            most_thrust=min(most_thrust, FAR_BEYOND),
+            margin=self.horizontal_margin,
             feed_forward=1.0 if self.feed_forward else 0.0,
             tilt_lead=self.tilt_lead() if self.feed_forward else 0.0,
             rate_lead=self.rate_lead() if self.feed_forward else 0.0,

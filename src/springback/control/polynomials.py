@@ -17,6 +17,7 @@ import scipy  # its parts are loaded when first used
 
 from springback.control.demands import ROOM, Array, Curve, Limits, Times, demands, shortfalls
 from springback.control.references import Polynomials, Segment
+from springback.control.target import target
 from springback.errors import InputError
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec
@@ -78,6 +79,21 @@ def as_reference(curve: Curve, breaks: Times, yaw: float = 0.0, begins: float = 
         for t, row in zip(at, rows, strict=True)
     )
     return Polynomials(segments, begins, float(breaks[-1] - breaks[0]), yaw)
+
+
+def padded(reference: Polynomials, count: int) -> Polynomials:
+    """The same reference with at least so many segments; those added rest at its end.
+
+    References of one length are of one type, so flights that follow them can be flown abreast.
+    """
+    short = count - len(reference.segments)
+    if short <= 0:
+        return reference
+    first = reference.segments[0].coefficients
+    end, still = target(reference, reference.begins + reference.duration), Vec(0.0, 0.0, 0.0)
+    resting = (*(still for _ in first[1:]), end.position)
+    more = (Segment(reference.duration, resting),) * short
+    return reference._replace(segments=(*reference.segments, *more))
 
 
 # -- minimum snap ---------------------------------------------------------------------------------

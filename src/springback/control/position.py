@@ -40,6 +40,8 @@ class PositionLaw(NamedTuple):
     gravity: float  # g [m/s²]
     slope: float  # tangent of the largest tilt
     least_lift: float  # the vertical force never falls below it [N]
+    most_thrust: float  # collective [N]
+    margin: float  # share of a limited force that its horizontal part always has
     feed_forward: float  # 1: angular velocity from jerk and yaw rate; 0: none
     tilt_lead: float  # the reference's acceleration is that of so much later [s]
     rate_lead: float  # and its jerk and yaw rate are those of so much later [s]
@@ -78,39 +80,61 @@ NO_MEMORY = PositionMemory(Vec(0.0, 0.0, 0.0))
 
 
 @kernel
+def cut(force: Vec, limit: float, vertical: float, margin: float) -> Vec:
+    """A force with a given vertical part, its horizontal part cut to what a length has left for it.
+
+    Args:
+        force: World [N].
+        limit: Of the length [N].
+        vertical: What becomes of the vertical part, at most ``limit`` [N].
+        margin: Share of the limit that the horizontal part always has.
+    """
+    left, least = limit * limit - vertical * vertical, margin * limit
+    room = math.sqrt(left if left > least * least else least * least)
+    across = math.sqrt(force.x * force.x + force.y * force.y)
+    factor = room / across if across > room else 1.0
+    return Vec(force.x * factor, force.y * factor, vertical)
+
+
+@kernel
 def feedback(law: PositionLaw, wanted: Target, at: Estimate, memory: PositionMemory) -> Feedback:
     """−K_p e_p − K_v e_v, cut to a length, and −K_i ∫ e_p, which waits while the former is cut.
 
+    Height goes first: what the vertical part leaves of the length is for the horizontal.
+
     Source: Lee, Leok, McClamroch, CDC 2010, position controller; the cut is that of the open
-    controller mavros_controllers (its max_fb_acc), where it bounds an acceleration.
+    controller mavros_controllers (its max_fb_acc), where it bounds an acceleration; that height
+    goes first, but for a margin, is PX4's PositionControl.
     """
     e_p, e_v = at.position - wanted.position, at.velocity - wanted.velocity
     raw = -(axiswise(law.stiffness, e_p) + axiswise(law.damping, e_v))
-    length = norm(raw)
-    is_cut = length > law.feedback_limit
-    factor = law.feedback_limit / length if is_cut else 1.0
-    running = 0.0 if is_cut else law.period
+    limit = law.feedback_limit
+    force = cut(raw, limit, within(raw.z, -limit, limit), law.margin)
+    lost = raw - force
+    running = 0.0 if lost @ lost > 0.0 else law.period
     grown = memory.integral - axiswise(law.integral, e_p) * running
     most = law.integral_limit
     integral = Vec(
         within(grown.x, -most, most), within(grown.y, -most, most), within(grown.z, -most, most)
     )
-    return Feedback(raw * factor + integral, integral)
+    return Feedback(force + integral, integral)
 
 
 @kernel
 def upward(law: PositionLaw, force: Vec) -> Vec:
-    """The force that a robot can aim at [N]: it pushes up, and leans no more than the largest tilt.
+    """The force that a robot can aim at [N].
 
-    The vertical part goes first: it is kept, or raised to a small lift where it would vanish or
+    It pushes up, leans no more than the largest tilt, and is no more than the rotors can give.  The
+    vertical part goes first: it is kept, or raised to a small lift where it would vanish or
     point down; then the horizontal part is cut.  So the direction is never undefined and the
     attitude built on it never singular.
     """
-    lift = force.z if force.z > law.least_lift else law.least_lift
-    across = math.sqrt(force.x * force.x + force.y * force.y)
+    lift = within(force.z, law.least_lift, law.most_thrust)
+    held = cut(force, law.most_thrust, lift, law.margin)
+    across = math.sqrt(held.x * held.x + held.y * held.y)
     most = lift * law.slope
     factor = most / across if across > most else 1.0
-    return Vec(force.x * factor, force.y * factor, lift)
+    return Vec(held.x * factor, held.y * factor, lift)
 
 
 @kernel

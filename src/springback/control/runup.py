@@ -17,13 +17,16 @@ import numpy as np
 import scipy  # its parts are loaded when first used
 
 from springback.contact.cage import support
-from springback.control.approach import FEW, Row, approach
+from springback.control.approach import FEW, KNOTS, Row, approach
 from springback.control.demands import ROOM, Limits, demands, level_demands
-from springback.control.polynomials import as_reference
+from springback.control.polynomials import as_reference, padded
 from springback.control.references import Polynomials
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import Airframe, arm_direction
+
+#: Of every run-up: the most that one needs, with its steady phase and the two after contact.
+SEGMENTS = KNOTS + 4
 
 
 class RunUp(NamedTuple):
@@ -106,7 +109,7 @@ def run_up(
     curve = scipy.interpolate.BPoly.from_derivatives(breaks, along)
     asked = demands(curve, breaks[:touching], limits)
     return RunUp(
-        as_reference(curve, breaks, math.atan2(way.y, way.x), begins),
+        padded(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
         begins + breaks[touching - 1],
         contact,
         asked.most_thrust,

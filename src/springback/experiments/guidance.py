@@ -18,13 +18,15 @@ from springback.control.reference_parameters import CircleSettings, RunUpSetting
 from springback.control.runup import reach
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
+from springback.recovery.pilot import Resilient, resilient_memory
+from springback.recovery.referee import referee_at_start
 from springback.sensing.clock import inside
 from springback.sensing.estimation import EstimatorSettings, Rhythm
 from springback.sensing.measurement import Estimate
 from springback.sensing.sensors import Sensors, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.aboard import Cabin, Guidance, Relay
-from springback.simulation.guided import GUST_NOISE, cabin_of
+from springback.simulation.aboard import Cabin, Guidance, NoWitness, Relay
+from springback.simulation.guided import GUST_NOISE, NOBODY, cabin_of
 from springback.simulation.record import Model
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, State
@@ -169,16 +171,42 @@ def cascade_of(scenario: Scenario, model: Model, start: State) -> OwnPilot:
         airframe=scenario.vehicle.airframe(),
         lowest=rotors.least,
         highest=rotors.most,
+        lift=control.lift_share * rotors.most * scenario.vehicle.arm_count,
         estimator=estimator,
         reference=reference_of(scenario, model),
-        position=control.position_law(scenario.vehicle.mass, gravity),
+        position=control.position_law(
+            scenario.vehicle.mass, gravity, rotors.most * scenario.vehicle.arm_count
+        ),
         attitude=control.attitude_law(),
         rate=control.rate_law(),
         schedule=schedule,
     )
     at = estimate_at(start)
     memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust)
-    return OwnPilot(pilot, memory)
+    if scenario.recovery is None:
+        return OwnPilot(pilot, memory)
+    resilient = resilient_of(scenario, pilot)
+    return OwnPilot(resilient, resilient_memory(resilient, memory))
+
+
+def resilient_of(scenario: Scenario, cascade: Cascade) -> Resilient:
+    """The pilot that recovers from collisions, around the one that flies."""
+    told, vehicle, sensors = scenario.recovery, scenario.vehicle, scenario.sensors
+    assert told is not None  # asked only of scenarios that recover
+    rotors, tick, imu = propulsion_of(scenario).rotors(), 1.0 / scenario.clock, sensors.imu
+    inertial = tick if imu.perfect else 1.0 / imu.rate
+    hall = tick if sensors.hall.perfect else 1.0 / sensors.hall.rate
+    compliant = vehicle.fastest_arm_rate() > 0.0
+    with _in_table("recovery"):
+        return Resilient(
+            cascade=cascade,
+            observer=told.wrench_observer(
+                vehicle.mass, scenario.world.gravity, rotors.time_constant, tick, inertial
+            ),
+            detection=told.triggers(compliant, inertial, hall),
+            look=told.looks(math.inf if imu.perfect else imu.accelerometer.full_scale),
+            route=told.route(Vec(*scenario.start.position)),
+        )
 
 
 def board_of(
@@ -205,24 +233,30 @@ def board_of(
         pilot = OwnPilot(Relay(0.0), model.thrust)
     flown_by = pilot or cascade_of(scenario, model, start)
     period = 1.0 / scenario.clock
+    judged = isinstance(flown_by.settings, Resilient) and scenario.recovery is not None
+    witness: Any = scenario.recovery.referee() if judged else NoWitness(0.0)  # type: ignore[union-attr]
+    seen: Any = referee_at_start(start.position) if judged else NOBODY
     with _in_table("air"):
         weather = scenario.air.turbulence(period)
     guidance = Guidance(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=propulsion_of(scenario).rotors(),
+        witness=witness,
         weather=weather,
         mean_wind=Vec(*scenario.air.wind),
         period=period,
     )
     remembered = sensors_at_start(sensors, start, scenario.world.gravity)
     channels = noise_count(scenario.vehicle.arm_count)
-    cabin = cabin_of(guidance, remembered, flown_by.memory, model, start, channels, scenario.seed)
+    cabin = cabin_of(
+        guidance, remembered, flown_by.memory, model, start, channels, scenario.seed, seen
+    )
     return Board(cabin, channels + GUST_NOISE)
 
 
 #: Tables that only the pilot of the paper reads, and those that every pilot flies with.
-_PAPERS = ("reference", "control", "estimator")
+_PAPERS = ("reference", "control", "estimator", "recovery")
 _PILOTS = ("sensors", "clock", "seed")
 
 

@@ -16,6 +16,12 @@ from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.experiments.guidance import OwnPilot, board_of
 from springback.experiments.pilots import careful, in_words, read_pilot, tried
+from springback.experiments.recovery_measures import (
+    RECOVERY_MEASURES,
+    judged,
+    recovery_measures,
+    recovery_outcome,
+)
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
 from springback.simulation.flight import Executor, Flown, Trace, fly_one
@@ -74,6 +80,11 @@ class Flight:
             ("peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
             ("arm_stroke", "m"), ("contacts", ""),
         ]  # fmt: skip
+        if "runs" in self.measures:
+            shown += [
+                ("detection_delay", "s"), ("recovery_time", "s"), ("height_loss", "m"),
+                ("nose_up", "rad"), ("nose_down", "rad"), ("runs", ""), ("recovered_runs", ""),
+            ]  # fmt: skip
         lines = [f"Flight {self.scenario.name!r}: {self.message}"]
         for name, unit in shown:
             value = self.measures[name]
@@ -128,13 +139,14 @@ class Flight:
         """All there is to say in plain data: outcome, measures, units, scenario, versions."""
         from springback.version import __version__
 
+        known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
         return {
             "springback": __version__,
             "name": self.scenario.name,
             "outcome": self.outcome.word,
             "message": self.message,
             "measures": self.measures,
-            "units": {name: unit for name, (unit, _) in MEASURES.items()},
+            "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
         }
 
@@ -182,6 +194,12 @@ _DIARY = (
     ("ref_a{a}", "told.wanted.acceleration.{a}", "m/s^2"), ("ref_yaw", "told.wanted.yaw", "rad"),
     ("aim_q{q}", "told.aim.attitude.{q}", ""), ("aim_thrust", "told.aim.thrust", "N"),
     ("aim_w{a}", "told.setpoint.{a}", "rad/s"),
+    ("leg", "told.leg", ""), ("goal_{a}", "told.goal.{a}", "m"),
+    ("pressed", "told.pressed", "m"), ("jolt", "told.jolt", "m/s^2"), ("push", "told.push", "N"),
+    ("alarms_hall", "told.alarms.1", ""), ("alarms_acceleration", "told.alarms.2", ""),
+    ("alarms_wrench", "told.alarms.3", ""),
+    ("force_{a}", "told.force.{a}", "N"), ("moment_{a}", "told.moment.{a}", "N m"),
+    ("hit_{a}", "told.direction.{a}", ""),
 )  # fmt: skip
 
 
@@ -269,10 +287,10 @@ def _guided(
         )  # fmt: skip
     columns, units = _columns(guided.flown)
     diary, diary_units = _diary(guided.diary, len(start.arm_length))
-    record = guided.flown.record
-    return Flight(
-        ready, outcome_of(record), measures_of(guided.flown), columns, units | diary_units, diary
-    )
+    outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
+    if judged(guided):
+        outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
+    return Flight(ready, outcome, measures, columns, units | diary_units, diary)
 
 
 @contextmanager

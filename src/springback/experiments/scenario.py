@@ -25,6 +25,7 @@ from springback.experiments.problems import dotted, problem_paths
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, norm, rotation
 from springback.quantities import Angle, Duration, checked, quantity, triple
+from springback.recovery.parameters import RecoverySettings
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Settings, naming, problem
@@ -140,6 +141,8 @@ class Scenario(Settings):
     reference: ReferenceSettings | None = None
     """Where a pilot should fly; none: the rotors give a constant thrust."""
     control: ControlSettings = ControlSettings()
+    recovery: RecoverySettings | None = None
+    """How collisions are noticed and answered; none: the pilot flies on as if there were none."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
     clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]

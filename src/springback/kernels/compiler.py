@@ -48,7 +48,9 @@ STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
 #: What the compiler raises where it cannot translate a kernel.
 CompilerError: type[Exception] = NumbaError
 
-_SOURCES = ("kernels", "vehicle", "contact", "dynamics", "simulation", "sensing", "control")
+_SOURCES = (
+    "kernels", "vehicle", "contact", "dynamics", "simulation", "sensing", "control", "recovery",
+)  # fmt: skip
 
 
 def kernel(function: F) -> F:

@@ -90,6 +90,49 @@ def _tells_nothing(pilot: Any, memory: Any) -> Any:
     return (0.0,)
 
 
+class Touch(NamedTuple):
+    """What a witness is told of contacts."""
+
+    touching: float  # 1 while any cage touches
+    contacts: float  # times that the vehicle came into contact
+    last: float  # instant of the last touch, −1 before the first [s]
+    ground: float  # instant at which a cage touched the ground, −1 if none did [s]
+
+
+class NoWitness(NamedTuple):
+    """Nobody looks on."""
+
+    unused: float
+
+
+@generic
+def witnessed(
+    witness: Any, time: float, state: State, touch: Touch, thought: Any, memory: Any
+) -> Any:
+    """What a witness remembers after a tick.
+
+    A witness sees the truth and the pilot's memory, keeps account, and is seen by nobody: no pilot
+    can read it.
+
+    Args:
+        witness: Settings of the witness, a NamedTuple.
+        time: Since the start [s].
+        state: Of the vehicle.
+        touch: Contacts so far.
+        thought: What the pilot remembers after this tick.
+        memory: Of the witness; returned anew.
+    """
+    raise TypeError(f"{type(witness).__name__} is no witness; register witnessed for it")
+
+
+@witnessed.register(NoWitness)
+@kernel
+def _nobody(
+    witness: NoWitness, time: float, state: State, touch: Touch, thought: Any, memory: Any
+) -> Any:
+    return memory
+
+
 class Relay(NamedTuple):
     """A pilot that sits outside: plain Python puts its commands aboard, tick by tick."""
 
@@ -108,6 +151,7 @@ class Guidance(NamedTuple):
     sensors: Any
     pilot: Any
     rotors: Rotors
+    witness: Any  # NoWitness, or a type registered with witnessed
     weather: Any  # Calm or Dryden
     mean_wind: Vec  # world [m/s]
     period: float  # of the clock [s]
@@ -122,6 +166,7 @@ class Aboard(NamedTuple):
     pilot: Any  # what it remembers
     command: tuple[float, ...]  # to each rotor [N]
     thrust: tuple[float, ...]  # of each rotor at the tick [N]
+    witness: Any  # what it remembers
     weather: Any  # what it remembers
 
 

@@ -22,10 +22,12 @@ from springback.simulation.aboard import (
     Aboard,
     Cabin,
     Guidance,
+    Touch,
     Truth,
     piloted,
     sensed,
     told,
+    witnessed,
 )
 from springback.simulation.executor import advance, places
 from springback.simulation.flight import (
@@ -49,6 +51,8 @@ from springback.vehicle.state import State
 GUST_NOISE = 3
 #: ... and before the first.
 FIRST_GUST_NOISE = 5
+#: Memory of a witness that is not there.
+NOBODY = (0.0,)
 #: What comes next within a tick.
 LOOK, DRIVE, FLY = 0, 1, 2
 #: Squares of finite commands [N] add up to less than this (chosen: far beyond any).
@@ -65,6 +69,18 @@ PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
 def _status_after(thrust: Command, status: float) -> float:
     """Status of a flight after its pilot has commanded: not finite where a command is not."""
     return status if square(thrust) < ABSURD else NOT_FINITE
+
+
+@kernel
+def _touch(shape: Like, b: Buffer, record: int, w: int, i: int) -> Touch:
+    """What the record of one lane says of contacts."""
+    m = shape.record
+    return Touch(
+        float(b[(record + row_of(m, "touching")) * w + i]),
+        float(b[(record + row_of(m, "contacts")) * w + i]),
+        float(b[(record + row_of(m, "last_touch_time")) * w + i]),
+        float(b[(record + row_of(m, "ground_time")) * w + i]),
+    )
 
 
 @kernel
@@ -94,6 +110,12 @@ def looked(
     said = piloted(pilot, tick * period, seen.measurement, thought)
     write(said.memory, g, pilot_row, w, i)
     write(said.thrust, g, after + row_of(memory, "command"), w, i)
+    witness = read(settings.witness, g, row_of(settings, "witness"), w, i)
+    witness_row = after + row_of(memory, "witness")
+    known = read(memory.witness, g, witness_row, w, i)
+    touch = _touch(shape, b, at.record, w, i)
+    kept = witnessed(witness, tick * period, state, touch, said.memory, known)
+    write(kept, g, witness_row, w, i)
     b[at.status * w + i] = _status_after(said.thrust, b[at.status * w + i])
 
 
@@ -309,6 +331,7 @@ def cabin_of(
     start: State,
     channels: int,
     seed: int,
+    witness: Any = NOBODY,
 ) -> Cabin:
     """What is aboard before the first tick, the rotors at the thrust that the model starts with.
 
@@ -320,6 +343,7 @@ def cabin_of(
         start: State at time 0.
         channels: Normal numbers that the sensors take at each tick.
         seed: Of the wind before the first tick.
+        witness: Memory of the witness.
     """
     luck = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1))))
     before = tuple(float(x) for x in luck.standard_normal(FIRST_GUST_NOISE))
@@ -327,7 +351,7 @@ def cabin_of(
     truth = Truth(start, start, guidance.period, model.world.gravity)
     quiet = (0.0,) * channels
     first = sensed(guidance.sensors, 0.0, truth, quiet, sensors).measurement
-    aboard = Aboard(start, first, sensors, pilot, model.thrust, model.thrust, gusts)
+    aboard = Aboard(start, first, sensors, pilot, model.thrust, model.thrust, witness, gusts)
     return Cabin(guidance, aboard)
 
 

@@ -18,6 +18,9 @@ class Outcome(Enum):
     IN_CONTACT = "still in contact with an obstacle at the end"
     SEPARATED = "hit an obstacle and left it again"
     NO_CONTACT = "touched nothing"
+    RECOVERED = "recovered from every collision"
+    NOT_DETECTED = "a collision was not noticed"
+    NOT_SETTLED = "did not come to rest where it should after a collision"
 
     @property
     def word(self) -> str:

@@ -1,0 +1,214 @@
+"""Where a robot stands between one run-up and the next: its legs, and what ends each.
+
+CRUISE until the alarm, LOOK until the collision is made out, then STAGES (where a response has
+them), RECOVER until the robot has come to rest at p_r, RETURN to the start, HOVER there; and
+again, as often as runs are asked for.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.control.references import Polynomials
+from springback.control.target import Target, target
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import pick
+from springback.kernels.vectors import Vec
+from springback.recovery.characterisation import Collision
+from springback.recovery.response import Plan, Staged, homeward, planned
+from springback.recovery.stages import OVER, TILTING
+from springback.sensing.measurement import Estimate
+
+CRUISE, LOOK, STAGES, RECOVER, RETURN, HOVER = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
+LEGS = ("cruise", "look", "stages", "recover", "return", "hover")
+NEVER = -1.0
+
+
+class Route(NamedTuple):
+    """Settings of a journey."""
+
+    response: Any  # Quintic, TimeOptimal, Staged
+    window: float  # for which the robot looks at a collision [s]
+    distance: float  # δ = L_c, from p_c to p_r [m]
+    tolerance: float  # it has settled this near its goal [m], ...
+    slow: float  # this slow [m/s], ...
+    dwell: float  # for so long [s]
+    patience: float  # and is taken to have settled after so long anyway [s]
+    returns: float  # 1: fly back to the start; 0: stay at p_r
+    home: Vec  # where the runs begin [m]
+    speed: float  # largest on the way home [m/s]
+    runs: float  # collisions to make
+
+
+class Log(NamedTuple):
+    """When things happened on the last run, by the robot's own belief [s]; `NEVER` if not yet."""
+
+    alarm: float
+    planned: float
+    settled: float
+    home: float
+    runs: float  # that have come home, all in all
+
+
+class Journey(NamedTuple):
+    """Where the robot stands."""
+
+    leg: float
+    since: float  # [s]
+    stage: float  # of a staged response
+    away: float  # the run-up began then [s]
+    recovery: Any
+    homeward: Polynomials
+    ends: float  # of the way of this leg [s]
+    goal: Vec  # of this leg [m]
+    near: float  # the goal is near since then [s], `NEVER` if it is not
+    log: Log
+
+
+class Itinerary(NamedTuple):
+    """All ways of a journey as one reference: the one of the present leg."""
+
+    cruise: Any
+    away: float
+    recovery: Any
+    homeward: Polynomials
+    leg: float
+
+
+@target.register(Itinerary)
+@kernel
+def _itinerary(reference: Itinerary, time: float) -> Target:
+    """The way of the leg, after a collision without jerk.
+
+    The paper's controller is given p, v, a and yaw, and the robot is then too far from its way for
+    the way's angular velocities to be of use.
+    """
+    if reference.leg <= LOOK:
+        return target(reference.cruise, time - reference.away)
+    recovery, homeward = target(reference.recovery, time), target(reference.homeward, time)
+    now = pick(reference.leg <= RECOVER, recovery, homeward)
+    still = Vec(0.0, 0.0, 0.0)
+    return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
+
+
+def journey_at_start(route: Route, start: Estimate, nothing: Collision) -> Journey:
+    """Before the first run-up.
+
+    Args:
+        route: Settings.
+        start: Where the robot is.
+        nothing: A collision that has not happened.
+    """
+    plan = planned(route.response, nothing, start.position, start, 0.0, 0.0)
+    home = homeward(start.position, route.home, route.speed, 0.0, 0.0)
+    log = Log(NEVER, NEVER, NEVER, NEVER, 0.0)
+    return Journey(
+        CRUISE, 0.0, TILTING, 0.0, plan.reference, home.reference, 0.0, route.home, NEVER, log
+    )
+
+
+@generic
+def _first_leg(response: Any) -> float:
+    """The leg after looking."""
+    return RECOVER
+
+
+@_first_leg.register(object)
+@kernel
+def _(response: Any) -> float:
+    return RECOVER
+
+
+@_first_leg.register(Staged)
+@kernel
+def _stages_first(response: Staged) -> float:
+    return STAGES
+
+
+@kernel
+def struck(journey: Journey, time: float) -> Journey:
+    """The alarm: look."""
+    j = journey
+    log = Log(time, NEVER, NEVER, NEVER, j.log.runs)
+    return Journey(LOOK, time, TILTING, j.away, j.recovery, j.homeward, time, j.goal, NEVER, log)
+
+
+@kernel
+def leaving(
+    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
+) -> Journey:
+    """The collision is made out: p_r = p_c − δ f_c⁰, and a way there."""
+    j = journey
+    goal = hit.position - hit.direction * route.distance
+    plan: Plan = planned(route.response, hit, goal, at, time, yaw)
+    log = Log(j.log.alarm, time, NEVER, NEVER, j.log.runs)
+    leg = _first_leg(route.response)
+    return Journey(
+        leg, time, TILTING, j.away, plan.reference, j.homeward, plan.ends, goal, NEVER, log
+    )
+
+
+@kernel
+def _levelled(
+    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
+) -> Journey:
+    """The stages are over: stay here."""
+    j = journey
+    plan: Plan = planned(route.response, hit, at.position, at, time, yaw)
+    return Journey(
+        RECOVER, time, OVER, j.away, plan.reference, j.homeward, time, at.position, NEVER, j.log
+    )
+
+
+@kernel
+def _homewards(route: Route, journey: Journey, time: float, yaw: float) -> Journey:
+    """Settled at p_r: fly home, or stay."""
+    j = journey
+    goal = pick(route.returns > 0.5, route.home, j.goal)
+    plan = homeward(j.goal, goal, route.speed, time, yaw)
+    log = Log(j.log.alarm, j.log.planned, time, NEVER, j.log.runs)
+    return Journey(
+        RETURN, time, j.stage, j.away, j.recovery, plan.reference, plan.ends, goal, NEVER, log
+    )
+
+
+@kernel
+def _at_home(route: Route, journey: Journey, time: float) -> Journey:
+    """Settled at home: hover, or set out again."""
+    j = journey
+    runs = j.log.runs + 1.0
+    again = runs < route.runs
+    log = Log(j.log.alarm, j.log.planned, j.log.settled, time, runs)
+    leg, away = pick(again, CRUISE, HOVER), pick(again, time, j.away)
+    return Journey(leg, time, j.stage, away, j.recovery, j.homeward, j.ends, j.goal, NEVER, log)
+
+
+@kernel
+def _near_since(route: Route, journey: Journey, at: Estimate, time: float) -> float:
+    """Since when the robot has been near its goal, and slow."""
+    gap = at.position - journey.goal
+    near = gap @ gap < route.tolerance * route.tolerance
+    near &= at.velocity @ at.velocity < route.slow * route.slow
+    began = pick(journey.near < 0.0, time, journey.near)
+    return pick(near & (time >= journey.ends), began, NEVER)
+
+
+@kernel
+def travelled(
+    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
+) -> Journey:
+    """The journey after a tick without an alarm."""
+    since = _near_since(route, journey, at, time)
+    rested = (since >= 0.0) & (time - since >= route.dwell)
+    weary = time - journey.ends > route.patience
+    j = Journey(
+        journey.leg, journey.since, journey.stage, journey.away, journey.recovery,
+        journey.homeward, journey.ends, journey.goal, since, journey.log,
+    )  # fmt: skip
+    if (j.leg == STAGES) & (j.stage >= OVER):
+        return _levelled(route, j, hit, at, time, yaw)
+    if (j.leg == RECOVER) & (rested | weary):
+        return _homewards(route, j, time, yaw)
+    if (j.leg == RETURN) & (rested | weary):
+        return _at_home(route, j, time)
+    return j

@@ -1,0 +1,296 @@
+"""The table ``[recovery]``: how a robot notices, makes out and answers a collision.
+
+The paper prints L_c alone; of what it leaves open each default names its source or says that it is
+chosen.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from springback.kernels.vectors import Vec
+from springback.quantities import Duration, Length, Speed, quantity, triple
+from springback.recovery.characterisation import Characterisation
+from springback.recovery.detection import Detection, Trigger
+from springback.recovery.journey import Route
+from springback.recovery.referee import Referee
+from springback.recovery.response import Quintic, Staged, TimeOptimal
+from springback.recovery.wrench import Observer
+from springback.settings import Settings, problem
+
+Samples = Annotated[int, Field(ge=1, le=1000, strict=True)]
+Bandwidth = quantity("1/s", above=0.0)
+
+#: Part of its range within which a reading is taken at its word (chosen).
+WITHIN_RANGE = 0.995
+
+
+class TriggerSettings(Settings):
+    """What all triggers have."""
+
+    used: bool | None = None
+    """Whether it raises the alarm; by default `hall` does where an arm can slide, `acceleration`
+    where none can, as on the paper's robots.  The others are watched all the same."""
+    persistence: Samples = 1
+    """Samples in a row above the threshold.  Chosen: McGill's flight code asks for one."""
+    refractory: quantity("s", least=0.0) = 1.0  # type: ignore[valid-type]
+    """After an alarm nothing is noticed for so long.  Chosen, half of the 2 s of ASU's XPLORER: the
+    recovery itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
+    cutoff: quantity("1/s", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Of a first-order low-pass on the signal [Hz]; 0 is none."""
+
+    def share(self, interval: float) -> float:
+        """Of a new sample in the low-pass, for an interval between samples [s]."""
+        if self.cutoff == 0.0:
+            return 1.0
+        lag = 1.0 / (2.0 * math.pi * float(self.cutoff))
+        return interval / (interval + lag)
+
+    def trigger(self, used: bool, threshold: float, interval: float) -> Trigger:
+        """The numbers.
+
+        Args:
+            used: By default.
+            threshold: In the unit of the signal.
+            interval: Between samples [s].
+        """
+        on = used if self.used is None else self.used
+        return Trigger(
+            1.0 if on else 0.0, threshold, float(self.persistence), self.refractory,
+            self.share(interval),
+        )  # fmt: skip
+
+
+class HallTrigger(TriggerSettings):
+    """On the largest compression of an arm."""
+
+    threshold: Length = 5e-4
+    """Chosen: five times what an arm of 0.05 kg is pressed in by 1 g, m_a g/k_l = 0.1 mm, and
+    twenty-seven steps of the sensor there."""
+
+
+class AccelerationTrigger(TriggerSettings):
+    """On the horizontal part of the specific force, world axes."""
+
+    threshold: quantity("m/s^2", above=0.0) = 20.0  # type: ignore[valid-type]
+    """McGill-AML/Spiri_recovery, and Air Bumper: 20 m/s²."""
+
+
+class WrenchTrigger(TriggerSettings):
+    """On the external force, less its steady part."""
+
+    threshold: quantity("N", above=0.0) = 8.0  # type: ignore[valid-type]
+    """Chosen from false alarms and misses (`springback study detection`): two thirds of the weight;
+    Tomić et al. print none."""
+
+
+class ObserverSettings(Settings):
+    """The observer of the external wrench."""
+
+    basis: Literal["acceleration", "momentum"] = "acceleration"
+    """Of the force: the accelerometer (their hybrid form), or the estimated momentum."""
+    force_bandwidth: Bandwidth = 100.0  # type: ignore[valid-type]
+    """K_f [1/s]. Chosen: 10 ms, the order of the rise of a collision's force."""
+    moment_bandwidth: Bandwidth = 100.0  # type: ignore[valid-type]
+    """K_m [1/s]. Chosen, as above."""
+    steady_bandwidth: Bandwidth = 2.0  # type: ignore[valid-type]
+    """What changes slower than this counts as wind [1/s]. Chosen."""
+
+
+class Detecting(Settings):
+    """The triggers."""
+
+    hall: HallTrigger = HallTrigger()
+    acceleration: AccelerationTrigger = AccelerationTrigger()
+    wrench: WrenchTrigger = WrenchTrigger()
+
+
+class Looking(Settings):
+    """How a collision is made out."""
+
+    source: Literal["arms", "acceleration", "wrench"] = "wrench"
+    """Of the direction f_c⁰. Chosen: arms say only along which arm they were pressed."""
+    window: quantity("s", least=0.0) = 0.01  # type: ignore[valid-type]
+    """After the alarm. Chosen: one period of the position loop, which could act no sooner."""
+    share: quantity("", above=0.0, most=1.0) = 0.25  # type: ignore[valid-type]
+    """An arm took part if it was pressed in by this share of the most pressed one. Chosen."""
+    level: bool = True
+    """Whether obstacles are upright, so that f_c⁰ is level, as all of the paper's are."""
+
+
+class Answering(Settings):
+    """The way back."""
+
+    way: Literal["pre-impact", "post-impact", "set-point", "time-optimal", "staged"] = "pre-impact"
+    """`pre-impact`: quintic from the place of the alarm with the velocity before it, which gives
+    the paper's pitch of −66° and +49°; `post-impact`: from where the robot is, as it moves;
+    `set-point`: p_r at once; `time-optimal`: bounded acceleration; `staged`: McGill's."""
+    distance: quantity("m", least=0.0) = 0.1  # type: ignore[valid-type]
+    """δ = L_c. Paper, section Impact Resilience."""
+    pace: quantity("s^2/m", least=0.0) = 0.19  # type: ignore[valid-type]
+    """Duration of a quintic per speed before the collision: with it the pitch that a quintic from
+    3.5 m/s asks for is −66° and +49.6°, as printed (inferred, not printed)."""
+    shortest: Duration = 0.2
+    """Of a quintic. Chosen: one time constant of the attitude loop, and some."""
+    acceleration: quantity("m/s^2", above=0.0) = 12.0  # type: ignore[valid-type]
+    """`time-optimal`, along X and along Y. Chosen: what feedback may ask for."""
+    vertical_acceleration: quantity("m/s^2", above=0.0) = 4.0  # type: ignore[valid-type]
+    """`time-optimal`, along Z. Chosen: a third of the former, for thrust is short when tilted."""
+    away: quantity("m/s^2", above=0.0) = 0.75 * 9.81  # type: ignore[valid-type]
+    """`staged`: 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
+    damping: quantity("1/s", least=0.0) = 5.0  # type: ignore[valid-type]
+    """`staged`: of the vertical speed."""
+    stage_tilt: quantity("rad", above=0.0) = 0.15  # type: ignore[valid-type]
+    """`staged`: tilt error at which the first stage is over."""
+    stage_level: quantity("rad", above=0.0) = 0.2  # type: ignore[valid-type]
+    """`staged`: tilt at which the second is over."""
+    stage_rate: quantity("rad/s", above=0.0) = 2.0  # type: ignore[valid-type]
+    """`staged`: angular rate below which either is over."""
+    stage_climb: quantity("m/s", above=0.0) = 0.5  # type: ignore[valid-type]
+    """`staged`: vertical speed at which the third is over."""
+
+    def response(self) -> Quintic | TimeOptimal | Staged:
+        """The numbers; their type is the way."""
+        if self.way == "time-optimal":
+            return TimeOptimal(self.acceleration, self.vertical_acceleration)
+        if self.way == "staged":
+            return Staged(
+                self.away, self.damping, self.stage_tilt, self.stage_level, self.stage_rate,
+                self.stage_climb,
+            )  # fmt: skip
+        if self.way == "set-point":
+            return Quintic(0.0, 0.0, 0.0, AT_ONCE)
+        late = self.way == "post-impact"
+        return Quintic(0.0 if late else 1.0, 1.0 if late else 0.0, self.pace, self.shortest)
+
+
+#: Duration of a way that is a jump [s], chosen: one tick.
+AT_ONCE = 1e-3
+
+
+class Settling(Settings):
+    """What counts as having come to rest."""
+
+    tolerance: Length = 0.1
+    """From where the robot should be. Chosen: the paper's L_c."""
+    speed: Speed = 0.3
+    """Chosen."""
+    dwell: Duration = 0.3
+    """Chosen."""
+    stay: Duration = 0.5
+    """How long the robot rests before it goes on, at p_r and at home. Chosen; at least `dwell`."""
+    patience: Duration = 5.0
+    """After the end of a way the robot goes on anyway. Chosen."""
+
+    @model_validator(mode="after")
+    def _long_enough(self) -> Settling:
+        if self.stay < self.dwell:
+            raise problem(f"must be at least dwell, {self.dwell:g} s (got {self.stay:g} s)", "stay")
+        return self
+
+
+class RecoverySettings(Settings):
+    """A pilot that survives collisions; its run-up is the scenario's reference."""
+
+    detection: Detecting = Detecting()
+    observer: ObserverSettings = ObserverSettings()
+    characterisation: Looking = Looking()
+    response: Answering = Answering()
+    settling: Settling = Settling()
+    returns: bool = True
+    """Whether to fly home from p_r."""
+    home: triple("m") | None = None  # type: ignore[valid-type]
+    """Where to return to; by default the scenario's start."""
+    home_speed: Speed = 1.0
+    """Largest on the way home. Chosen."""
+    runs: Annotated[int, Field(ge=1, le=1000, strict=True)] = 1
+    """Collisions to make, one run-up after another, without landing."""
+
+    def triggers(self, compliant: bool, inertial: float, hall: float) -> Detection:
+        """The numbers of the triggers.
+
+        Args:
+            compliant: Whether an arm can slide.
+            inertial: Interval between inertial samples [s].
+            hall: Between samples of the arms' sensors [s].
+        """
+        d = self.detection
+        triggers = Detection(
+            d.hall.trigger(compliant, d.hall.threshold, hall),
+            d.acceleration.trigger(not compliant, d.acceleration.threshold, inertial),
+            d.wrench.trigger(False, d.wrench.threshold, inertial),
+        )
+        if not any(trigger.used for trigger in triggers):
+            raise problem("uses no trigger, so nothing would ever be noticed", "detection")
+        if triggers.hall.used and not compliant and d.hall.used is not None:
+            raise problem("cannot be used where no arm can slide", "detection.hall.used")
+        return triggers
+
+    def wrench_observer(
+        self, mass: float, gravity: float, lag: float, tick: float, interval: float
+    ) -> Observer:
+        """The numbers of the observer.
+
+        Args:
+            mass: Believed, of the whole vehicle [kg].
+            gravity: g [m/s²].
+            lag: Time constant of the rotors, believed [s].
+            tick: Of the clock [s].
+            interval: Between inertial samples [s].
+        """
+        o = self.observer
+        for name in ("force_bandwidth", "moment_bandwidth", "steady_bandwidth"):
+            if getattr(o, name) * interval > 1.0:
+                raise problem(
+                    f"must be at most {1.0 / interval:g} 1/s, the rate of the inertial samples "
+                    f"(got {getattr(o, name):g} 1/s)",
+                    f"observer.{name}",
+                )
+        return Observer(
+            mass=mass,
+            gravity=gravity,
+            interval=interval,
+            force_gain=o.force_bandwidth,
+            moment_gain=o.moment_bandwidth,
+            steady_gain=o.steady_bandwidth,
+            rotor_share=1.0 - math.exp(-tick / lag) if lag > 0.0 else 1.0,
+            momentum=1.0 if o.basis == "momentum" else 0.0,
+        )
+
+    def looks(self, full_scale: float) -> Characterisation:
+        """The numbers of the characterisation, for an accelerometer's range [m/s²]."""
+        look = self.characterisation
+        return Characterisation(
+            window=look.window,
+            arms=1.0 if look.source == "arms" else 0.0,
+            acceleration=1.0 if look.source == "acceleration" else 0.0,
+            wrench=1.0 if look.source == "wrench" else 0.0,
+            share=look.share,
+            level=1.0 if look.level else 0.0,
+            limit=WITHIN_RANGE * full_scale,
+        )
+
+    def route(self, start: Vec) -> Route:
+        """The numbers of the journey, from a start [m]."""
+        s = self.settling
+        return Route(
+            response=self.response.response(),
+            window=self.characterisation.window,
+            distance=self.response.distance,
+            tolerance=s.tolerance,
+            slow=s.speed,
+            dwell=s.stay,
+            patience=s.patience,
+            returns=1.0 if self.returns else 0.0,
+            home=start if self.home is None else Vec(*self.home),
+            speed=self.home_speed,
+            runs=float(self.runs),
+        )
+
+    def referee(self) -> Referee:
+        """Who judges by the same bounds, but sees the truth."""
+        s = self.settling
+        return Referee(s.tolerance, s.speed, s.dwell)

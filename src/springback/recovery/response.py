@@ -1,0 +1,229 @@
+"""What to do after a collision: a way back from the obstacle, as a reference or in stages.
+
+The place to go to is p_r = p_c − δ f_c⁰, eq. (17) of the paper, with δ = L_c.  How to get there is
+a type: `Quintic`, `TimeOptimal` or `Staged`; another is a NamedTuple with `planned` registered.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.control.polynomials import Motion, quintic
+from springback.control.references import Polynomials
+from springback.control.target import Target, target
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import pick
+from springback.kernels.vectors import Vec, norm
+from springback.recovery.characterisation import Collision
+from springback.sensing.measurement import Estimate
+
+
+class Quintic(NamedTuple):
+    """A quintic to rest at p_r.
+
+    With the velocity before the collision it begins at p_c, as if the wall were not there; with
+    that after it begins where the robot is.  With neither and no time it is a plain set-point.
+    """
+
+    before: float  # weight of the velocity before the collision, 1 or 0
+    after: float  # weight of the velocity that the robot now believes to have, 1 or 0
+    pace: float  # duration per speed before the collision [s²/m]
+    shortest: float  # duration [s]
+
+
+class TimeOptimal(NamedTuple):
+    """The fastest way from any moving state to rest at p_r with bounded acceleration."""
+
+    across: float  # along X and along Y [m/s²]
+    upwards: float  # along Z [m/s²]
+
+
+class Staged(NamedTuple):
+    """Tilt away, level out, stop climbing or falling, and only then hold a place.
+
+    Source: Chui, Dicker and Sharf 2016, flight code: a reference acceleration of 0.75 g away from
+    the obstacle in place of the fuzzy rules, a stage is over when its bounds hold.  The stages are
+    theirs; attitude and rate loops are those of the robot.
+    """
+
+    away: float  # acceleration of the first stage [m/s²]
+    damping: float  # of the vertical speed in the third [1/s]
+    tilt: float  # error at which the first stage is over [rad]
+    level: float  # tilt at which the second is over [rad]
+    rate: float  # largest angular rate at which either is over [rad/s]
+    climb: float  # vertical speed at which the third is over [m/s]
+
+
+class Rush(NamedTuple):
+    """The fastest way of one coordinate: full acceleration, then full braking."""
+
+    start: float  # [m]
+    speed: float  # at the start [m/s]
+    push: float  # acceleration of the first part, with its sign [m/s²]
+    switch: float  # its duration [s]
+    brake: float  # duration of the second part [s]
+    goal: float  # [m]
+
+
+class Dash(NamedTuple):
+    """A reference of three rushes, at rest at its goal after them."""
+
+    x: Rush
+    y: Rush
+    z: Rush
+    begins: float  # [s]
+    yaw: float  # [rad]
+
+
+class Progress(NamedTuple):
+    """One coordinate at one time."""
+
+    value: float
+    rate: float
+    second: float
+
+
+# -- the fastest way ------------------------------------------------------------------------------
+
+
+@kernel
+def rush(start: float, speed: float, goal: float, most: float) -> Rush:
+    """Time-optimal from a moving start to rest, acceleration at most a: bang, then bang.
+
+    The textbook solution of the double integrator (Pontryagin et al. 1962): the sign of the first
+    part is that of what is missing after braking at once, d − v|v|/(2a); it ends at the speed w
+    with w² = σ a d + v²/2.
+    """
+    a = most
+    missing = goal - start - speed * math.fabs(speed) / (2.0 * a)
+    sign = pick(missing > 0.0, 1.0, -1.0)
+    square = sign * a * (goal - start) + 0.5 * speed * speed
+    top = sign * math.sqrt(pick(square > 0.0, square, 0.0))
+    raw = (top - speed) / (sign * a)
+    return Rush(start, speed, sign * a, pick(raw > 0.0, raw, 0.0), math.fabs(top) / a, goal)
+
+
+@kernel
+def _rushed(way: Rush, elapsed: float) -> Progress:
+    first = pick(elapsed < way.switch, elapsed, way.switch)
+    p = way.start + first * (way.speed + 0.5 * way.push * first)
+    v = way.speed + way.push * first
+    second = pick(elapsed > way.switch, elapsed - way.switch, 0.0)
+    over = second >= way.brake
+    ends = Progress(way.goal, 0.0, 0.0)
+    braking = pick(elapsed > way.switch, -way.push, way.push)
+    under_way = Progress(p + second * (v - 0.5 * way.push * second), v - way.push * second, braking)
+    return pick(over, ends, under_way)
+
+
+@target.register(Dash)
+@kernel
+def _dash(reference: Dash, time: float) -> Target:
+    since = time - reference.begins
+    elapsed = pick(since > 0.0, since, 0.0)
+    x, y = _rushed(reference.x, elapsed), _rushed(reference.y, elapsed)
+    z = _rushed(reference.z, elapsed)
+    return Target(
+        Vec(x.value, y.value, z.value),
+        Vec(x.rate, y.rate, z.rate),
+        Vec(x.second, y.second, z.second),
+        Vec(0.0, 0.0, 0.0),
+        reference.yaw,
+        0.0,
+    )
+
+
+@kernel
+def _length(way: Rush) -> float:
+    return way.switch + way.brake
+
+
+# -- plans ----------------------------------------------------------------------------------------
+
+
+class Plan(NamedTuple):
+    """A way, and when it is over."""
+
+    reference: Any
+    ends: float  # [s]
+
+
+@generic
+def planned(
+    response: Any, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
+) -> Plan:
+    """A way from a collision to a goal.
+
+    Args:
+        response: Its type is the way.
+        hit: The collision.
+        goal: p_r, world [m].
+        at: What the robot believes now.
+        time: [s].
+        yaw: To keep [rad].
+    """
+    raise TypeError(f"{type(response).__name__} is no response; register planned for it")
+
+
+@planned.register(Quintic)
+@kernel
+def _quintic(
+    response: Quintic, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
+) -> Plan:
+    still = Vec(0.0, 0.0, 0.0)
+    late = response.after > 0.5
+    velocity = hit.velocity * response.before + at.velocity * response.after
+    start = Motion(pick(late, at.position, hit.position), velocity, still)
+    wanted = response.pace * norm(hit.velocity)
+    duration = pick(wanted > response.shortest, wanted, response.shortest)
+    return Plan(quintic(start, Motion(goal, still, still), duration, time, yaw), time + duration)
+
+
+@planned.register(TimeOptimal)
+@kernel
+def _time_optimal(
+    response: TimeOptimal, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
+) -> Plan:
+    p, v = at.position, at.velocity
+    x = rush(p.x, v.x, goal.x, response.across)
+    y = rush(p.y, v.y, goal.y, response.across)
+    z = rush(p.z, v.z, goal.z, response.upwards)
+    last = pick(_length(x) > _length(y), _length(x), _length(y))
+    last = pick(_length(z) > last, _length(z), last)
+    return Plan(Dash(x, y, z, time, yaw), time + last)
+
+
+@planned.register(Staged)
+@kernel
+def _staged(
+    response: Staged, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
+) -> Plan:
+    """Once the stages are over the robot holds the place where it then is (see the pilot)."""
+    still = Vec(0.0, 0.0, 0.0)
+    here = Motion(at.position, still, still)
+    return Plan(quintic(here, here, SHORTEST, time, yaw), time)
+
+
+#: Duration of a way that is none [s], chosen: one tick.
+SHORTEST = 1e-3
+
+
+@kernel
+def homeward(here: Vec, home: Vec, speed: float, time: float, yaw: float) -> Plan:
+    """A quintic from rest to rest whose largest speed, 15/8 of the mean, is a given one.
+
+    Args:
+        here: Where it begins [m].
+        home: Where it ends [m].
+        speed: Largest [m/s].
+        time: When it begins [s].
+        yaw: To keep [rad].
+    """
+    still = Vec(0.0, 0.0, 0.0)
+    wanted = 1.875 * norm(home - here) / speed
+    duration = pick(wanted > SHORTEST, wanted, SHORTEST)
+    way: Polynomials = quintic(
+        Motion(here, still, still), Motion(home, still, still), duration, time, yaw
+    )
+    return Plan(way, time + duration)

@@ -1,0 +1,114 @@
+"""What pushes and turns the robot besides its rotors: an observer of the external wrench.
+
+Source: Tomić, Ott and Haddadin, "External wrench estimation, collision detection, and reflex
+reaction for flying robots", T-RO 2017.  The force comes from the accelerometer or from the
+estimated momentum, the moment from the angular momentum; every part of the estimate follows the
+truth with a lag of first order.  Here the force is in world axes, for obstacles do not turn with
+the robot.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.control.mixing import wrench_of
+from springback.control.rate import inertia_at
+from springback.control.target import Wrench
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import each, pick
+from springback.kernels.vectors import Mat, Vec, rotation
+from springback.sensing.measurement import Estimate, Measurement
+from springback.vehicle.state import Airframe
+
+
+class Observer(NamedTuple):
+    """Settings of the observer."""
+
+    mass: float  # of the whole vehicle, as the pilot believes [kg]
+    gravity: float  # g [m/s²]
+    interval: float  # between inertial samples [s]
+    force_gain: float  # K_f [1/s]
+    moment_gain: float  # K_m [1/s]
+    steady_gain: float  # of what counts as steady, as wind does [1/s]
+    rotor_share: float  # of a command that a rotor follows within one tick
+    momentum: float  # 1: force from the estimated momentum; 0: from the accelerometer
+
+
+class ExternalWrench(NamedTuple):
+    """What the observer says, and remembers."""
+
+    force: Vec  # f̂_e, world [N]
+    moment: Vec  # m̂_e about the main body, body axes [N m]
+    steady: Vec  # slow part of the force, world [N]
+    thrust: tuple[float, ...]  # of each rotor, as its lag is believed to be [N]
+    force_sum: Vec  # ∫ (known forces + f̂_e) dt, less the momentum at the start [N s]
+    moment_sum: Vec  # likewise [N m s]
+
+
+def no_wrench(
+    observer: Observer, airframe: Airframe, start: Estimate, thrust: tuple[float, ...]
+) -> ExternalWrench:
+    """Memory of an observer that starts with a motion and nothing pushing."""
+    none = Vec(0.0, 0.0, 0.0)
+    inertia = inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
+    momentum = start.velocity * observer.mass
+    return ExternalWrench(none, none, none, thrust, momentum, inertia @ start.angular_velocity)
+
+
+@kernel
+def _lagged(thrust: float, command: float, share: float) -> float:
+    return thrust + share * (command - thrust)
+
+
+@kernel
+def _felt(observer: Observer, by_rotors: Vec, r: Mat, specific_force: Vec, old: Vec) -> Vec:
+    """Force from the accelerometer: f̂' = K_f (m R a − f_T R e_z − f̂)."""
+    now = (r @ specific_force) * observer.mass - by_rotors
+    return old + (now - old) * (observer.force_gain * observer.interval)
+
+
+@kernel
+def observed_wrench(
+    observer: Observer,
+    airframe: Airframe,
+    seen: Measurement,
+    at: Estimate,
+    command: tuple[float, ...],
+    memory: ExternalWrench,
+) -> ExternalWrench:
+    """The external wrench after a tick.
+
+    From momentum f̂ = K_f (m v − ∫ (f_T R e_z − m g e_Z + f̂) dt), and always
+    m̂ = K_m (J ω − ∫ (τ − ω × J ω + m̂) dt).
+    Between inertial samples the estimate stands.
+
+    Args:
+        observer: Settings.
+        airframe: As the pilot believes it to be.
+        seen: What the sensors say.
+        at: What the estimator says.
+        command: To each rotor since the last tick [N].
+        memory: `no_wrench` at the start.
+    """
+    thrust = each(_lagged, (memory.thrust, command), (observer.rotor_share,))
+    given: Wrench = wrench_of(airframe, seen.arm_length, thrust)
+    r, h, k = rotation(at.attitude), observer.interval, observer.force_gain
+    up = Vec(r.x.z, r.y.z, r.z.z)
+    by_rotors = up * given.thrust
+    felt = _felt(observer, by_rotors, r, seen.inertial.specific_force, memory.force)
+
+    known = by_rotors - Vec(0.0, 0.0, observer.mass * observer.gravity)
+    force_sum = memory.force_sum + (known + memory.force) * h
+    from_momentum = (at.velocity * observer.mass - force_sum) * k
+    force = pick(observer.momentum > 0.5, from_momentum, felt)
+
+    omega = at.angular_velocity
+    spin = inertia_at(airframe, seen.arm_length) @ omega
+    moment_sum = memory.moment_sum + (given.moment - (omega ^ spin) + memory.moment) * h
+    moment = (spin - moment_sum) * observer.moment_gain
+    steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
+    kept = ExternalWrench(
+        memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum
+    )
+    now = ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum)
+    return pick(seen.inertial.fresh > 0.5, now, kept)
