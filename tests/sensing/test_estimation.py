@@ -95,8 +95,14 @@ def test_the_filter_speaks_for_the_main_body():
 def test_the_register_reaches_back_to_the_oldest_pose():
     kalman = EstimatorSettings(kalman={"inertial_lag": 0.0}).estimator(RHYTHM, 9.81)
     assert kalman.delays == pytest.approx((0.0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3))
-    exact = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.01)
-    assert EstimatorSettings().estimator(exact, 9.81).delays[-1] == pytest.approx(0.01)
+    told = {"tick": 1e-3, "interval": 1e-3, "pose_age": 0.01}
+    assert EstimatorSettings().estimator(Rhythm(**told), 9.81).delays[-1] == pytest.approx(0.01)
+    # At its arrival the pose of 10 ms ago is the last but one that is kept: the one of now comes
+    # with the next sample, which is half a tick late.  Without that lag it is there already.
+    known = Rhythm(**told, pose_interval=5e-3)
+    assert EstimatorSettings().estimator(known, 9.81).delays == pytest.approx((0.0, 5e-3))
+    kalman = EstimatorSettings(kalman={"inertial_lag": 0.0}).estimator(known, 9.81)
+    assert kalman.delays == pytest.approx((0.0, 5e-3, 10e-3))
     assert EstimatorSettings().estimator(Rhythm(tick=1e-3, interval=1e-3), 9.81).delays == (0.0,)
 
 

@@ -131,6 +131,7 @@ def _rhythm(scenario: Scenario) -> Rhythm:
         tick=tick,
         interval=tick if s.imu.perfect else 1.0 / s.imu.rate,
         pose_age=0.0 if s.motion_capture.perfect else s.motion_capture.delay,
+        pose_interval=tick if s.motion_capture.perfect else 1.0 / s.motion_capture.rate,
     )
 
 
