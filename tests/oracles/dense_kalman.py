@@ -32,7 +32,9 @@ class DenseKalman:
         self.c = np.zeros(3)
         self.cov = np.diag(np.repeat(np.array(deviations) ** 2, 3))
         self.k, self.past = 0, []
-        for k in range(-20, 1):  # stood for a while: time, place, velocity, attitude, and rates since
+        for k in range(
+            -20, 1
+        ):  # stood for a while: time, place, velocity, attitude, and rates since
             there = self.p + k * settings.interval * self.v
             self.past.append([k, there, self.v, self.R, np.zeros(3), np.zeros(3)])
         self.begin()

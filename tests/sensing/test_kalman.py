@@ -107,9 +107,12 @@ def test_agrees_with_dense_matrices():
             memory = mine.memory(k)
             scale = np.sqrt(np.diag(other.cov))
             assert (
-                np.abs((dense(memory.covariance) - other.cov) / np.outer(scale, scale)).max() < 1e-9
+                np.abs(
+                    (dense(memory.known.tree.covariance) - other.cov) / np.outer(scale, scale)
+                ).max()
+                < 1e-9
             )
-            assert np.allclose(memory.surprise, surprise, rtol=1e-6)
+            assert np.allclose(memory.known.tree.surprise, surprise, rtol=1e-6)
 
 
 def both(kalman, flown):
@@ -135,9 +138,7 @@ def test_poses_between_those_kept_are_interpolated():
     # between two that are kept, 5 mm and 4e-3 rad apart, and straight lines miss by a sixteenth of
     # a T² < 1e-5 m at most; the corrections take up a share of it.
     flown = flight(np.random.default_rng(8), 0.2, noise=NOISE, age=0.0017)
-    kalman = FILTER._replace(
-        pose_interval=TICK, pose_phase=-0.003, delays=(0.0, TICK, 2.0 * TICK)
-    )
+    kalman = FILTER._replace(pose_interval=TICK, pose_phase=-0.003, delays=(0.0, TICK, 2.0 * TICK))
     mine, other = both(kalman, flown)
     assert np.allclose(mine, other, rtol=0.0, atol=1e-6)
 
@@ -151,7 +152,9 @@ def test_plain_python_and_compiled_code_agree_to_the_last_bit():
 
 def test_covariance_stays_symmetric_and_positive():
     flown, kalman, clip = clipped_flight(2.0)
-    covariance = dense(run(kalman, started(kalman, flown), flown, clip=clip).last.covariance)
+    covariance = dense(
+        run(kalman, started(kalman, flown), flown, clip=clip).last.known.tree.covariance
+    )
     scale = np.sqrt(np.diag(covariance))
     assert np.linalg.eigvalsh(covariance / np.outer(scale, scale)).min() > 1e-6
     assert np.array_equal(covariance, covariance.T)
@@ -181,7 +184,7 @@ def many():
             flown.accelerometer_bias[-1] - n.accelerometer_bias,
             flown.gyroscope_bias[-1] - n.gyroscope_bias,
         ]
-        errors.append((np.concatenate(error), dense(result.last.covariance)))
+        errors.append((np.concatenate(error), dense(result.last.known.tree.covariance)))
     return np.concatenate(surprises), errors
 
 
@@ -294,7 +297,7 @@ def test_biases_are_found():
     flown = flight(np.random.default_rng(3), 8.0, noise=noise)
     kalman = aware(FILTER._replace(accelerometer_walk=0.0, gyroscope_walk=0.0), flown)
     last = run(kalman, started(kalman, flown), flown).last
-    sigma = np.sqrt(np.diag(dense(last.covariance)))
+    sigma = np.sqrt(np.diag(dense(last.known.tree.covariance)))
     found = [
         np.array(last.track.nominal.accelerometer_bias),
         np.array(last.track.nominal.gyroscope_bias),

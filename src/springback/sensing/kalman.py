@@ -17,7 +17,7 @@ the correction of the rotation, some 1e-3.
 from __future__ import annotations
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import largest
+from springback.kernels.trees import Seldom, largest
 from springback.kernels.vectors import (
     Quat,
     Vec,
@@ -28,7 +28,7 @@ from springback.kernels.vectors import (
     transposed,
     turned_by,
 )
-from springback.sensing.covariance import Covariance, Noise, Transition, carried
+from springback.sensing.covariance import Noise, Transition, carried
 from springback.sensing.kalman_correction import informed
 from springback.sensing.kalman_memory import (
     ROUNDING,
@@ -36,6 +36,7 @@ from springback.sensing.kalman_memory import (
     Kalman,
     KalmanMemory,
     Kept,
+    Known,
     Nominal,
     Track,
     Window,
@@ -55,19 +56,18 @@ AT_RANGE = 0.9
 @estimated.register(Kalman)
 @kernel
 def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> Believed:
-    track, covariance, surprise = memory.track, memory.covariance, memory.surprise
+    track = memory.track
     if seen.inertial.fresh > 0.5:
         track = _followed(kalman, tick, seen.inertial, track)
     else:
         track = _waited(kalman, track)
+    after = KalmanMemory(track, Seldom(0.0, memory.known.tree))
     posed = seen.pose.fresh > 0.5
     if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
-        covariance = _predicted(kalman, track, covariance)
-        track = _begun(track)
-    if posed:
-        told = informed(kalman, tick, seen.pose, track, covariance)
-        track, covariance, surprise = told.track, told.covariance, told.surprise
-    return Believed(_spoken(kalman, track), KalmanMemory(track, covariance, surprise))
+        after = _predicted(kalman, after)
+        if posed:
+            after = informed(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
+    return Believed(_spoken(kalman, after.track), after)
 
 
 @kernel
@@ -199,7 +199,9 @@ def _noise(kalman: Kalman, window: Window) -> Noise:
 
 
 @kernel
-def _predicted(kalman: Kalman, track: Track, c: Covariance) -> Covariance:
-    """The covariance brought up to the last sample."""
+def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
+    """The covariance brought up to the last sample, and a new window."""
+    track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)
-    return carried(c, transition, _noise(kalman, track.window))
+    covariance = carried(known.covariance, transition, _noise(kalman, track.window))
+    return KalmanMemory(_begun(track), Seldom(1.0, Known(covariance, known.surprise)))

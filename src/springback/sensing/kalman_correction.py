@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import along, each, least, total
+from springback.kernels.trees import Seldom, along, each, least, total
 from springback.kernels.vectors import (
     Mat,
     Quat,
@@ -37,6 +37,7 @@ from springback.sensing.kalman_memory import (
     Kalman,
     KalmanMemory,
     Kept,
+    Known,
     Nominal,
     Surprise,
     Track,
@@ -157,9 +158,7 @@ def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat, z: Vec) -> _Corre
 
 
 @kernel
-def informed(
-    kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance
-) -> KalmanMemory:
+def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
     """The filter after a pose: first its position, then its attitude.
 
     Args:
@@ -186,6 +185,5 @@ def informed(
         kept=each(_moved, (track.kept, kalman.delays), (since, before, after)),
         waiting=track.waiting,
     )
-    return KalmanMemory(
-        corrected_track, second.covariance, Surprise(first.surprise, second.surprise)
-    )
+    known = Known(second.covariance, Surprise(first.surprise, second.surprise))
+    return KalmanMemory(corrected_track, Seldom(1.0, known))

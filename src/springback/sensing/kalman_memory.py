@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
+from springback.kernels.trees import Seldom
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.sensing.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
@@ -100,12 +101,18 @@ class Track(NamedTuple):
     waiting: float  # time since the last inertial sample [s]
 
 
+class Known(NamedTuple):
+    """How well the filter knows where it is."""
+
+    covariance: Covariance
+    surprise: Surprise
+
+
 class KalmanMemory(NamedTuple):
     """What the filter remembers."""
 
     track: Track
-    covariance: Covariance
-    surprise: Surprise
+    known: Seldom  # Known; it changes with poses only
 
 
 class Deviations(NamedTuple):
@@ -134,4 +141,5 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
         ),
         waiting=0.0,
     )
-    return KalmanMemory(track, uncorrelated(*deviations), Surprise(0.0, 0.0))
+    known = Known(uncorrelated(*deviations), Surprise(0.0, 0.0))
+    return KalmanMemory(track, Seldom(0.0, known))
