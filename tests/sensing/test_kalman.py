@@ -134,9 +134,8 @@ def test_poses_are_kept_as_of_their_exposure(age, lag):
 
 
 def test_poses_between_those_kept_are_interpolated():
-    # The cameras are said to expose 1.3 ms earlier than they do, at every sample: a pose is then
-    # between two that are kept, 5 mm and 4e-3 rad apart, and straight lines miss by a sixteenth of
-    # a T² < 1e-5 m at most; the corrections take up a share of it.
+    # Every sample's pose is kept here, not that of any exposure: a pose is then between two that are
+    # kept, 1 ms apart, and a straight line misses the way between them by a T²/8 < 5e-6 m.
     flown = flight(np.random.default_rng(8), 0.2, noise=NOISE, age=0.0017)
     kalman = FILTER._replace(pose_interval=TICK, pose_phase=-0.003, delays=(0.0, TICK, 2.0 * TICK))
     mine, other = both(kalman, flown)

@@ -8,6 +8,8 @@ import pytest
 
 import springback
 from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Ready, ready, same, tables
+from springback.control.mixing import mixer
+from springback.control.rate import inertia_at
 from springback.simulation import guided
 from springback.simulation.aboard import Draw
 from springback.simulation.abreast import fly_guided_many
@@ -18,6 +20,8 @@ VARIANTS: dict[str, dict[str, Any]] = {
         "estimator": "kalman",
         "world": WALL,
         "start": AT_WALL,
+        # What was sampled at one tick arrives at another at which nothing is sampled.
+        "sensors": {"motion_capture": {"delay": 0.007}, "hall": {"delay": 0.007}},
     },
     "gusts and drag": {"air": GUSTY, "start": {"position": (0.0, 0.0, 1.0)}},
 }
@@ -34,6 +38,17 @@ def test_plain_python_is_the_compiled_flight(variant: dict[str, Any]) -> None:
         assert one is not None
         assert other is not None
         assert np.array_equal(one.values, other.values)
+
+
+def test_allocation_knows_the_arms_as_they_are_read() -> None:
+    """Mixer and inertia are kept until a length changes, and then are those of the new lengths."""
+    flight = ready(tables(0.05, "kalman", world=WALL, start=AT_WALL))
+    flown = fly_guided(*flight, trace=False)
+    airframe = flight.cabin.guidance.pilot.airframe
+    lengths, built = flown.aboard.measurement.arm_length, flown.aboard.pilot.autopilot.built.tree
+    assert min(lengths) < min(arm.length for arm in airframe.arms) - 5e-4
+    assert built.mixer == mixer(airframe, lengths)
+    assert built.inertia == inertia_at(airframe, lengths)
 
 
 # -- many flights ---------------------------------------------------------------------------------
