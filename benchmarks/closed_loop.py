@@ -25,6 +25,7 @@ import numpy as np
 from springback.experiments.guidance import board_of
 from springback.experiments.scenario import scenario_from
 from springback.kernels.layout import Buffer, Like
+from springback.simulation.aboard import Draw
 from springback.simulation.flight import loaded, shape_of
 from springback.simulation.guided import (
     GUST_NOISE,
@@ -50,7 +51,7 @@ class Job(NamedTuple):
     model: Any
     start: Any
     cabin: Any
-    channels: int
+    draws: tuple[Draw, ...]
     ticks: int
 
 
@@ -72,7 +73,7 @@ def job(estimator: str, duration: float = DURATION) -> Job:
 
 
 def luck(job: Job) -> Any:
-    return noise_table(0, 0, job.ticks, job.channels)
+    return noise_table(0, 0, job.ticks, job.draws)
 
 
 def whole(job: Job) -> None:
@@ -105,7 +106,7 @@ def parts(job: Job) -> dict[str, Callable[[], None]]:
     short = job._replace(model=job.model._replace(timing=timing), ticks=1)
     b, g = loaded(shape, [job.model], [job.start], 1), cabins_loaded([job.cabin], 1)
     like, cabin = Like(shape), Like(job.cabin)
-    sensing = job.channels - GUST_NOISE
+    sensing = noise.shape[1] - GUST_NOISE
     channels, gusts = Like((0.0,) * sensing), Like((0.0,) * GUST_NOISE)
     none, last = np.zeros((0, 1)), job.model.timing.until
     return {

@@ -1,12 +1,16 @@
 """The same filter, written with 15 x 15 matrices and rotation matrices of SciPy.
 
 Sections 5.4 and 6.1 of Solà (arXiv 1711.02508) as full matrices F, H, P, corrections in Joseph's form.
+It knows of no exposures: it keeps every sample since the start, corrects them all, and goes on from
+the last one before a pose's own time by the rates of the sample after it.
 """
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
-from scipy.spatial.transform import Rotation, Slerp
+from scipy.spatial.transform import Rotation
 
 P, V, T, A, W = (slice(3 * k, 3 * k + 3) for k in range(5))
 
@@ -27,7 +31,12 @@ class DenseKalman:
         self.b = np.zeros(3)
         self.c = np.zeros(3)
         self.cov = np.diag(np.repeat(np.array(deviations) ** 2, 3))
-        self.past = [(self.p - d * self.v, self.R) for d in settings.delays]
+        self.k, self.past = 0, []
+        for k in range(
+            -20, 1
+        ):  # stood for a while: time, place, velocity, attitude, and rates since
+            there = self.p + k * settings.interval * self.v
+            self.past.append([k, there, self.v, self.R, np.zeros(3), np.zeros(3)])
         self.begin()
 
     def begin(self):
@@ -47,7 +56,8 @@ class DenseKalman:
         self.R = self.R * half * half
         self.gained = self.gained + dt * f
         self.samples += 1
-        self.past = [(self.p, self.R), *self.past[:-1]]
+        self.k += 1
+        self.past.append([self.k, self.p, self.v, self.R, a, self.omega])
 
     def propagate(self):
         s, duration = self.s, self.samples * self.s.interval
@@ -68,14 +78,13 @@ class DenseKalman:
         self.begin()
 
     def recalled(self, lag):
-        k = min(int(lag / self.s.interval + 1e-9), len(self.past) - 1)
-        share = lag / self.s.interval - k
-        p0, r0 = self.past[k]
-        if share < 1e-9:
-            return p0, r0
-        p1, r1 = self.past[k + 1]
-        between = Slerp([0.0, 1.0], Rotation.concatenate([r0, r1]))
-        return (1.0 - share) * p0 + share * p1, between(share)
+        k = math.floor(-lag / self.s.interval + 1e-9)
+        on = -lag - k * self.s.interval
+        _, p, v, r, _, _ = self.past[k - 1]
+        if on < 1e-12:
+            return p, r
+        _, _, _, _, a, omega = self.past[k]
+        return p + on * v + 0.5 * on**2 * a, r * Rotation.from_rotvec(on * omega)
 
     def update(self, h, z, sigma):
         s = h @ self.cov @ h.T + sigma**2 * np.eye(3)
@@ -92,10 +101,11 @@ class DenseKalman:
         )
         self.R = self.R * Rotation.from_rotvec(d[T])
         turn = self.R * before_r.inv()
-        self.past = [
-            (p + (self.p - before_p) - t * (self.v - before_v), turn * r)
-            for t, (p, r) in zip(self.s.delays, self.past, strict=True)
-        ]
+        for past in self.past:
+            t = (self.k - past[0]) * self.s.interval
+            past[1] = past[1] + (self.p - before_p) - t * (self.v - before_v)
+            past[2] = past[2] + (self.v - before_v)
+            past[3] = turn * past[3]
         self.omega = self.omega - d[W]
         return float(z @ np.linalg.solve(s, z))
 

@@ -95,9 +95,52 @@ def test_the_filter_speaks_for_the_main_body():
 def test_the_register_reaches_back_to_the_oldest_pose():
     kalman = EstimatorSettings(kalman={"inertial_lag": 0.0}).estimator(RHYTHM, 9.81)
     assert kalman.delays == pytest.approx((0.0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3))
-    exact = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.01)
-    assert EstimatorSettings().estimator(exact, 9.81).delays[-1] == pytest.approx(0.01)
+    told = {"tick": 1e-3, "interval": 1e-3, "pose_age": 0.01}
+    assert EstimatorSettings().estimator(Rhythm(**told), 9.81).delays[-1] == pytest.approx(0.01)
+    # At its arrival the pose of 10 ms ago is the last but one that is kept: the one of now comes
+    # with the next sample, which is half a tick late.  Without that lag it is there already.
+    known = Rhythm(**told, pose_interval=5e-3)
+    assert EstimatorSettings().estimator(known, 9.81).delays == pytest.approx((0.0, 5e-3))
+    kalman = EstimatorSettings(kalman={"inertial_lag": 0.0}).estimator(known, 9.81)
+    assert kalman.delays == pytest.approx((0.0, 5e-3, 10e-3))
     assert EstimatorSettings().estimator(Rhythm(tick=1e-3, interval=1e-3), 9.81).delays == (0.0,)
+
+
+@pytest.mark.parametrize("lag", [0.0, 5e-4, -5e-4])
+@pytest.mark.parametrize(
+    ("inertial", "cameras", "delay"),
+    [(1, 5, 10), (1, 5, 7), (1, 5, 0), (3, 5, 7), (4, 10, 33), (5, 5, 10), (7, 5, 10), (5, 1, 6)],
+)
+def test_whatever_the_pace_a_delay_leaves_no_bias(
+    inertial: int, cameras: int, delay: int, lag: float
+) -> None:
+    """Steady flight at 5 m/s, turning at 0.5 rad/s; periods and delay in ticks of 1 ms.
+
+    A pose taken for one of another tick would be 5 mm away.
+    """
+    speed, spin, tick = Vec(5.0, -2.0, 0.0), Vec(0.0, 0.0, 0.5), 1e-3
+
+    def at(time: float) -> Estimate:
+        q = Quat(math.cos(0.25 * time), 0.0, 0.0, math.sin(0.25 * time))
+        return Estimate(speed * time, q, speed, spin)
+
+    rhythm = Rhythm(
+        tick=tick, interval=inertial * tick, pose_age=delay * tick, pose_interval=cameras * tick
+    )
+    settings = EstimatorSettings(kalman={"inertial_lag": lag})
+    estimator = settings.estimator(rhythm, 9.81)
+    memory, worst = settings.memory(estimator, at(-lag)), 0.0
+    for k in range(1, 200):
+        then = at((k - delay) * tick)
+        fresh = 1.0 if k >= delay and (k - delay) % cameras == 0 else 0.0
+        felt = Inertial(Vec(0.0, 0.0, 9.81), spin, 1.0 if k % inertial == 0 else 0.0)
+        pose = Pose(then.position, then.attitude, fresh, delay * tick)
+        told = seen()._replace(inertial=felt, pose=pose)
+        estimate, memory = estimated(estimator, float(k), told, memory)
+        wrong = estimate.position - at(k * tick).position
+        worst = max(worst, math.sqrt(wrong @ wrong))
+    # A pose of the very tick comes before a sample that is late: that one is not made up for.
+    assert worst < (1e-8 if delay * tick >= lag else 3e-3)
 
 
 def test_defaults_are_those_of_the_sensors():

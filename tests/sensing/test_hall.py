@@ -166,7 +166,7 @@ def test_lengths_arrive_exactly_late(every: int, delay: int) -> None:
     def length(tick: int) -> float:
         return LENGTH - 3e-4 * tick
 
-    last = memory.arms[0].length
+    last = memory.tree.arms[0].length
     for tick in range(40):
         now = tuple(length(tick) - 1e-3 * j for j in range(4))
         told = arms_read(device, float(tick), truth(now), (0.0,) * 4, memory)

@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.inertial import (
+    WALK_EVERY,
     Channel,
     ChannelMemory,
     InertialNoise,
@@ -219,7 +220,7 @@ def test_noise_keeps_its_density_whatever_the_clock() -> None:
     for tick in (1e-3, 2.5e-4):
         numbers = per_tick(0.01, 0.2, 100.0, tick)
         assert numbers.noise**2 * 2 * tick == pytest.approx(0.01**2)
-        assert numbers.drift**2 / tick == pytest.approx(0.2**2)
+        assert numbers.drift**2 / (WALK_EVERY * tick) == pytest.approx(0.2**2)
         assert (1 - numbers.smoothing) ** (1 / tick) == pytest.approx(math.exp(-200 * math.pi))
 
 
@@ -231,12 +232,24 @@ def test_the_bias_walks_as_the_root_of_time() -> None:
         channel, ZERO, ZERO, Vec(1.0, -1.0, 0.0), ChannelMemory(ZERO, Vec(1.0, 1.0, 1.0))
     )
     np.testing.assert_allclose(
-        np.array(one.drift) - 1.0, np.array([1.0, -1.0, 0.0]) * 0.02 * math.sqrt(TICK), atol=1e-15
+        np.array(one.drift) - 1.0,
+        np.array([1.0, -1.0, 0.0]) * 0.02 * math.sqrt(10 * TICK),
+        atol=1e-15,
     )
     ends = np.array([run(channel, 250, seed)[-1] for seed in range(100)]) - [0.1, -0.2, 0.3]
-    expected = 0.02 * math.sqrt(250 * TICK)
+    expected = 0.02 * math.sqrt(250 * 10 * TICK)  # each call is a step of the walk here
     assert ends.std() == pytest.approx(expected, rel=4.0 / math.sqrt(2 * 300))
     assert abs(ends.mean()) < 4 * expected / math.sqrt(300)
+
+
+def test_the_bias_takes_a_step_every_ten_ticks() -> None:
+    device, pushed = silent(), QUIET._replace(rotation_drift=Vec(1.0, 0.0, 0.0))
+    device = device._replace(gyroscope=device.gyroscope._replace(drift=0.5))
+    memory, drifts = inertial_at_start(device, state(), G), []
+    for tick in range(25):
+        memory = felt(device, float(tick), Truth(state(), state(), TICK, G), pushed, memory).memory
+        drifts.append(memory.gyroscope.drift.x)
+    assert drifts == [0.5] * 10 + [1.0] * 10 + [1.5] * 5
 
 
 def test_between_its_samples_the_last_word_stands() -> None:

@@ -29,13 +29,15 @@ NOISE = Noise(
     gyroscope_bias=2e-3,
 )
 START = Deviations(1e-3, 0.01, 0.01, NOISE.accelerometer_bias, NOISE.gyroscope_bias)
-#: Register of six poses: every test uses this length, so that the filter is compiled once.
+#: Register of three poses: every test uses this length, so that the filter is compiled once.
 FILTER = Kalman(
     tick=TICK,
     interval=TICK,
     inertial_lag=0.0,
     every=4.0,
-    delays=tuple(k * TICK for k in range(6)),
+    pose_interval=5.0 * TICK,
+    pose_phase=0.0,
+    delays=(0.0, 5.0 * TICK, 10.0 * TICK),
     gravity=G,
     offset=Vec(0.0, 0.0, 0.0),
     accelerometer_noise=NOISE.accelerometer,
@@ -55,6 +57,12 @@ def started(kalman, flown, deviations=START, generator=None):
     return kalman_memory(
         kalman, estimate_at(flown, 0, generator and deviations, generator), deviations
     )
+
+
+def aware(kalman, flown, every=5):
+    """The filter, told when the cameras of a flight expose: at an age before every so many ticks."""
+    delays = tuple(k * every * TICK for k in range(3))
+    return kalman._replace(pose_interval=every * TICK, pose_phase=-flown.age, delays=delays)
 
 
 def dense(c):
@@ -78,7 +86,7 @@ def clipped_flight(duration):
     flown.force[100:110, 1] += 300.0
     flown.spin[104:108, 2] -= 60.0
     kalman = FILTER._replace(offset=Vec(*OFFSET), distrust=0.01, inertial_lag=2e-4)
-    return flown, kalman, (RANGE, 35.0)
+    return flown, aware(kalman, flown, 2), (RANGE, 35.0)
 
 
 def test_agrees_with_dense_matrices():
@@ -99,32 +107,53 @@ def test_agrees_with_dense_matrices():
             memory = mine.memory(k)
             scale = np.sqrt(np.diag(other.cov))
             assert (
-                np.abs((dense(memory.covariance) - other.cov) / np.outer(scale, scale)).max() < 1e-9
+                np.abs(
+                    (dense(memory.known.tree.covariance) - other.cov) / np.outer(scale, scale)
+                ).max()
+                < 1e-9
             )
-            assert np.allclose(memory.surprise, surprise, rtol=1e-6)
+            assert np.allclose(memory.known.tree.surprise, surprise, rtol=1e-6)
 
 
-def test_between_samples_poses_are_interpolated():
-    # Attitudes by normalised means here, by Slerp there: for 4e-3 rad apart, they differ by 1e-9.
-    flown = flight(np.random.default_rng(8), 0.2, noise=NOISE, age=0.0037)
-    mine = run(FILTER, started(FILTER, flown), flown)
-    other, table = DenseKalman(FILTER, estimate_at(flown), START), readings(flown)
+def both(kalman, flown):
+    """Last positions of the filter and of the one with dense matrices."""
+    mine = run(kalman, started(kalman, flown), flown)
+    other, table = DenseKalman(kalman, estimate_at(flown), START), readings(flown)
     for k in range(1, len(table)):
         row = table[k]
         other.tick(row[0:3], row[3:6], row[14] > 0.5, row[7:10], flown.pose_attitude[k], row[15])
-    assert np.allclose(mine.position[-1], other.spoken()[0], rtol=0.0, atol=1e-7)
+    return mine.position[-1], other.spoken()[0]
+
+
+@pytest.mark.parametrize(("age", "lag"), [(0.0, 0.0), (0.0037, 0.0), (0.009, 5e-4), (0.013, -3e-4)])
+def test_poses_are_kept_as_of_their_exposure(age, lag):
+    # Between two inertial samples, and up to three periods ago.
+    flown = flight(np.random.default_rng(8), 0.2, noise=NOISE, age=age)
+    mine, other = both(aware(FILTER._replace(inertial_lag=lag), flown), flown)
+    assert np.allclose(mine, other, rtol=0.0, atol=1e-10)
+
+
+def test_poses_between_those_kept_are_interpolated():
+    # Every sample's pose is kept here, not that of any exposure: a pose is then between two that are
+    # kept, 1 ms apart, and a straight line misses the way between them by a T²/8 < 5e-6 m.
+    flown = flight(np.random.default_rng(8), 0.2, noise=NOISE, age=0.0017)
+    kalman = FILTER._replace(pose_interval=TICK, pose_phase=-0.003, delays=(0.0, TICK, 2.0 * TICK))
+    mine, other = both(kalman, flown)
+    assert np.allclose(mine, other, rtol=0.0, atol=1e-6)
 
 
 def test_plain_python_and_compiled_code_agree_to_the_last_bit():
     flown, kalman, clip = clipped_flight(0.13)
-    both = [run(kalman, started(kalman, flown), flown, clip=clip, plain=p) for p in (True, False)]
-    assert leaves(both[0].last) == leaves(both[1].last)
-    assert np.array_equal(both[0].position, both[1].position)
+    twins = [run(kalman, started(kalman, flown), flown, clip=clip, plain=p) for p in (True, False)]
+    assert leaves(twins[0].last) == leaves(twins[1].last)
+    assert np.array_equal(twins[0].position, twins[1].position)
 
 
 def test_covariance_stays_symmetric_and_positive():
     flown, kalman, clip = clipped_flight(2.0)
-    covariance = dense(run(kalman, started(kalman, flown), flown, clip=clip).last.covariance)
+    covariance = dense(
+        run(kalman, started(kalman, flown), flown, clip=clip).last.known.tree.covariance
+    )
     scale = np.sqrt(np.diag(covariance))
     assert np.linalg.eigvalsh(covariance / np.outer(scale, scale)).min() > 1e-6
     assert np.array_equal(covariance, covariance.T)
@@ -141,6 +170,7 @@ def many():
     for seed in range(flights):
         generator = np.random.default_rng(seed)
         flown = flight(generator, 1.0, noise=NOISE, offset=OFFSET, age=0.004)
+        kalman = aware(kalman, flown)
         result = run(kalman, started(kalman, flown, START, generator), flown)
         surprises.append(result.column(-2, None))  # the last two leaves
         n, r = result.last.track.nominal, flown.attitude[-1].apply(OFFSET)
@@ -153,7 +183,7 @@ def many():
             flown.accelerometer_bias[-1] - n.accelerometer_bias,
             flown.gyroscope_bias[-1] - n.gyroscope_bias,
         ]
-        errors.append((np.concatenate(error), dense(result.last.covariance)))
+        errors.append((np.concatenate(error), dense(result.last.known.tree.covariance)))
     return np.concatenate(surprises), errors
 
 
@@ -209,7 +239,8 @@ def steady(age, speed=5.0, spin=4.0):
 @pytest.mark.parametrize("age", [0.0, 0.0033, 0.005])
 def test_delay_leaves_no_bias_in_steady_motion(age):
     flown = steady(age)
-    result = run(FILTER, started(FILTER, flown), flown)
+    kalman = aware(FILTER, flown)
+    result = run(kalman, started(kalman, flown), flown)
     assert np.abs(result.position - flown.position)[1:].max() < 1e-10
     assert np.abs(result.velocity - flown.velocity)[1:].max() < 1e-10
     assert np.abs(result.tilt_and_turn(flown)).max() < 1e-9  # interpolation by normalised means
@@ -235,7 +266,8 @@ def test_delay_leaves_no_bias_in_an_impact_within_range():
         pose_position=late,
         age=0.004,
     )
-    result = run(FILTER, started(FILTER, flown), flown)
+    kalman = aware(FILTER, flown)
+    result = run(kalman, started(kalman, flown), flown)
     assert np.abs(result.position - position)[1:].max() < 1e-10
     assert np.abs(result.velocity - velocity)[1:].max() < 1e-9
 
@@ -243,7 +275,7 @@ def test_delay_leaves_no_bias_in_an_impact_within_range():
 def test_late_inertial_samples_are_made_up_for_in_steady_motion():
     # Readings of a steady motion do not change with a lag, so its estimate must not either.
     flown = steady(0.004)
-    kalman = FILTER._replace(inertial_lag=1e-3)
+    kalman = aware(FILTER._replace(inertial_lag=1e-3), flown)
     start = estimate_at(flown)
     shifted = start._replace(
         position=start.position - kalman.inertial_lag * start.velocity,
@@ -262,9 +294,9 @@ def test_late_inertial_samples_are_made_up_for_in_steady_motion():
 def test_biases_are_found():
     noise = replace(NOISE, accelerometer_walk=0.0, gyroscope_walk=0.0)
     flown = flight(np.random.default_rng(3), 8.0, noise=noise)
-    kalman = FILTER._replace(accelerometer_walk=0.0, gyroscope_walk=0.0)
+    kalman = aware(FILTER._replace(accelerometer_walk=0.0, gyroscope_walk=0.0), flown)
     last = run(kalman, started(kalman, flown), flown).last
-    sigma = np.sqrt(np.diag(dense(last.covariance)))
+    sigma = np.sqrt(np.diag(dense(last.known.tree.covariance)))
     found = [
         np.array(last.track.nominal.accelerometer_bias),
         np.array(last.track.nominal.gyroscope_bias),

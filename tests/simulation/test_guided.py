@@ -8,7 +8,10 @@ import pytest
 
 import springback
 from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Ready, ready, same, tables
+from springback.control.mixing import mixer
+from springback.control.rate import inertia_at
 from springback.simulation import guided
+from springback.simulation.aboard import Draw
 from springback.simulation.abreast import fly_guided_many
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table
 
@@ -17,6 +20,8 @@ VARIANTS: dict[str, dict[str, Any]] = {
         "estimator": "kalman",
         "world": WALL,
         "start": AT_WALL,
+        # What was sampled at one tick arrives at another at which nothing is sampled.
+        "sensors": {"motion_capture": {"delay": 0.007}, "hall": {"delay": 0.007}},
     },
     "gusts and drag": {"air": GUSTY, "start": {"position": (0.0, 0.0, 1.0)}},
 }
@@ -33,6 +38,17 @@ def test_plain_python_is_the_compiled_flight(variant: dict[str, Any]) -> None:
         assert one is not None
         assert other is not None
         assert np.array_equal(one.values, other.values)
+
+
+def test_allocation_knows_the_arms_as_they_are_read() -> None:
+    """Mixer and inertia are kept until a length changes, and then are those of the new lengths."""
+    flight = ready(tables(0.05, "kalman", world=WALL, start=AT_WALL))
+    flown = fly_guided(*flight, trace=False)
+    airframe = flight.cabin.guidance.pilot.airframe
+    lengths, built = flown.aboard.measurement.arm_length, flown.aboard.pilot.autopilot.built.tree
+    assert min(lengths) < min(arm.length for arm in airframe.arms) - 5e-4
+    assert built.mixer == mixer(airframe, lengths)
+    assert built.inertia == inertia_at(airframe, lengths)
 
 
 # -- many flights ---------------------------------------------------------------------------------
@@ -103,14 +119,44 @@ def test_interrupted_and_continued_is_the_same_flight(monkeypatch: pytest.Monkey
 
 def test_luck_depends_on_seed_and_flight_alone() -> None:
     """The same again; another for another seed or flight; not on how long the flight is."""
-    table = noise_table(4, 2, 300, 26)
-    assert np.array_equal(table, noise_table(4, 2, 300, 26))
-    assert np.array_equal(table[:100], noise_table(4, 2, 100, 26))
-    others = [noise_table(5, 2, 300, 26), noise_table(4, 3, 300, 26), noise_table(2, 4, 300, 26)]
+    draws = (Draw(7, 1), Draw(19, 1))
+    table = noise_table(4, 2, 300, draws)
+    assert np.array_equal(table, noise_table(4, 2, 300, draws))
+    assert np.array_equal(table[:101], noise_table(4, 2, 101, draws))
+    others = [noise_table(*key, 300, draws) for key in ((5, 2), (4, 3), (2, 4))]
     for other in others:
         assert abs(np.corrcoef(table.ravel(), other.ravel())[0, 1]) < 4.0 / math.sqrt(table.size)
     assert abs(table.mean()) < 4.0 / math.sqrt(table.size)
     assert table.std() == pytest.approx(1.0, abs=4.0 / math.sqrt(2.0 * table.size))
+
+
+def test_each_device_has_its_own_luck_at_its_own_pace() -> None:
+    """A number is drawn when it is taken, whatever other devices there are."""
+    table = noise_table(4, 2, 302, (Draw(3, 5), Draw(4, 1), Draw(2, 0)))
+    quiet = np.arange(302) % 5 > 0
+    assert not table[quiet, :3].any()
+    assert table[~quiet, :3].all()
+    assert table[:, 3:7].all()
+    assert not table[:, 7:].any()
+    without = noise_table(4, 2, 302, (Draw(3, 0), Draw(4, 1), Draw(2, 1)))
+    assert np.array_equal(table[:, 3:7], without[:, 3:7])
+    shared = np.corrcoef(table[~quiet, :7].T)[:3, 3:]
+    assert np.abs(shared).max() < 4.0 / math.sqrt(len(table[~quiet]))
+
+
+@pytest.mark.parametrize("perfect", ["motion_capture", "imu", "hall"])
+def test_numbers_that_are_not_drawn_are_not_taken(perfect: str) -> None:
+    """A flight is the same with other numbers in place of the zeros."""
+    sensors = {"motion_capture": {"rate": 100}, "imu": {"rate": 500}, "hall": {"rate": 50}}
+    sensors[perfect] |= {"perfect": True}
+    given = ready(tables(0.06, "kalman", sensors=sensors))
+    full = np.where(given.noise == 0.0, 3.0, given.noise)
+    assert np.count_nonzero(full - given.noise) > 100
+    flights = [
+        fly_guided(*given[:3], noise, trace=False, executor="python")
+        for noise in (given.noise, full)
+    ]
+    assert same(*flights)
 
 
 def test_biases_and_first_gust_depend_on_seed_and_flight_alone() -> None:

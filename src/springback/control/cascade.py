@@ -10,14 +10,14 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.control.attitude import rate_setpoint
-from springback.control.mixing import mixed, wrench_of
+from springback.control.mixing import Mixer, mixed, mixer, wrench_of
 from springback.control.parameters import Schedule
 from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import pick
-from springback.kernels.vectors import Vec
+from springback.kernels.trees import Seldom, each, largest, pick
+from springback.kernels.vectors import Mat, Vec
 from springback.sensing.measurement import Estimate, Measurement, due, estimated
 from springback.simulation.aboard import Piloted, piloted, told
 from springback.vehicle.state import Airframe
@@ -47,6 +47,13 @@ class Offboard(NamedTuple):
     arrival: float  # tick at which it arrives
 
 
+class Built(NamedTuple):
+    """What follows from the arm lengths."""
+
+    inertia: Mat  # J(l) about the main body, body axes [kg m²]
+    mixer: Mixer
+
+
 class Autopilot(NamedTuple):
     """The attitude and rate loops."""
 
@@ -55,6 +62,7 @@ class Autopilot(NamedTuple):
     rate: RateMemory
     unmet: Vec  # moment asked for less moment given [N m]
     thrust: tuple[float, ...]  # command to each rotor [N]
+    built: Seldom  # Built; arms seldom change their lengths
 
 
 class CascadeMemory(NamedTuple):
@@ -83,7 +91,8 @@ def cascade_memory(
     wanted = target(pilot.reference, 0.0)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    autopilot = Autopilot(at_start, still, rate, still, thrust)
+    built = Seldom(0.0, _built(pilot.airframe, tuple(arm.length for arm in pilot.airframe.arms)))
+    autopilot = Autopilot(at_start, still, rate, still, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
 
@@ -138,6 +147,25 @@ def _pointed(pilot: Cascade, tick: float, aim: AttitudeTarget, at: Estimate, bef
 
 
 @kernel
+def _built(airframe: Airframe, lengths: tuple[float, ...]) -> Built:
+    """What follows from some arm lengths."""
+    return Built(inertia_at(airframe, lengths), mixer(airframe, lengths))
+
+
+@kernel
+def _rebuilt(airframe: Airframe, lengths: tuple[float, ...], last: Built) -> Seldom:
+    """What follows from the arm lengths, made anew where one of them has changed."""
+    if largest(each(_apart, (lengths, last.mixer.lengths), ())) > 0.0:
+        return Seldom(1.0, _built(airframe, lengths))
+    return Seldom(0.0, last)
+
+
+@kernel
+def _apart(a: float, b: float) -> float:
+    return abs(a - b)
+
+
+@kernel
 def _turned(
     pilot: Cascade,
     tick: float,
@@ -149,13 +177,15 @@ def _turned(
 ) -> Autopilot:
     """The rate loop and the mixer, at their ticks."""
     if due(tick, pilot.schedule.rate):
-        inertia = inertia_at(pilot.airframe, lengths)
+        built = _rebuilt(pilot.airframe, lengths, before.built.tree)
+        inertia, mixer = built.tree.inertia, built.tree.mixer
         asked = turn(pilot.rate, inertia, setpoint, at.angular_velocity, before.unmet, before.rate)
         wrench = Wrench(aim.thrust, asked.moment)
-        thrust = mixed(pilot.airframe, pilot.lowest, pilot.highest, lengths, wrench, pilot.lift)
+        thrust = mixed(mixer, pilot.lowest, pilot.highest, wrench, pilot.lift)
         unmet = asked.moment - wrench_of(pilot.airframe, lengths, thrust).moment
-        return Autopilot(aim, setpoint, asked.memory, unmet, thrust)
-    return Autopilot(aim, setpoint, before.rate, before.unmet, before.thrust)
+        return Autopilot(aim, setpoint, asked.memory, unmet, thrust, built)
+    same = Seldom(0.0, before.built.tree)
+    return Autopilot(aim, setpoint, before.rate, before.unmet, before.thrust, same)
 
 
 @kernel

@@ -44,6 +44,13 @@ class Gram(NamedTuple):
     g33: float
 
 
+class Mixer(NamedTuple):
+    """What mixing takes at some arm lengths."""
+
+    lengths: tuple[float, ...]  # l_j [m]
+    shares: tuple[Effect, ...]  # rows of Bᵀ (B Bᵀ)⁻¹: what a rotor gives to each part of a wrench
+
+
 class Rotor(NamedTuple):
     """Thrust of one rotor, split by what it serves."""
 
@@ -123,28 +130,44 @@ def _solution(f: Gram, wanted: Effect) -> Effect:
 
 @kernel
 def _share(b: Effect, x: Effect) -> float:
-    """Entry of Bᵀ x."""
+    """Product of a row and a column."""
     return b.thrust * x.thrust + b.roll * x.roll + b.pitch * x.pitch + b.yaw * x.yaw
 
 
 @kernel
-def allocated(airframe: Airframe, lengths: tuple[float, ...], wrench: Wrench) -> tuple[float, ...]:
+def _shares(b: Effect, f: Gram) -> Effect:
+    """Row of Bᵀ (B Bᵀ)⁻¹ of one rotor: the solution for its column, as the Gram is symmetric."""
+    return _solution(f, b)
+
+
+@kernel
+def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
+    """The pseudoinverse of B(l).
+
+    Args:
+        airframe: Directions and torque ratios of the arms.
+        lengths: l_j as they are [m].
+    """
+    effects = each(_effect, (airframe.arms, lengths), ())
+    factors = _factors(total(each(_product, (effects,), ())))
+    return Mixer(lengths, each(_shares, (effects,), (factors,)))
+
+
+@kernel
+def allocated(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
     """Rotor thrusts Bᵀ (B Bᵀ)⁻¹ w for a wrench, without regard to limits [N].
 
     Exact for four rotors, and of least norm for more.
     """
-    effects = each(_effect, (airframe.arms, lengths), ())
-    factors = _factors(total(each(_product, (effects,), ())))
     m = wrench.moment
-    x = _solution(factors, Effect(wrench.thrust, m.x, m.y, m.z))
-    return each(_share, (effects,), (x,))
+    return each(_share, (mixer.shares,), (Effect(wrench.thrust, m.x, m.y, m.z),))
 
 
 @kernel
-def _rotor(b: Effect, lift: Effect, tilt: Effect, spin: Effect) -> Rotor:
-    """One rotor's part in each of the three solutions; every rotor must help to lift."""
-    collective = _share(b, lift)
-    return Rotor(collective if collective > SMALL else SMALL, _share(b, tilt), _share(b, spin))
+def _rotor(share: Effect, moment: Vec) -> Rotor:
+    """What one rotor gives to each part of a wrench; every rotor must help to lift."""
+    collective = share.thrust if share.thrust > SMALL else SMALL
+    return Rotor(collective, share.roll * moment.x + share.pitch * moment.y, share.yaw * moment.z)
 
 
 @kernel
@@ -216,12 +239,7 @@ def _squeezed(
 
 @kernel
 def mixed(
-    airframe: Airframe,
-    lowest: float,
-    highest: float,
-    lengths: tuple[float, ...],
-    wrench: Wrench,
-    lift: float,
+    mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
     """Rotor thrusts within their limits that come as near to a wrench as its parts are worth [N].
 
@@ -232,20 +250,13 @@ def mixed(
     and pitch need, without it no further than to what is asked for, or to some small thrust.
 
     Args:
-        airframe: Directions and torque ratios of the arms.
+        mixer: For the arm lengths as they are.
         lowest: Least thrust of a rotor, at least 0 [N].
         highest: Most thrust of a rotor [N].
-        lengths: l_j as they are [m].
         wrench: Thrust and moment asked for.
         lift: Collective thrust to which roll and pitch may raise a smaller one [N].
     """
-    effects = each(_effect, (airframe.arms, lengths), ())
-    factors = _factors(total(each(_product, (effects,), ())))
-    m = wrench.moment
-    lifting = _solution(factors, Effect(1.0, 0.0, 0.0, 0.0))
-    tilting = _solution(factors, Effect(0.0, m.x, m.y, 0.0))
-    turning = _solution(factors, Effect(0.0, 0.0, 0.0, m.z))
-    rotors = each(_rotor, (effects,), (lifting, tilting, turning))
+    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
     asked = each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
     if (least(asked) >= lowest) & (largest(asked) <= highest):
         return asked

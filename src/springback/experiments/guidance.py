@@ -16,6 +16,7 @@ from springback.control.linear import warnings_for
 from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
+from springback.dynamics.gusts import Calm
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.recovery.pilot import Resilient, resilient_memory
@@ -23,9 +24,9 @@ from springback.recovery.referee import referee_at_start
 from springback.sensing.clock import inside
 from springback.sensing.estimation import EstimatorSettings, Rhythm
 from springback.sensing.measurement import Estimate
-from springback.sensing.sensors import Sensors, noise_count, sensors_at_start
+from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.aboard import Cabin, Guidance, NoWitness, Relay
+from springback.simulation.aboard import Cabin, Draw, Guidance, NoWitness, Relay
 from springback.simulation.guided import GUST_NOISE, NOBODY, cabin_of
 from springback.simulation.record import Model
 from springback.vehicle.rotors import Propulsion
@@ -46,10 +47,10 @@ class OwnPilot(NamedTuple):
 
 
 class Board(NamedTuple):
-    """What is aboard, and how many normal numbers it takes at a tick."""
+    """What is aboard, and the normal numbers that it takes."""
 
     cabin: Cabin
-    noise: int
+    noise: tuple[Draw, ...]
 
 
 @contextmanager
@@ -133,6 +134,7 @@ def _rhythm(scenario: Scenario) -> Rhythm:
         tick=tick,
         interval=tick if s.imu.perfect else 1.0 / s.imu.rate,
         pose_age=0.0 if s.motion_capture.perfect else s.motion_capture.delay,
+        pose_interval=tick if s.motion_capture.perfect else 1.0 / s.motion_capture.rate,
     )
 
 
@@ -248,11 +250,12 @@ def board_of(
         period=period,
     )
     remembered = sensors_at_start(sensors, start, scenario.world.gravity)
-    channels = noise_count(scenario.vehicle.arm_count)
+    arms = scenario.vehicle.arm_count
     cabin = cabin_of(
-        guidance, remembered, flown_by.memory, model, start, channels, scenario.seed, seen
+        guidance, remembered, flown_by.memory, model, start, noise_count(arms), scenario.seed, seen
     )
-    return Board(cabin, channels + GUST_NOISE)
+    gusts = Draw(GUST_NOISE, 0 if isinstance(weather, Calm) else 1)
+    return Board(cabin, (*draws_of(sensors, arms), gusts))
 
 
 #: Tables that only the pilot of the paper reads, and those that every pilot flies with.

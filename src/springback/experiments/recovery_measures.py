@@ -29,7 +29,7 @@ RECOVERY_MEASURES = {
     "path": ("m", "flown from touch until rest"),
     "nose_up": ("rad", "largest pitch nose up after touch, as a negative pitch"),
     "nose_down": ("rad", "largest pitch nose down after touch"),
-    "position_error": ("m", "of p_c: main body at the alarm, believed and true"),
+    "position_error": ("m", "of p_c: main body at the last alarm, believed and true"),
     "direction_error": ("rad", "between f_c0 as relied on and the obstacle's normal, level parts"),
     "arms_direction_error": ("rad", "the same, f_c0 from the arms"),
     "acceleration_direction_error": ("rad", "the same, f_c0 from the accelerometer"),

@@ -14,6 +14,7 @@ from springback.experiments.guidance import Board, board_of
 from springback.experiments.recovery_measures import recovery_measures, recovery_outcome
 from springback.experiments.run_ups import WALL_DISTANCE, run_up_scenario
 from springback.experiments.scenario import Scenario, merged, scenario_from
+from springback.simulation.aboard import Draw
 from springback.simulation.abreast import fly_guided_many
 from springback.simulation.guided import noise_table, ticks_of
 from springback.simulation.measures import Outcome, measures_of
@@ -201,7 +202,7 @@ def fly_ready(
 class _Noises(Sequence[Any]):
     """Noise of many flights, drawn when asked for."""
 
-    def __init__(self, seeds: list[tuple[int, int]], ticks: int) -> None:
+    def __init__(self, seeds: list[tuple[int, tuple[Draw, ...]]], ticks: int) -> None:
         self._seeds, self._ticks = seeds, ticks
 
     def __len__(self) -> int:

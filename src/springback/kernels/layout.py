@@ -14,13 +14,14 @@ import numpy as np
 from numba import types
 from numba.core.typing import templates
 
-from springback.kernels.compiler import compiled
+from springback.kernels.compiler import compiled, is_named
 from springback.kernels.trees import (
+    Seldom,
+    branches,
     construct,
     function_of,
     leaf_count,
     leaves,
-    reached,
     rebuilt,
 )
 
@@ -156,6 +157,22 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
 @compiled(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     lines = ["start = row * width + lane"]
-    texts = reached(tree, "tree", lines) if isinstance(tree, types.BaseTuple) else ["tree"]
-    lines += [f"buffer[start + {k} * width] = {leaf}" for k, leaf in enumerate(texts)]
+    _lay(tree, "tree", 0, lines, "")
     return function_of("tree, buffer, row, width, lane", [*lines, "return None"], {})
+
+
+def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str) -> int:
+    """Lines that lay a tree into a buffer from its leaf ``first`` on; the number of the next."""
+    if not isinstance(tree, types.BaseTuple):
+        lines.append(f"{indent}buffer[start + {first} * width] = {stem}")
+        return first + 1
+    for k, branch in enumerate(branches(tree)):
+        if k == 1 and is_named(tree, Seldom):
+            lines.append(f"{indent}if {stem}[0] > 0.5:")
+            indent += "    "
+        inner = f"{stem}[{k}]"
+        if isinstance(branch, types.BaseTuple):  # taken out once: see `reached`
+            lines.append(f"{indent}{stem}_{k} = {inner}")
+            inner = f"{stem}_{k}"
+        first = _lay(branch, inner, first, lines, indent)
+    return first

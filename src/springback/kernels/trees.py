@@ -8,7 +8,7 @@ plain Python objects; when compiled, the tree's type is known and straight-line 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from numba import types
 
@@ -16,6 +16,17 @@ from springback.kernels.compiler import GUARDING, compiled, kernel
 
 T = TypeVar("T")
 R = TypeVar("R")
+
+
+class Seldom(NamedTuple):
+    """A part of a memory that is mostly returned as it came.
+
+    Compiled code lays it into a buffer only where it is new: copying it would often cost more than
+    all else that a kernel does.
+    """
+
+    new: float  # 1 where the tree may differ from what was read; 0 only if it does not
+    tree: Any
 
 
 # -- plain Python ---------------------------------------------------------------------------------

@@ -230,7 +230,8 @@ def _resilient(
     believed = estimated(cascade.estimator, tick, seen, m.flight.estimator)
     at = believed.estimate
     given = m.flight.autopilot.thrust
-    wrench = observed_wrench(pilot.observer, airframe, seen, at, given, m.wrench)
+    inertia = m.flight.autopilot.built.tree.inertia
+    wrench = observed_wrench(pilot.observer, airframe, inertia, seen, at, given, m.wrench)
     noticed = detected(pilot.detection, airframe.arms, time, seen, at, wrench, m.detection)
 
     journey = _begun(m.journey, noticed.alarm, time)

@@ -1,8 +1,8 @@
 """Who judges a recovery: a witness that sees the truth, which the pilot never does.
 
-A run is judged from first touch until the robot has come to rest where it wants to be, at p_r or, if
-it rests there only against the obstacle, at home: touching nothing, less than a distance away, slow,
-and for a while (`RecoverySettings`).
+A run is judged from first touch until the robot has come to rest where it wants to be, at p_r or,
+where it could rest there only against the obstacle, at home: touching nothing, less than a distance
+away, slow, and for a while (`RecoverySettings`).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Run(NamedTuple):
     touch: float  # first tick in contact [s], `NEVER` before
     place: Vec  # of the main body at first touch, world [m]
     alarm: float  # of the pilot, `NEVER` if there was none since [s]
-    alarm_place: Vec  # of the main body then, world [m]
+    alarm_place: Vec  # of the main body at the last alarm, world [m]
     settled: float  # rest began [s], `NEVER` until it has lasted
     near: float  # rest may have begun [s]
     lowest: float  # height of the main body [m]
@@ -105,7 +105,11 @@ def _followed(
         run.touch,
         run.place,
         pick(heard, journey.log.alarm, run.alarm),
-        pick(heard, p, run.alarm_place),
+        pick(
+            journey.leg == LOOK,
+            pick(journey.since >= time - TINY, p, run.alarm_place),
+            run.alarm_place,
+        ),
         pick(settled, near_since, NEVER),
         near_since,
         pick(p.z < run.lowest, p.z, run.lowest),
@@ -117,6 +121,8 @@ def _followed(
     )
 
 
+#: Rounding of times [s].
+TINY = 1e-9
 #: A contact between two ticks is seen at the later one; an alarm so much earlier is not false [s].
 EARLY = 2e-3
 

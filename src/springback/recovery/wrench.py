@@ -71,6 +71,7 @@ def _felt(observer: Observer, by_rotors: Vec, r: Mat, specific_force: Vec, old: 
 def observed_wrench(
     observer: Observer,
     airframe: Airframe,
+    inertia: Mat,
     seen: Measurement,
     at: Estimate,
     command: tuple[float, ...],
@@ -85,6 +86,7 @@ def observed_wrench(
     Args:
         observer: Settings.
         airframe: As the pilot believes it to be.
+        inertia: J(l) about the main body, body axes [kg m²].
         seen: What the sensors say.
         at: What the estimator says.
         command: To each rotor since the last tick [N].
@@ -103,7 +105,7 @@ def observed_wrench(
     force = pick(observer.momentum > 0.5, from_momentum, felt)
 
     omega = at.angular_velocity
-    spin = inertia_at(airframe, seen.arm_length) @ omega
+    spin = inertia @ omega
     moment_sum = memory.moment_sum + (given.moment - (omega ^ spin) + memory.moment) * h
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)

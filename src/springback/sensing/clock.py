@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from pydantic_core import PydanticCustomError
 
 from springback.sensing.memory import MOST_PERIODS
 from springback.settings import problem
+from springback.simulation.aboard import Draw
 
 #: A period or delay may miss a whole number of ticks by this share of a tick: rounding of decimals.
 WHOLE = 1e-6
@@ -59,6 +62,19 @@ def lateness(delay: float, every: float, tick: float) -> float:
             f"(got {delay:.6g} s)"
         )
     return float(ticks)
+
+
+@functools.singledispatch
+def draws(device: Any, channels: int) -> tuple[Draw, ...]:
+    """When a device takes normal numbers; in between, it is given zeros.
+
+    Devices that are not registered are given new numbers at every tick.
+
+    Args:
+        device: Settings of the device.
+        channels: Number of its numbers.
+    """
+    return (Draw(channels, 1),)
 
 
 @contextlib.contextmanager

@@ -15,6 +15,7 @@ from springback.sensing.complementary import (
     complementary_memory,
 )
 from springback.sensing.kalman import Deviations, Kalman, KalmanMemory, kalman_memory
+from springback.sensing.kalman_memory import ROUNDING
 from springback.sensing.measurement import Estimate
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import Settings
@@ -35,6 +36,8 @@ class Rhythm(Settings):
     """Between inertial samples."""
     pose_age: quantity("s", least=0.0) = 0.0  # type: ignore[valid-type]
     """Oldest that a pose can be when it arrives; later ones are taken for this old."""
+    pose_interval: Duration | None = None
+    """Between exposures of motion capture, one of them at tick 0; None if that is not known."""
 
 
 class KalmanSettings(Settings):
@@ -92,13 +95,19 @@ class KalmanSettings(Settings):
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Kalman:
         """The numbers; gravity is g along −Z [m/s²]."""
-        reach = math.ceil((rhythm.pose_age - min(self.inertial_lag, 0.0)) / rhythm.interval - 1e-6)
+        spacing = max(rhythm.pose_interval or 0.0, rhythm.interval)
+        late = max(rhythm.pose_age - self.inertial_lag, 0.0) / spacing
+        # Poses that are not all kept at their own time are interpolated, and need one older yet.
+        all_kept = spacing == rhythm.pose_interval
+        reach = math.floor(late + ROUNDING) if all_kept else math.ceil(late - ROUNDING)
         return Kalman(
             tick=rhythm.tick,
             interval=rhythm.interval,
             inertial_lag=self.inertial_lag,
             every=float(self.every),
-            delays=tuple(k * rhythm.interval for k in range(reach + 1)),
+            pose_interval=spacing,
+            pose_phase=0.0,
+            delays=tuple(k * spacing for k in range(reach + 1)),
             gravity=gravity,
             offset=Vec(*self.offset),
             accelerometer_noise=self.inflation * self.accelerometer_noise,

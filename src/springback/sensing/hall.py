@@ -12,9 +12,11 @@ import math
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import column, each
+from springback.kernels.trees import Seldom, column, each
+from springback.sensing.clock import draws
 from springback.sensing.measurement import Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.simulation.aboard import Draw
 from springback.vehicle.state import State
 
 #: Halvings of the range of lengths in the calibration: 54 mm become 3 nm.
@@ -188,23 +190,21 @@ def _perfect(
 
 
 @kernel
-def _arm_read(
-    span: Span,
-    length: float,
-    normal: float,
-    memory: ArmMemory,
-    sensors: HallSensors,
-    sampling: bool,
-    fresh: bool,
+def _sampled(
+    span: Span, length: float, normal: float, m: ArmMemory, sensors: HallSensors
 ) -> ArmMemory:
-    """One arm at one tick."""
+    """One arm at a tick at which it is sampled."""
     voltage = output(sensors, span.free - length) + sensors.noise * normal
-    line = entered(memory.line, counted(sensors, voltage)) if sampling else memory.line
-    word = arriving(line, sensors.delay, sensors.every)
-    told = word if fresh else memory.word
+    return ArmMemory(entered(m.line, counted(sensors, voltage)), m.word, m.length)
+
+
+@kernel
+def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
+    """One arm at a tick at which a sample arrives."""
+    word = arriving(m.line, sensors.delay, sensors.every)
     # Searching takes longer than all else here, and an arm at rest says the same word again.
-    known = memory.length if told == memory.word else calibrated(sensors, span, told)
-    return ArmMemory(line, told, known)
+    length = m.length if word == m.word else calibrated(sensors, span, word)
+    return ArmMemory(m.line, word, length)
 
 
 @arms_read.register(HallSensors)
@@ -214,15 +214,27 @@ def _arms_read(
     tick: float,
     truth: Truth,
     noise: tuple[float, ...],
-    memory: HallMemory,
+    memory: Seldom,
 ) -> ArmsRead:
-    since = tick - sensors.delay
+    since, arms = tick - sensors.delay, memory.tree.arms
     sampling = due(tick, sensors.every)
     fresh = (since > -0.5) & due(since, sensors.every)
-    zipped = (sensors.spans, truth.now.arm_length, noise, memory.arms)
-    arms = each(_arm_read, zipped, (sensors, sampling, fresh))
-    flag = 1.0 if fresh else 0.0
-    return ArmsRead(column(arms, "length"), flag, HallMemory(arms))
+    if sampling:
+        arms = each(_sampled, (sensors.spans, truth.now.arm_length, noise, arms), (sensors,))
+    if fresh:
+        arms = each(_delivered, (sensors.spans, arms), (sensors,))
+    flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
+    return ArmsRead(column(arms, "length"), flag, Seldom(new, HallMemory(arms)))
+
+
+@draws.register
+def _(device: PerfectArmLengths, channels: int) -> tuple[Draw, ...]:
+    return (Draw(channels, 0),)
+
+
+@draws.register
+def _(device: HallSensors, channels: int) -> tuple[Draw, ...]:
+    return (Draw(channels, round(device.every)),)
 
 
 @functools.singledispatch
@@ -239,9 +251,9 @@ def arms_at_start(device: Any, start: State) -> Any:
 
 
 @arms_at_start.register
-def _(device: HallSensors, start: State) -> HallMemory:
+def _(device: HallSensors, start: State) -> Seldom:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
         word = counted(device, output(device, span.free - length))
         arms.append(ArmMemory(filled(word), word, calibrated(device, span, word)))
-    return HallMemory(tuple(arms))
+    return Seldom(0.0, HallMemory(tuple(arms)))

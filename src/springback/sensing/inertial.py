@@ -13,9 +13,15 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Quat, Vec, normalised, rotation
+from springback.sensing.clock import draws
 from springback.sensing.measurement import Inertial, Truth, due
 from springback.sensing.memory import Nothing
+from springback.simulation.aboard import Draw
 from springback.vehicle.state import State
+
+#: Ticks from one step of a wandering bias to the next (chosen): at 1 kHz the accelerometer of
+#: EuRoC has then gone 3e-4 m/s², a sixteenth of a count of 16 bits for ± 16 g.
+WALK_EVERY = 10.0
 
 
 class PerfectInertial(NamedTuple):
@@ -29,7 +35,7 @@ class Channel(NamedTuple):
 
     noise: float  # standard deviation at each tick, see `per_tick`
     bias: Vec  # constant over a flight, drawn when it is switched on
-    drift: float  # standard deviation of the bias's step from tick to tick
+    drift: float  # standard deviation of a step of the bias, see `per_tick`
     full_scale: float  # it reads from −full_scale to full_scale − step
     smoothing: float  # share of the way that the low-pass goes in a tick, see `per_tick`
     step: float  # quantisation
@@ -45,7 +51,7 @@ class InertialUnit(NamedTuple):
 
 
 class InertialNoise(NamedTuple):
-    """Standard normal numbers for one tick."""
+    """Standard normal numbers for one tick; those of the drift count where a bias takes a step."""
 
     acceleration: Vec
     rotation: Vec
@@ -116,7 +122,7 @@ def mean_specific_force(truth: Truth, offset: Vec) -> Vec:
 
 
 class PerTick(NamedTuple):
-    """Noise, drift and smoothing of a channel at each tick."""
+    """Noise and smoothing of a channel at each tick, and drift at each step of its bias."""
 
     noise: float
     drift: float
@@ -128,8 +134,9 @@ def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> 
 
     White noise of one-sided density N, sampled at the rate f, has σ = N √(f/2): its power spreads
     evenly up to f/2.  The low-pass then keeps the density N at low frequencies.  A random walk of
-    density K goes a step of σ = K √Δt.  A first-order low-pass with corner f_c goes the share
-    1 − exp(−2π f_c Δt) of its way in a tick, exactly so for a constant input.
+    density K goes a step of σ = K √(n Δt) every n = 10 ticks (`WALK_EVERY`).  A first-order
+    low-pass with corner f_c goes the share 1 − exp(−2π f_c Δt) of its way in a tick, exactly so for
+    a constant input.
 
     Args:
         density: N, of the white noise, one-sided [unit/√Hz].
@@ -138,7 +145,9 @@ def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> 
         duration: Δt of a tick [s].
     """
     smoothing = -math.expm1(-2.0 * math.pi * bandwidth * duration)
-    return PerTick(density * math.sqrt(0.5 / duration), walk * math.sqrt(duration), smoothing)
+    return PerTick(
+        density * math.sqrt(0.5 / duration), walk * math.sqrt(WALK_EVERY * duration), smoothing
+    )
 
 
 @kernel
@@ -211,16 +220,27 @@ def _felt(
 ) -> Felt:
     force, omega = mean_specific_force(truth, device.offset), mean_angular_velocity(truth)
     a, g = device.accelerometer, device.gyroscope
-    inner_a = converted(
-        a, force, noise.acceleration, noise.acceleration_drift, memory.accelerometer
-    )
-    inner_g = converted(g, omega, noise.rotation, noise.rotation_drift, memory.gyroscope)
+    steps = 1.0 if due(tick, WALK_EVERY) else 0.0
+    walk_a, walk_g = steps * noise.acceleration_drift, steps * noise.rotation_drift
+    inner_a = converted(a, force, noise.acceleration, walk_a, memory.accelerometer)
+    inner_g = converted(g, omega, noise.rotation, walk_g, memory.gyroscope)
 
     speaks = due(tick, device.every)
     said_a = told(a, inner_a) if speaks else memory.specific_force
     said_g = told(g, inner_g) if speaks else memory.angular_velocity
     flag = 1.0 if speaks else 0.0
     return Felt(Inertial(said_a, said_g, flag), InertialMemory(inner_a, inner_g, said_a, said_g))
+
+
+@draws.register
+def _(device: PerfectInertial, channels: int) -> tuple[Draw, ...]:
+    return (Draw(channels, 0),)
+
+
+@draws.register
+def _(device: InertialUnit, channels: int) -> tuple[Draw, ...]:
+    white, walks = channels // 2, channels - channels // 2
+    return Draw(white, 1), Draw(walks, round(WALK_EVERY))
 
 
 @functools.singledispatch

@@ -4,9 +4,9 @@ The filter follows the place of the inertial sensor, where the measured specific
 that of the motion, and speaks for the main body: with the offset r of the sensor from it,
 p = p_s − R r and v = v_s − R (ω × r).  So no angular acceleration needs to be made from rates.
 
-A pose from motion capture arrives late.  The filter keeps its poses of the last few samples, reads
-between them what it believed at the pose's own time, and compares there; corrections move the kept
-poses too.  So a delay causes no bias, not even while the robot is accelerated by an impact.
+A pose from motion capture arrives late.  The filter keeps what it believed at each instant at which
+the cameras expose, until their pose arrives, and compares there; corrections move the kept poses
+too.  So a delay causes no bias, not even while the robot is accelerated by an impact.
 
 Source: J. Solà, Quaternion kinematics for the error-state Kalman filter, arXiv 1711.02508, with
 rotation errors in body axes: sections 5.4 (prediction), 6.1 (correction), 6.2 (injection). The
@@ -17,7 +17,7 @@ the correction of the rotation, some 1e-3.
 from __future__ import annotations
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import largest
+from springback.kernels.trees import Seldom, largest
 from springback.kernels.vectors import (
     Quat,
     Vec,
@@ -28,17 +28,20 @@ from springback.kernels.vectors import (
     transposed,
     turned_by,
 )
-from springback.sensing.covariance import Covariance, Noise, Transition, carried
+from springback.sensing.covariance import Noise, Transition, carried
 from springback.sensing.kalman_correction import informed
 from springback.sensing.kalman_memory import (
+    ROUNDING,
     Deviations,
     Kalman,
     KalmanMemory,
     Kept,
+    Known,
     Nominal,
     Track,
     Window,
     empty_window,
+    exposed_before,
     kalman_memory,
 )
 from springback.sensing.measurement import Believed, Estimate, Inertial, Measurement, estimated
@@ -53,19 +56,18 @@ AT_RANGE = 0.9
 @estimated.register(Kalman)
 @kernel
 def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> Believed:
-    track, covariance, surprise = memory.track, memory.covariance, memory.surprise
+    track = memory.track
     if seen.inertial.fresh > 0.5:
-        track = _followed(kalman, seen.inertial, track)
+        track = _followed(kalman, tick, seen.inertial, track)
     else:
         track = _waited(kalman, track)
+    after = KalmanMemory(track, Seldom(0.0, memory.known.tree))
     posed = seen.pose.fresh > 0.5
     if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
-        covariance = _predicted(kalman, track, covariance)
-        track = _begun(track)
-    if posed:
-        told = informed(kalman, seen.pose, track, covariance)
-        track, covariance, surprise = told.track, told.covariance, told.surprise
-    return Believed(_spoken(kalman, track), KalmanMemory(track, covariance, surprise))
+        after = _predicted(kalman, after)
+        if posed:
+            after = informed(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
+    return Believed(_spoken(kalman, after.track), after)
 
 
 @kernel
@@ -113,7 +115,24 @@ def _at_range(reading: Vec, limit: float) -> bool:
 
 
 @kernel
-def _followed(kalman: Kalman, inertial: Inertial, track: Track) -> Track:
+def _kept(
+    kalman: Kalman, tick: float, n: Nominal, omega: Vec, acceleration: Vec, kept: tuple[Kept, ...]
+) -> tuple[Kept, ...]:
+    """The kept poses after a sample, with a new one if the cameras exposed during it.
+
+    The way back to the exposure is the way that the sample has come, at steady rate and
+    acceleration.
+    """
+    since = exposed_before(kalman, tick)
+    if since < (1.0 - ROUNDING) * kalman.interval:
+        position = n.position - since * n.velocity + (0.5 * since * since) * acceleration
+        attitude = quaternion_product(n.attitude, turned_by(-since * omega))
+        return (Kept(position, attitude), *kept[:-1])
+    return kept
+
+
+@kernel
+def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> Track:
     """Section 5.4.1, with the force turned by the attitude in the middle of the sample.
 
     A sample stands for the mean over the interval that ends with it.
@@ -128,14 +147,10 @@ def _followed(kalman: Kalman, inertial: Inertial, track: Track) -> Track:
     attitude = normalised(quaternion_product(middle, half))
     clipped = dt if _at_range(inertial.specific_force, kalman.accelerometer_range) else 0.0
     spun = dt if _at_range(inertial.angular_velocity, kalman.gyroscope_range) else 0.0
+    velocity = n.velocity + dt * acceleration
+    after = Nominal(position, velocity, attitude, n.accelerometer_bias, n.gyroscope_bias)
     return Track(
-        nominal=Nominal(
-            position,
-            n.velocity + dt * acceleration,
-            attitude,
-            n.accelerometer_bias,
-            n.gyroscope_bias,
-        ),
+        nominal=after,
         angular_velocity=omega,
         acceleration=acceleration,
         window=Window(
@@ -145,7 +160,7 @@ def _followed(kalman: Kalman, inertial: Inertial, track: Track) -> Track:
             window.clipped + clipped,
             window.spun + spun,
         ),
-        kept=(Kept(position, attitude), *track.kept[:-1]),
+        kept=_kept(kalman, tick, after, omega, acceleration, track.kept),
         waiting=0.0,
     )
 
@@ -184,7 +199,9 @@ def _noise(kalman: Kalman, window: Window) -> Noise:
 
 
 @kernel
-def _predicted(kalman: Kalman, track: Track, c: Covariance) -> Covariance:
-    """The covariance brought up to the last sample."""
+def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
+    """The covariance brought up to the last sample, and a new window."""
+    track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)
-    return carried(c, transition, _noise(kalman, track.window))
+    covariance = carried(known.covariance, transition, _noise(kalman, track.window))
+    return KalmanMemory(_begun(track), Seldom(1.0, Known(covariance, known.surprise)))

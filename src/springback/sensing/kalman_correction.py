@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import along, each, least, total
+from springback.kernels.trees import Seldom, along, each, least, total
 from springback.kernels.vectors import (
     Mat,
     Quat,
@@ -37,18 +37,19 @@ from springback.sensing.kalman_memory import (
     Kalman,
     KalmanMemory,
     Kept,
+    Known,
     Nominal,
     Surprise,
     Track,
     empty_window,
+    exposed_before,
 )
 from springback.sensing.measurement import Pose
 
 
 @kernel
-def _share(kept: Kept, delay: float, lag: float, interval: float) -> Kept:
-    """A kept pose times its weight in linear interpolation at a lag."""
-    weight = positive_part(1.0 - abs(lag - delay) / interval)
+def _weighted(kept: Kept, weight: float) -> Kept:
+    """A kept pose times a weight."""
     q = kept.attitude
     return Kept(
         weight * kept.position, Quat(weight * q.w, weight * q.x, weight * q.y, weight * q.z)
@@ -56,9 +57,30 @@ def _share(kept: Kept, delay: float, lag: float, interval: float) -> Kept:
 
 
 @kernel
-def _recalled(kalman: Kalman, kept: tuple[Kept, ...], lag: float) -> Kept:
-    """What the filter now believes its pose was, some time before the last sample."""
-    pose = total(each(_share, (kept, kalman.delays), (lag, kalman.interval)))
+def _share(kept: Kept, delay: float, lag: float, interval: float) -> Kept:
+    """A kept pose times its weight in linear interpolation at a lag."""
+    return _weighted(kept, positive_part(1.0 - abs(lag - delay) / interval))
+
+
+@kernel
+def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> Kept:
+    """What the filter now believes its pose was, some time before the last sample.
+
+    At an exposure this is the pose kept there.  Elsewhere, as where motion capture is faster than
+    the inertial samples, it is interpolated linearly.
+
+    Args:
+        kalman: Settings of the filter.
+        track: Of the filter.
+        since: Time from the newest kept pose to the last sample [s].
+        lag: Before the last sample, not beyond the oldest kept pose [s].
+    """
+    kept = each(_share, (track.kept, kalman.delays), (lag - since, kalman.pose_interval))
+    pose = total(kept)
+    if lag < since:
+        n, share = track.nominal, lag / since
+        now = _weighted(Kept(n.position, n.attitude), 1.0 - share)
+        pose = total((now, _weighted(track.kept[0], share)))
     return Kept(pose.position, normalised(pose.attitude))
 
 
@@ -76,9 +98,12 @@ def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
 
 
 @kernel
-def _moved(kept: Kept, delay: float, before: Nominal, after: Nominal) -> Kept:
-    """A kept pose after a correction of the newest: at its time, δp − t δv and the same turn."""
-    shift = after.position - before.position - delay * (after.velocity - before.velocity)
+def _moved(kept: Kept, delay: float, since: float, before: Nominal, after: Nominal) -> Kept:
+    """A kept pose after a correction of the last sample's: at its time, δp − t δv, and the turn.
+
+    Its time t before the last sample is its delay behind the newest kept pose, and since that one.
+    """
+    shift = after.position - before.position - (since + delay) * (after.velocity - before.velocity)
     turn = quaternion_product(after.attitude, conjugate(before.attitude))
     return Kept(kept.position + shift, quaternion_product(turn, kept.attitude))
 
@@ -133,21 +158,23 @@ def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat, z: Vec) -> _Corre
 
 
 @kernel
-def informed(kalman: Kalman, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
+def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
     """The filter after a pose: first its position, then its attitude.
 
     Args:
         kalman: Settings of the filter.
+        tick: Number of the tick.
         pose: The pose.
         track: Of the filter, its window empty.
         c: Covariance, at the last inertial sample.
     """
     before = track.nominal
     late = positive_part(pose.age - track.waiting - kalman.inertial_lag)
-    lag = least((late, kalman.delays[-1]))
-    then = _recalled(kalman, track.kept, lag)
+    since = exposed_before(kalman, tick - track.waiting / kalman.tick)
+    lag = least((late, since + kalman.delays[-1]))
+    then = _recalled(kalman, track, since, lag)
     first = _with_position(kalman, pose, lag, then, before, c)
-    then = _moved(then, lag, before, first.nominal)
+    then = _moved(then, lag, 0.0, before, first.nominal)
     second = _with_attitude(kalman, pose, lag, then, first.nominal, first.covariance)
     after = second.nominal
     corrected_track = Track(
@@ -155,9 +182,8 @@ def informed(kalman: Kalman, pose: Pose, track: Track, c: Covariance) -> KalmanM
         angular_velocity=track.angular_velocity + before.gyroscope_bias - after.gyroscope_bias,
         acceleration=track.acceleration,
         window=empty_window(after.attitude),
-        kept=each(_moved, (track.kept, kalman.delays), (before, after)),
+        kept=each(_moved, (track.kept, kalman.delays), (since, before, after)),
         waiting=track.waiting,
     )
-    return KalmanMemory(
-        corrected_track, second.covariance, Surprise(first.surprise, second.surprise)
-    )
+    known = Known(second.covariance, Surprise(first.surprise, second.surprise))
+    return KalmanMemory(corrected_track, Seldom(1.0, known))

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
+from springback.kernels.trees import Seldom
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.sensing.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
+
+#: Instants this near, as a share of the time between two of a kind, are one: rounding.
+ROUNDING = 1e-6
 
 
 class Kalman(NamedTuple):
@@ -17,7 +22,9 @@ class Kalman(NamedTuple):
     interval: float  # between inertial samples [s]
     inertial_lag: float  # by which inertial samples are late [s]
     every: float  # inertial samples to one prediction of the covariance
-    delays: tuple[float, ...]  # of the kept poses: 0, 1, 2, … intervals [s]
+    pose_interval: float  # between exposures of motion capture [s]
+    pose_phase: float  # of one exposure, since tick 0 [s]
+    delays: tuple[float, ...]  # of the kept poses, behind the newest: 0, 1, 2, … pose intervals [s]
     gravity: float  # g along −Z [m/s²]
     offset: Vec  # r, of the inertial sensor from the main body, body axes [m]
     accelerometer_noise: float  # one-sided density [m/s²/√Hz]
@@ -29,6 +36,18 @@ class Kalman(NamedTuple):
     distrust: float  # time over which clipping loses as much as the range [s]; 0 trusts
     position_noise: float  # of motion capture, standard deviation [m]
     attitude_noise: float  # of motion capture, standard deviation about each axis [rad]
+
+
+@kernel
+def exposed_before(kalman: Kalman, tick: float) -> float:
+    """How long before what an inertial sample tells of motion capture last exposed [s].
+
+    Args:
+        kalman: Settings of the filter.
+        tick: At which the sample arrives.
+    """
+    time = tick * kalman.tick - kalman.inertial_lag - kalman.pose_phase
+    return time - kalman.pose_interval * math.floor(time / kalman.pose_interval + ROUNDING)
 
 
 class Nominal(NamedTuple):
@@ -58,7 +77,7 @@ def empty_window(attitude: Quat) -> Window:
 
 
 class Kept(NamedTuple):
-    """A pose of the inertial sensor as the filter knew it, or a weighted sum of such."""
+    """A pose of the inertial sensor at an exposure, or a weighted sum of such."""
 
     position: Vec  # world [m]
     attitude: Quat
@@ -78,16 +97,22 @@ class Track(NamedTuple):
     angular_velocity: Vec  # body, bias taken off [rad/s]
     acceleration: Vec  # world [m/s²]
     window: Window
-    kept: tuple[Kept, ...]  # newest first
+    kept: tuple[Kept, ...]  # of the last exposures, newest first
     waiting: float  # time since the last inertial sample [s]
+
+
+class Known(NamedTuple):
+    """How well the filter knows where it is."""
+
+    covariance: Covariance
+    surprise: Surprise
 
 
 class KalmanMemory(NamedTuple):
     """What the filter remembers."""
 
     track: Track
-    covariance: Covariance
-    surprise: Surprise
+    known: Seldom  # Known; it changes with poses only
 
 
 class Deviations(NamedTuple):
@@ -102,7 +127,7 @@ class Deviations(NamedTuple):
 
 def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) -> KalmanMemory:
     """What a filter remembers that has stood for a while in a known state, biases unknown."""
-    r = rotation(estimate.attitude)
+    r, since = rotation(estimate.attitude), exposed_before(kalman, 0.0)
     position = estimate.position + r @ kalman.offset
     velocity = estimate.velocity + r @ (estimate.angular_velocity ^ kalman.offset)
     zero = Vec(0.0, 0.0, 0.0)
@@ -111,7 +136,10 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
         angular_velocity=estimate.angular_velocity,
         acceleration=zero,
         window=empty_window(estimate.attitude),
-        kept=tuple(Kept(position - d * velocity, estimate.attitude) for d in kalman.delays),
+        kept=tuple(
+            Kept(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays
+        ),
         waiting=0.0,
     )
-    return KalmanMemory(track, uncorrelated(*deviations), Surprise(0.0, 0.0))
+    known = Known(uncorrelated(*deviations), Surprise(0.0, 0.0))
+    return KalmanMemory(track, Seldom(0.0, known))

@@ -55,7 +55,7 @@ class Measurement(NamedTuple):
 @kernel
 def due(tick: float, every: float) -> bool:
     """Whether a device that speaks every so many ticks (a whole number) speaks at this one."""
-    return tick - every * math.floor(tick / every + 0.5 / every) < 0.5
+    return tick - every * math.floor((tick + 0.5) / every) < 0.5
 
 
 class Believed(NamedTuple):

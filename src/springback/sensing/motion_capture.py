@@ -6,9 +6,12 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import Seldom, pick
 from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
+from springback.sensing.clock import draws
 from springback.sensing.measurement import Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.simulation.aboard import Draw
 from springback.vehicle.state import State
 
 
@@ -115,12 +118,14 @@ def _lost(device: MotionCapture, lost: float, normal: float) -> float:
 
 @kernel
 def _exposed(
-    device: MotionCapture, state: State, noise: MotionCaptureNoise, lost: float
-) -> Exposure:
-    """The sample that the cameras take now."""
+    device: MotionCapture, state: State, noise: MotionCaptureNoise, m: MotionCaptureMemory
+) -> MotionCaptureMemory:
+    """The cameras take a sample."""
+    lost = _lost(device, m.lost, noise.loss)
     position = state.position + device.position_noise * noise.position
     attitude = turned(state.attitude, device.attitude_noise * noise.attitude)
-    return Exposure(position, attitude, 1.0 - lost)
+    line = entered(m.line, Exposure(position, attitude, 1.0 - lost))
+    return MotionCaptureMemory(line, lost, m.last, m.taken_at)
 
 
 @captured.register(MotionCapture)
@@ -130,23 +135,29 @@ def _captured(
     tick: float,
     truth: Truth,
     noise: MotionCaptureNoise,
-    memory: MotionCaptureMemory,
+    memory: Seldom,
 ) -> Captured:
+    since, m, fresh = tick - device.delay, memory.tree, 0.0
     exposing = due(tick, device.every)
-    lost = _lost(device, memory.lost, noise.loss) if exposing else memory.lost
-    taken = _exposed(device, truth.now, noise, lost)
-    line = entered(memory.line, taken) if exposing else memory.line
+    delivering = (since > -0.5) & due(since, device.every)
+    if exposing:
+        m = _exposed(device, truth.now, noise, m)
+    if delivering:
+        arrived = arriving(m.line, device.delay, device.every)
+        fresh = arrived.seen
+        m = pick(fresh > 0.5, MotionCaptureMemory(m.line, m.lost, arrived, since), m)
+    pose = Pose(m.last.position, m.last.attitude, fresh, (tick - m.taken_at) * truth.duration)
+    return Captured(pose, Seldom(1.0 if exposing | delivering else 0.0, m))
 
-    since = tick - device.delay
-    arrived = arriving(line, device.delay, device.every)
-    fresh = (since > -0.5) & due(since, device.every) & (arrived.seen > 0.5)
-    last = arrived if fresh else memory.last
-    taken_at = since if fresh else memory.taken_at
 
-    age = (tick - taken_at) * truth.duration
-    flag = 1.0 if fresh else 0.0
-    pose = Pose(last.position, last.attitude, flag, age)
-    return Captured(pose, MotionCaptureMemory(line, lost, last, taken_at))
+@draws.register
+def _(device: PerfectMotionCapture, channels: int) -> tuple[Draw, ...]:
+    return (Draw(channels, 0),)
+
+
+@draws.register
+def _(device: MotionCapture, channels: int) -> tuple[Draw, ...]:
+    return (Draw(channels, round(device.every)),)
 
 
 @functools.singledispatch
@@ -163,6 +174,6 @@ def motion_capture_at_start(device: Any, start: State) -> Any:
 
 
 @motion_capture_at_start.register
-def _(device: MotionCapture, start: State) -> MotionCaptureMemory:
+def _(device: MotionCapture, start: State) -> Seldom:
     exposure = Exposure(start.position, start.attitude, 1.0)
-    return MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0)
+    return Seldom(0.0, MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0))

@@ -6,16 +6,20 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Quat, Vec
+from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read
 from springback.sensing.inertial import InertialNoise, felt, inertial_at_start
 from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
 from springback.sensing.motion_capture import MotionCaptureNoise, captured, motion_capture_at_start
+from springback.simulation.aboard import Draw
 from springback.vehicle.state import State
 
-#: Standard normal numbers at each tick, beside one for each arm:
-#: 0-2 position and 3-5 attitude of motion capture, 6 its gaps; 7-9 accelerometer, 10-12 gyroscope;
-#: 13-15 bias of the accelerometer, 16-18 bias of the gyroscope; from 19 on, one for each arm.
-NOISE = 19
+#: Standard normal numbers of motion capture: 0-2 position, 3-5 attitude, 6 its gaps ...
+MOTION_CAPTURE_NOISE = 7
+#: ... and of the inertial unit: 7-9 accelerometer, 10-12 gyroscope, 13-15 and 16-18 their biases.
+INERTIAL_NOISE = 12
+#: Numbers at each tick, beside one for each arm, from here on.
+NOISE = MOTION_CAPTURE_NOISE + INERTIAL_NOISE
 
 
 class Sensors(NamedTuple):
@@ -41,10 +45,21 @@ class SensorsMemory(NamedTuple):
 def noise_count(arm_count: int) -> int:
     """Number of standard normal numbers that `sensed` takes at each tick.
 
-    It does not depend on which devices are chosen: so two sets of sensors can be compared on the
-    same noise.
+    It does not depend on which devices are chosen.
     """
     return NOISE + arm_count
+
+
+def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
+    """When which of the numbers are drawn; plain Python.
+
+    Every device has its own luck: so two sets of sensors can be compared on the same noise.
+    """
+    return (
+        *draws(sensors.motion_capture, MOTION_CAPTURE_NOISE),
+        *draws(sensors.inertial, INERTIAL_NOISE),
+        *draws(sensors.arm_length, arm_count),
+    )
 
 
 def sensors_at_start(sensors: Sensors, start: State, gravity: float) -> SensorsMemory:

@@ -49,10 +49,18 @@ def sensed(
         sensors: Settings of the sensors, a NamedTuple.
         tick: Number of the tick, from 0; a whole number.
         truth: The motion over the last tick.
-        noise: Independent standard normal numbers, drawn for this tick.
+        noise: Independent standard normal numbers, drawn for this tick; zeros for a device that
+            takes none now.
         memory: What the sensors remember; returned anew, never changed in place.
     """
     raise TypeError(f"{type(sensors).__name__} is no set of sensors; register sensed for it")
+
+
+class Draw(NamedTuple):
+    """Normal numbers of one device, drawn together."""
+
+    channels: int
+    every: int  # ticks from one draw to the next, the first at tick 0; 0: it takes none
 
 
 class Piloted(NamedTuple):

@@ -14,7 +14,7 @@ import numpy as np
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
 from springback.kernels.compiler import own_executor, registered
-from springback.kernels.layout import Buffer, Like, rows
+from springback.kernels.layout import Buffer, Like, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import Shape, advance, empty_groups
@@ -51,9 +51,19 @@ class Flown(NamedTuple):
     start: State
     motion: Motion
     record: Record
-    before: Energy
-    after: Energy
     trace: Trace | None
+
+    @property
+    def before(self) -> Energy:
+        """At the start."""
+        m = self.model
+        return energy(m.airframe, m.world, m.contact_point, self.start)
+
+    @property
+    def after(self) -> Energy:
+        """At the end."""
+        m = self.model
+        return energy(m.airframe, m.world, m.contact_point, self.motion.state)
 
 
 def still_work() -> Work:
@@ -81,7 +91,7 @@ def loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
     record = leaves(shape.record)
-    status, phase = (names(shape.record).index(name) for name in ("status", "phase"))
+    status, phase = (row_of(shape.record, name) for name in ("status", "phase"))
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
     work, record_row = leaves(shape.motion.work), -len(record)
     spare = len(buffers) * width - len(states)
@@ -122,9 +132,7 @@ def unloaded(
         motion = rebuilt(shape.motion, column[model_rows : model_rows + motion_rows])
         record = rebuilt(shape.record, column[-record_rows:])
         m = models[min(k, len(models) - 1)]
-        before = energy(m.airframe, m.world, m.contact_point, start)
-        after = energy(m.airframe, m.world, m.contact_point, motion.state)
-        flown.append(Flown(m, start, motion, record, before, after, None))
+        flown.append(Flown(m, start, motion, record, None))
     return flown
 
 

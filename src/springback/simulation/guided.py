@@ -21,6 +21,7 @@ from springback.kernels.trees import leaves, names, rebuilt, square
 from springback.simulation.aboard import (
     Aboard,
     Cabin,
+    Draw,
     Guidance,
     Touch,
     Truth,
@@ -304,23 +305,29 @@ def ticks_of(duration: float, period: float) -> int:
     return max(1, math.ceil(duration / period - 1e-9))
 
 
-def noise_table(seed: int, flight: int, ticks: int, channels: int) -> Buffer:
-    """Standard normal numbers of one flight, shape (ticks, channels).
+def noise_table(seed: int, flight: int, ticks: int, draws: tuple[Draw, ...]) -> Buffer:
+    """Standard normal numbers of one flight, shape (ticks, channels); zeros where none are taken.
 
-    They depend on the seed and the number of the flight alone, so flight 17 of a campaign meets the
-    same luck when flown by itself.
+    They depend on the seed, the number of the flight and the pace of each device alone.  So flight
+    17 of a campaign meets the same luck when flown by itself, and a device the same when another
+    one is exchanged.
 
     Args:
         seed: Of a campaign, or of a flight flown alone.
         flight: Its number in the campaign.
         ticks: Of the clock.
-        channels: Numbers at each tick.
+        draws: Of every device, in the order of their channels.
     """
-    luck = np.random.SeedSequence(seed, spawn_key=(flight, 0))
-    drawn = np.random.Generator(np.random.SFC64(luck)).standard_normal(
-        (ticks, channels), dtype=np.float32
-    )
-    return drawn.astype(np.float64)  # seven digits of luck are enough, and twice as fast
+    table = np.zeros((ticks, sum(draw.channels for draw in draws)))
+    first = 0
+    for channels, every in draws:
+        if every > 0:
+            luck = np.random.SeedSequence(seed, spawn_key=(flight, 0, first))
+            table[::every, first : first + channels] = np.random.Generator(
+                np.random.SFC64(luck)  # seven digits of luck are enough, and twice as fast
+            ).standard_normal((-(-ticks // every), channels), dtype=np.float32)
+        first += channels
+    return table
 
 
 def cabin_of(
@@ -357,12 +364,12 @@ def cabin_of(
 
 def cabins_loaded(cabins: list[Cabin], width: int) -> Buffer:
     """Buffers of what is aboard, lane by lane; spare lanes repeat the last flight."""
-    groups, count = -(-len(cabins) // width), rows(cabins[0])
-    buffers = np.zeros((groups, count, width))
+    groups, columns = -(-len(cabins) // width), [leaves(cabin) for cabin in cabins]
+    buffers = np.zeros((groups, len(columns[0]), width))
     for k in range(groups * width):
         group, lane = divmod(k, width)
-        buffers[group, :, lane] = leaves(cabins[min(k, len(cabins) - 1)])
-    return buffers.reshape(groups, count * width)
+        buffers[group, :, lane] = columns[min(k, len(columns) - 1)]
+    return buffers.reshape(groups, -1)
 
 
 def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> Entries:
@@ -430,12 +437,13 @@ def fly_guided(
     entries, ticks = entries_for(model, cabin, executor), len(noise)
     channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
     like, like_cabin = Like(shape), Like(cabin)
-    head, seat = (*_diary_columns(cabin),), _seat(cabin, cabins[0])
+    head = (*_diary_columns(cabin),) if trace else ()
+    seat = _seat(cabin, cabins[0]) if pilot is not None else None
     diary = np.zeros((ticks if trace else 0, len(head)))
     next_up = np.zeros(2, dtype=np.int64)
     logs, record_row = [], -rows(shape.record)
     while next_up[0] < ticks:
-        log = np.zeros((LOG_ROWS if trace else 0, len(trace_columns(shape))))
+        log = np.zeros((LOG_ROWS if trace else 0, len(trace_columns(shape)) if trace else 1))
         logged = np.zeros(1, dtype=np.int64)
         end = min(ticks, int(next_up[0]) + TICKS)
         while next_up[0] < end and (not trace or logged[0] < len(log)):
@@ -444,7 +452,7 @@ def fly_guided(
                 like, like_cabin, buffers, cabins[0], (0,), channels, gusts, noise,
                 next_up, end, duration, pilot is not None, log, logged, diary,
             )  # fmt: skip
-            if pilot is not None and next_up[1] == DRIVE and tuple(next_up) != before:
+            if pilot and seat and next_up[1] == DRIVE and tuple(next_up) != before:
                 memory = _asked(pilot, cabin, seat, float(next_up[0]), memory)
                 if trace:  # the page of this tick has been written before the pilot spoke
                     diary[next_up[0], 1 : 1 + len(seat[1])] = seat[1]

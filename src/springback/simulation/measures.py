@@ -99,13 +99,13 @@ def _ratio(speed: float, touch_speed: float, happened: bool) -> float | None:
 
 def measures_of(flown: Flown) -> dict[str, float | None]:
     """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
-    m, work = flown.record, flown.motion.work
-    ground_level = flown.before.gravity
-    start = flown.before.total - ground_level
-    end = flown.after.total - ground_level
+    m, work, before, after = flown.record, flown.motion.work, flown.before, flown.after
+    ground_level = before.gravity
+    start = before.total - ground_level
+    end = after.total - ground_level
     losses = work.arm + work.stop + work.contact + work.friction + work.settling + work.air
-    fallen = abs(flown.after.gravity - ground_level)
-    kinetic = max(flown.before.kinetic, flown.after.kinetic)
+    fallen = abs(after.gravity - ground_level)
+    kinetic = max(before.kinetic, after.kinetic)
     scale = max(kinetic, losses, abs(work.thrust), abs(work.air), fallen)
     left, back = m.separation_time >= 0.0, m.return_time >= 0.0
 
@@ -145,11 +145,11 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
         "steps": m.steps,
         "energy_start": start,
         "energy_end": end,
-        "energy_kinetic": flown.after.kinetic,
-        "energy_gravity": flown.after.gravity - ground_level,
-        "energy_springs": flown.after.springs,
-        "energy_stops": flown.after.stops,
-        "energy_contact": flown.after.contact,
+        "energy_kinetic": after.kinetic,
+        "energy_gravity": after.gravity - ground_level,
+        "energy_springs": after.springs,
+        "energy_stops": after.stops,
+        "energy_contact": after.contact,
         "work_thrust": work.thrust,
         "loss_arm": work.arm,
         "loss_stop": work.stop,
