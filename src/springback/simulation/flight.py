@@ -17,7 +17,8 @@ from springback.kernels.compiler import own_executor, registered
 from springback.kernels.layout import Buffer, Like, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import Shape, advance, empty_groups
+from springback.simulation.executor import advance
+from springback.simulation.lanes import Shape, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
 
