@@ -1,6 +1,6 @@
 """The loop: Runge–Kutta steps of many flights abreast, or of one.
 
-One function serves all executors.  Compiled with 16 lanes it flies 16 flights in the registers of
+One function serves all executors.  Compiled with 8 lanes it flies 8 flights in the registers of
 the vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number
 of lanes is the length of a tuple, so the compiler knows it.
 

@@ -25,8 +25,8 @@ from springback.vehicle.state import State
 Executor = Literal["compiled", "python"]
 
 #: Flights abreast in one group: what fills the vector registers and still fits the first-level
-#: cache.
-LANES = 16
+#: cache, together with what the compiler puts aside there.
+LANES = 8
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
