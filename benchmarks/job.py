@@ -21,7 +21,8 @@ from springback.kernels.layout import Like, rows
 from springback.kernels.trees import leaves, names
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
-from springback.simulation.executor import advance, empty_groups
+from springback.simulation.executor import advance
+from springback.simulation.lanes import empty_groups
 from springback.simulation.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State

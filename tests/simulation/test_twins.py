@@ -15,7 +15,7 @@ from springback.experiments.result import as_scenario
 from springback.kernels.layout import Like
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, normalised
-from springback.simulation.executor import advance, places
+from springback.simulation.executor import advance
 from springback.simulation.flight import (
     Flown,
     fly_buffers,
@@ -25,6 +25,7 @@ from springback.simulation.flight import (
     shape_of,
     unloaded,
 )
+from springback.simulation.lanes import places
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
@@ -159,3 +160,36 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
     assert calls > 10
     again = unloaded(shape, [model], [start], buffers, 1)[0]
     assert same(again, fly_one(model, start, trace=False))
+
+
+@pytest.mark.parametrize("budget", [100_000, 37])
+def test_flights_that_change_lanes_come_home_with_the_same_bits(
+    budget: int, alone: list[Flown]
+) -> None:
+    """Groups lend each other flights, also when they are interrupted; each ends where it began."""
+    models, starts = fleet()
+    shape = shape_of(models[0], starts[0])
+    buffers = loaded(shape, models, starts, 4)
+    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
+    while advance(Like(shape), buffers, 0, len(buffers), (0,) * 4, log, logged, budget, 0.0):
+        pass
+    for one, other in zip(alone, unloaded(shape, models, starts, buffers, 4), strict=True):
+        assert same(one, other)
+
+
+def test_lanes_are_kept_full() -> None:
+    """Flights that end early make room for those of other groups.
+
+    Each group has one flight that is by far the longest; without changes of lanes each would take
+    that flight's steps.  Five long flights in four lanes need two fifths of all those.
+    """
+    models, starts = fleet()
+    brief = [m._replace(timing=m.timing._replace(until=0.004)) for m in models]
+    mixed = [m if k % 4 == 0 else b for k, (m, b) in enumerate(zip(models, brief, strict=True))]
+    longest = [fly_one(mixed[k], starts[k], trace=False).record.steps for k in range(0, 20, 4)]
+    shape = shape_of(mixed[0], starts[0])
+    buffers = loaded(shape, mixed, starts, 4)
+    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
+    half = int(sum(longest)) // 2
+    assert len(longest) == len(buffers) == 5
+    assert advance(Like(shape), buffers, 0, 5, (0,) * 4, log, logged, half, 0.0) == 0

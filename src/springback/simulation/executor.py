@@ -1,20 +1,16 @@
 """The loop: Runge–Kutta steps of many flights abreast, or of one.
 
-One function serves all executors.  Compiled with 16 lanes it flies 16 flights in the registers of
+One function serves all executors.  Compiled with 8 lanes it flies 8 flights in the registers of
 the vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number
 of lanes is the length of a tuple, so the compiler knows it.
 
-A group of flights lies in one flat buffer, lane by lane within each row: model, motion, weighted
-sum, rate, for a single flight the view, record.  Flat, with constant offsets, because that is what
-compilers vectorise.
+What lies where, and how flights change lanes, is told in `springback.simulation.lanes`.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses
 from springback.dynamics.energy import energy, locked
@@ -22,39 +18,37 @@ from springback.dynamics.impulse import struck
 from springback.dynamics.motion import NEVER, ArmView, Motion, Rates, View, Work, rates
 from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flight_rates, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
-from springback.kernels.layout import Buffer, Like, read, row_of, rows, write
+from springback.kernels.layout import Buffer, Like, read, rows, write
 from springback.kernels.trees import along, along_strictly, each, pick, square
 from springback.kernels.vectors import Quat, Vec, normalised
+from springback.simulation.lanes import (
+    CRUISES,
+    STEERS,
+    brought_home,
+    filled,
+    marked,
+    numbered,
+    places,
+    put_aside,
+    put_back,
+)
 from springback.simulation.record import (
     APPLY_IMPULSE,
-    ARRIVED,
     FLYING,
     NOT_FINITE,
     NOTHING,
     Model,
-    Record,
     cruised_past,
     observed,
 )
 from springback.vehicle.state import Airframe, Arm, State
 
-#: Marks of lanes that fly as one body, and of those that wait for their neighbours at a tick.
-CRUISES, WAITS = 1.0, 2.0
 #: A flight whose squared coordinates and speeds add up to more than this has diverged.
 DIVERGED = 1e12
 
 # Classical Runge–Kutta, x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄): stage i is taken at x + REACH[i] h kᵢ₋₁.
 REACH = (0.0, 0.5, 0.5, 1.0)
 WEIGHT = (1.0, 2.0, 2.0, 1.0)
-
-
-class Shape(NamedTuple):
-    """Trees that tell the executor what lies in a buffer; their numbers do not matter."""
-
-    model: Model
-    motion: Motion
-    seen: View
-    record: Record
 
 
 @rare_kernel
@@ -84,36 +78,6 @@ def _answered_with_impulses(laws: Impulses, model: Model, motion: Motion, reques
     if request == APPLY_IMPULSE:
         return struck(model.airframe, model.world, model.contact_point, motion)
     return settled(model, motion)
-
-
-class Places(NamedTuple):
-    """Rows of a buffer at which its parts begin."""
-
-    motion: int
-    total: int  # weighted sum of the stages' rates
-    rate: int  # of the state, at the stage before
-    seen: int  # the view, of a single flight only
-    kept: int  # marks of lanes; of several lanes, their motion and record besides
-    record: int  # it begins with time, step, status, phase, request, cruising
-    step: int
-    status: int
-    phase: int
-    request: int
-    cruising: int
-    end: int
-
-
-@kernel
-def places(shape: Like | Shape, w: int) -> Places:
-    """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
-    motion = rows(shape.model)
-    total = motion + rows(shape.motion)
-    rate = total + rows(shape.motion)
-    view = rate + rows(shape.motion.state)
-    kept = view + (rows(shape.seen) if w == 1 else 0)
-    r = kept + 1 + (rows(shape.motion) + rows(shape.record) if w > 1 else 0)
-    end = r + rows(shape.record)
-    return Places(motion, total, rate, view, kept, r, r + 1, r + 2, r + 3, r + 4, r + 5, end)
 
 
 @kernel
@@ -236,7 +200,7 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         h = left if left < model.timing.free_step else model.timing.free_step
         new = flown_on(body, guide, air, gravity, x, known.flight, h)
         good = is_finite(new)
-        goes = b[at.kept * w + i] == CRUISES
+        goes = b[at.mark * w + i] == CRUISES
         write(pick(goes & good, landed(motion, new), motion), b, at.motion, w, i)
         write(
             pick(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
@@ -244,30 +208,6 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         if w == 1:
             view = cruise_view(model.airframe, s.arm_length, known, record.room)
             write(view, b, at.seen, w, i)
-
-
-@kernel
-def put_aside(shape: Like, b: Buffer, w: int) -> None:
-    """Put motion and record of all lanes aside: marked lanes are not to be steered."""
-    at, moving = places(shape, w), rows(shape.motion)
-    for k in range(moving * w):
-        b[(at.kept + 1) * w + k] = b[at.motion * w + k]
-    for k in range(rows(shape.record) * w):
-        b[(at.kept + 1 + moving) * w + k] = b[at.record * w + k]
-
-
-@kernel
-def put_back(shape: Like, b: Buffer, w: int) -> None:
-    """Give the marked lanes their motion and record back."""
-    at, moving = places(shape, w), rows(shape.motion)
-    for k in range(moving):
-        for i in range(w):
-            old, place = b[(at.kept + 1 + k) * w + i], (at.motion + k) * w + i
-            b[place] = old if b[at.kept * w + i] > 0.0 else b[place]
-    for k in range(rows(shape.record)):
-        for i in range(w):
-            old, place = b[(at.kept + 1 + moving + k) * w + i], (at.record + k) * w + i
-            b[place] = old if b[at.kept * w + i] > 0.0 else b[place]
 
 
 @kernel
@@ -287,6 +227,45 @@ def log_view(shape: Like, b: Buffer, line: Buffer) -> None:
         line[1 + moving + k] = b[at.seen + k]
 
 
+@kernel
+def cruised_on(shape: Like, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
+    """One step of the lanes that cruise; of a single flight, a line of the log."""
+    logs = (w == 1) & (log.shape[0] > 0)
+    if logs:
+        log_motion(shape, b, log[logged[0]])
+    cruised(shape, b, w)
+    if logs:
+        log_view(shape, b, log[logged[0]])
+        logged[0] += 1
+
+
+@kernel
+def log_steered(shape: Like, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
+    """Of a single flight that is steered, a line of the log."""
+    at = places(shape, w)
+    if (w == 1) & (log.shape[0] > 0) and (b[at.step] > 0.0 or b[at.status] != FLYING):
+        log_motion(shape, b, log[logged[0]])
+        log_view(shape, b, log[logged[0]])
+        logged[0] += 1
+
+
+@kernel
+def attended(shape: Like, b: Buffer, w: int) -> None:
+    """Answer the requests of all lanes."""
+    at = places(shape, w)
+    asked = 0
+    for i in range(w):
+        flies = b[at.status * w + i] == FLYING
+        asked += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
+    # Behind a branch of its own: else the rare event is computed, masked, at every step.
+    for i in range(w if asked > 0 else 0):
+        if b[at.request * w + i] != NOTHING and b[at.status * w + i] == FLYING:
+            model = read(shape.model, b, 0, w, i)
+            motion = read(shape.motion, b, at.motion, w, i)
+            motion = answered(model.world.laws, model, motion, b[at.request * w + i])
+            write(motion, b, at.motion, w, i)
+
+
 @executor(nogil=True)
 def advance(
     shape: Like,
@@ -299,7 +278,11 @@ def advance(
     budget: int,
     early: float,
 ) -> int:
-    """Advance the groups ``first`` to ``last`` of flights, each by at most ``budget`` steps.
+    """Advance the groups ``first`` to ``last`` of flights.
+
+    The groups take turns: each flies on while any of its flights cruises, then each steers while
+    any is to be steered, and so on.  In its turn a group takes flights over from later groups, for
+    those that have nothing to do in it; all are back in their lanes at the end.
 
     Args:
         shape: What lies in the buffers.
@@ -310,88 +293,53 @@ def advance(
         log: Trajectory of a single flight, one instant a row, shape (instants, columns); empty for
             none.  The columns are time, motion and view.
         logged: Number of rows of the log in use, shape (1,); advanced.
-        budget: Most steps to take.
+        budget: Most steps to take, those of all groups together.
         early: 1 leaves every flight at ``until`` as it arrives, to be flown on; 0 ends it there.
 
     Returns:
         Number of flights that are still flying and not there yet.
     """
-    w = len(lanes)
-    at = places(shape, w)
-    until = row_of(shape.model, "timing")  # its first field
-    logs = (w == 1) & (log.shape[0] > 0)
-    flying = 0
+    w, groups = len(lanes), last - first
     # It is 1, which the compiler does not know: loops of known length it would unroll, not pack.
     once = logged.shape[0]
-
-    for group in range(first, last):
-        b = buffers[group]
-        running = w
-        for _ in range(budget):
-            if log.shape[0] > 0 and logged[0] >= log.shape[0]:
-                break
-            cruising, steering, waiting = 0, 0, 0
-            for i in range(w):
-                flies = b[at.status * w + i] == FLYING
-                far = b[until * w + i] - b[at.record * w + i] > ARRIVED
-                goes = flies & far & (b[at.cruising * w + i] > 0.0)
-                # A lane that waits for its neighbours at the end of a tick is not to be looked at:
-                # a flight alone is next looked at when its new tick has begun.
-                waits = (w > 1) & (early > 0.0) & flies & (not far)
-                b[at.kept * w + i] = CRUISES if goes else WAITS if waits else 0.0
-                cruising += 1 if goes else 0
-                waiting += 1 if waits else 0
-                steering += 1 if flies & (not goes) & (far | (early == 0.0)) else 0
-            if (steering > 0) | (cruising == 0):
-                if cruising + waiting > 0:
-                    put_aside(shape, b, w)
-                begun(shape, b, w)
-                if logs and (b[at.step] > 0.0 or b[at.status] != FLYING):
-                    log_motion(shape, b, log[logged[0]])
-                    log_view(shape, b, log[logged[0]])
-                    logged[0] += 1
-                for stage in range(1, 3 + once):
-                    staged(shape, b, w, REACH[stage], WEIGHT[stage])
-                for i in range(w * once):
-                    taken(shape, b, w, i)
-                if cruising + waiting > 0:
-                    put_back(shape, b, w)
-            if cruising > 0:
-                if logs:
-                    log_motion(shape, b, log[logged[0]])
-                cruised(shape, b, w)
-                if logs:
-                    log_view(shape, b, log[logged[0]])
-                    logged[0] += 1
-            running = 0
-            asked = 0
-            for i in range(w):
-                flies = b[at.status * w + i] == FLYING
-                there = b[until * w + i] - b[at.record * w + i] <= ARRIVED
-                running += 1 if flies & ((early == 0.0) | (not there)) else 0
-                asked += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
-            # Behind a branch of its own: else the rare event is computed, masked, at every step.
-            for i in range(w if asked > 0 else 0):
-                if b[at.request * w + i] != NOTHING and b[at.status * w + i] == FLYING:
-                    model = read(shape.model, b, 0, w, i)
-                    motion = read(shape.motion, b, at.motion, w, i)
-                    motion = answered(model.world.laws, model, motion, b[at.request * w + i])
-                    write(motion, b, at.motion, w, i)
-            if running == 0:
-                break
-        flying += running
+    if w > 1:
+        numbered(shape, buffers, first, last, w)
+    lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
+    flying = 1
+    while flying > 0 and budget > 0 and logged[0] < lines:
+        for turn in range(2 * groups):
+            group, cruising = first + turn % groups, turn < groups
+            wanted = CRUISES if cruising else STEERS
+            b, more, looked = buffers[group], (w > 1) & (group + 1 < last), False
+            while budget > 0 and logged[0] < lines:
+                now = marked(shape, b, w, early)
+                if more and (now.cruising if cruising else now.steering) < w:
+                    more = filled(shape, buffers, group, last, w, wanted, early)
+                    now = marked(shape, b, w, early)
+                if cruising and now.cruising > 0:
+                    cruised_on(shape, b, w, log, logged)
+                    looked = False
+                elif now.steering > 0 and not (cruising and looked):
+                    # Looked at closely, a flight may well find that it has room to cruise on.
+                    looked = True
+                    if now.cruising + now.waiting > 0:
+                        put_aside(shape, b, w)
+                    begun(shape, b, w)
+                    log_steered(shape, b, w, log, logged)
+                    for stage in range(1, 3 + once):
+                        staged(shape, b, w, REACH[stage], WEIGHT[stage])
+                    for i in range(w * once):
+                        taken(shape, b, w, i)
+                    if now.cruising + now.waiting > 0:
+                        put_back(shape, b, w)
+                    attended(shape, b, w)
+                else:
+                    break
+                budget -= 1
+        flying = 0
+        for group in range(first, last):
+            now = marked(shape, buffers[group], w, early)
+            flying += now.cruising + now.steering
+    if w > 1:
+        brought_home(shape, buffers, first, last, w)
     return flying
-
-
-def buffer_rows(shape: Shape, width: int) -> int:
-    """Number of rows that one flight takes in a buffer of some width."""
-    return places(shape, width).end
-
-
-def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
-    """Zeroed buffers for a number of flights in groups of ``width``, aligned to cache lines."""
-    groups, size = -(-flights // width), buffer_rows(shape, width) * width
-    line = 64
-    raw = np.zeros(groups * size * 8 + line, dtype=np.uint8)
-    start = -raw.ctypes.data % line
-    return raw[start : start + groups * size * 8].view(np.float64).reshape(groups, size)

@@ -17,15 +17,16 @@ from springback.kernels.compiler import own_executor, registered
 from springback.kernels.layout import Buffer, Like, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import Shape, advance, empty_groups
+from springback.simulation.executor import advance
+from springback.simulation.lanes import Shape, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
 
 Executor = Literal["compiled", "python"]
 
 #: Flights abreast in one group: what fills the vector registers and still fits the first-level
-#: cache.
-LANES = 16
+#: cache, together with what the compiler puts aside there.
+LANES = 8
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096

@@ -30,7 +30,7 @@ from springback.simulation.aboard import (
     told,
     witnessed,
 )
-from springback.simulation.executor import advance, places
+from springback.simulation.executor import advance
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
@@ -44,6 +44,7 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
+from springback.simulation.lanes import places
 from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Model
 from springback.vehicle.rotors import all_lagged
 from springback.vehicle.state import State

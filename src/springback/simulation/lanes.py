@@ -1,0 +1,223 @@
+"""Lanes: where the parts of a flight lie in a buffer, and how flights change their lanes.
+
+A group of flights lies in one flat buffer, lane by lane within each row: model, motion, weighted
+sum, rate, for a single flight the view, record.  Flat, with constant offsets, because that is what
+compilers vectorise.
+
+A step costs a group the same however many of its lanes take it.  So flights change lanes with those
+of other groups, that those abreast take the same kind of step; no number of theirs depends on it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from springback.dynamics.motion import Motion, View
+from springback.kernels.compiler import kernel
+from springback.kernels.layout import Buffer, Like, row_of, rows
+from springback.simulation.record import ARRIVED, FLYING, Model, Record
+
+#: What a lane does next: it is steered, it flies as one body, it waits for its neighbours at a
+#: tick, it has ended.
+STEERS, CRUISES, WAITS, ENDED = 0.0, 1.0, 2.0, -1.0
+
+
+class Shape(NamedTuple):
+    """Trees that tell the executor what lies in a buffer; their numbers do not matter."""
+
+    model: Model
+    motion: Motion
+    seen: View
+    record: Record
+
+
+class Places(NamedTuple):
+    """Rows of a buffer at which its parts begin."""
+
+    motion: int
+    total: int  # weighted sum of the stages' rates
+    rate: int  # of the state, at the stage before
+    seen: int  # the view, of a single flight only
+    mark: int  # what each lane does next
+    home: int  # of several lanes, the lane in which each flight began, counted through the groups
+    kept: int  # of several lanes, motion and record of those that are not to be steered
+    record: int  # it begins with time, step, status, phase, request, cruising
+    step: int
+    status: int
+    phase: int
+    request: int
+    cruising: int
+    end: int
+
+
+@kernel
+def places(shape: Like | Shape, w: int) -> Places:
+    """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
+    motion = rows(shape.model)
+    total = motion + rows(shape.motion)
+    rate = total + rows(shape.motion)
+    view = rate + rows(shape.motion.state)
+    mark = view + (rows(shape.seen) if w == 1 else 0)
+    home = mark + 1
+    kept = home + (1 if w > 1 else 0)
+    r = kept + (rows(shape.motion) + rows(shape.record) if w > 1 else 0)
+    end = r + rows(shape.record)
+    return Places(
+        motion, total, rate, view, mark, home, kept, r, r + 1, r + 2, r + 3, r + 4, r + 5, end
+    )
+
+
+def buffer_rows(shape: Shape, width: int) -> int:
+    """Number of rows that one flight takes in a buffer of some width."""
+    return places(shape, width).end
+
+
+def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
+    """Zeroed buffers for a number of flights in groups of ``width``, aligned to cache lines."""
+    groups, size = -(-flights // width), buffer_rows(shape, width) * width
+    line = 64
+    raw = np.zeros(groups * size * 8 + line, dtype=np.uint8)
+    start = -raw.ctypes.data % line
+    return raw[start : start + groups * size * 8].view(np.float64).reshape(groups, size)
+
+
+@kernel
+def next_of(shape: Like, b: Buffer, w: int, i: int, early: float) -> float:
+    """What a lane does next.
+
+    A flight that is to be left as it arrives is not to be looked at while its neighbours fly on: a
+    flight alone is next looked at when its new tick has begun.
+    """
+    at, until = places(shape, w), row_of(shape.model, "timing")  # its first field
+    flies = b[at.status * w + i] == FLYING
+    far = b[until * w + i] - b[at.record * w + i] > ARRIVED
+    under_way = CRUISES if b[at.cruising * w + i] > 0.0 else STEERS
+    there = WAITS if early > 0.0 else STEERS
+    return (under_way if far else there) if flies else ENDED
+
+
+class Standing(NamedTuple):
+    """How many lanes of a group do what next; the others have ended."""
+
+    steering: int
+    cruising: int
+    waiting: int
+
+
+@kernel
+def marked(shape: Like, b: Buffer, w: int, early: float) -> Standing:
+    """Mark every lane with what it does next, and count."""
+    mark = places(shape, w).mark
+    steering, cruising, waiting = 0, 0, 0
+    for i in range(w):
+        does = next_of(shape, b, w, i, early)
+        b[mark * w + i] = does
+        steering += 1 if does == STEERS else 0
+        cruising += 1 if does == CRUISES else 0
+        waiting += 1 if does == WAITS else 0
+    return Standing(steering, cruising, waiting)
+
+
+@kernel
+def exchange(shape: Like, b: Buffer, i: int, other: Buffer, j: int, w: int) -> None:
+    """Let the flights in two lanes change places."""
+    at = places(shape, w)
+    for k in range(at.total):  # model and motion
+        b[k * w + i], other[k * w + j] = other[k * w + j], b[k * w + i]
+    for k in range(at.record, at.end):
+        b[k * w + i], other[k * w + j] = other[k * w + j], b[k * w + i]
+    k = at.home
+    b[k * w + i], other[k * w + j] = other[k * w + j], b[k * w + i]
+
+
+@kernel
+def numbered(shape: Like, buffers: Buffer, first: int, last: int, w: int) -> None:
+    """Give every flight the number of its lane, so that it finds home again."""
+    home = places(shape, w).home
+    for n in range((last - first) * w):
+        buffers[first + n // w][home * w + n % w] = n
+
+
+@kernel
+def brought_home(shape: Like, buffers: Buffer, first: int, last: int, w: int) -> None:
+    """Bring every flight back to the lane in which it began."""
+    home = places(shape, w).home
+    for n in range((last - first) * w):
+        b, i = buffers[first + n // w], n % w
+        while b[home * w + i] != n:
+            m = int(b[home * w + i])
+            exchange(shape, b, i, buffers[first + m // w], m % w, w)
+
+
+@kernel
+def farthest_from_end(
+    shape: Like, buffers: Buffer, first: int, last: int, w: int, wanted: float, early: float
+) -> int:
+    """Of the flights in some groups that do next what is wanted, the one with most time left.
+
+    Args:
+        shape: What lies in the buffers.
+        buffers: One group a row.
+        first: Index of the first group.
+        last: Index past the last group.
+        w: Lanes of a group.
+        wanted: `STEERS` or `CRUISES`.
+        early: As for `springback.simulation.executor.advance`.
+
+    Returns:
+        Its group, times ``w``, plus its lane; −1 if there is none.
+    """
+    at, until = places(shape, w), row_of(shape.model, "timing")
+    found, most = -1, -1.0
+    for group in range(first, last):
+        b = buffers[group]
+        for i in range(w):
+            left = b[until * w + i] - b[at.record * w + i]
+            if left > most and next_of(shape, b, w, i, early) == wanted:
+                found, most = group * w + i, left
+    return found
+
+
+@kernel
+def filled(
+    shape: Like, buffers: Buffer, group: int, last: int, w: int, wanted: float, early: float
+) -> bool:
+    """Fill the lanes of a group that do something else next with flights of later groups.
+
+    Returns:
+        Whether later groups may have more of what is wanted.
+    """
+    b = buffers[group]
+    for i in range(w):
+        if next_of(shape, b, w, i, early) != wanted:
+            found = farthest_from_end(shape, buffers, group + 1, last, w, wanted, early)
+            if found < 0:
+                return False
+            exchange(shape, b, i, buffers[found // w], found % w, w)
+    return True
+
+
+@kernel
+def put_aside(shape: Like, b: Buffer, w: int) -> None:
+    """Put motion and record of all lanes aside: marked lanes are not to be steered."""
+    at, moving = places(shape, w), rows(shape.motion)
+    for k in range(moving * w):
+        b[at.kept * w + k] = b[at.motion * w + k]
+    for k in range(rows(shape.record) * w):
+        b[(at.kept + moving) * w + k] = b[at.record * w + k]
+
+
+@kernel
+def put_back(shape: Like, b: Buffer, w: int) -> None:
+    """Give the lanes that cruise or wait their motion and record back."""
+    at, moving = places(shape, w), rows(shape.motion)
+    for k in range(moving):
+        for i in range(w):
+            old, place = b[(at.kept + k) * w + i], (at.motion + k) * w + i
+            b[place] = old if b[at.mark * w + i] > 0.0 else b[place]
+    for k in range(rows(shape.record)):
+        for i in range(w):
+            old, place = b[(at.kept + moving + k) * w + i], (at.record + k) * w + i
+            b[place] = old if b[at.mark * w + i] > 0.0 else b[place]
