@@ -231,9 +231,18 @@ class WhyResults:
             high += 1
         return one.values[low], one.values[high]
 
+    def share(self, one: Range, value: float, robot: str) -> float:
+        """Share of all trials of a robot that succeed at one value; NaN if none could be flown."""
+        mine = self._at(one, value, robot)
+        trials = sum(c.trials for c in mine)
+        return sum(c.successes for c in mine) / trials if trials else math.nan
+
+    def _at(self, one: Range, value: float, robot: str) -> list[Cell]:
+        key = (one.name, _label(value), robot)
+        return [c for c in self.ranges if (c.cause, c.name, c.robot) == key]
+
     def _whole(self, one: Range, value: float, robot: str) -> bool:
-        mine = [c for c in self.ranges
-                if (c.cause, c.name, c.robot) == (one.name, _label(value), robot)]  # fmt: skip
+        mine = self._at(one, value, robot)
         return bool(mine) and all(c.successes == c.trials for c in mine)
 
 
