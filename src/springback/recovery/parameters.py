@@ -182,8 +182,9 @@ class Settling(Settings):
     """Chosen."""
     stay: Duration = 0.5
     """How long the robot rests before it goes on, at p_r and at home. Chosen; at least `dwell`."""
-    patience: Duration = 5.0
-    """After the end of a way the robot goes on anyway. Chosen."""
+    patience: Duration = 2.0
+    """After the end of a way the robot goes on anyway, as where it leans on the wall and cannot get
+    away. Chosen: beyond the 1.5 s in which it settles."""
 
     @model_validator(mode="after")
     def _long_enough(self) -> Settling:
