@@ -1,0 +1,298 @@
+"""Why one robot survives and another does not: one thing at a time is made otherwise.
+
+Every variant flies the paper's tests with the same luck (`springback.experiments.trials.Scatter`)
+and differs from the default in one thing.  Ranges walk along one number that the paper does not
+print, to see over which of its values the printed result holds.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.scenario import merged
+from springback.experiments.trials import Condition, Trial, fly_trials
+from springback.vehicle.library import VEHICLES
+
+ROBOTS = ("arq", "quad")
+TRIALS = 10
+#: The printed success of each robot and test; None where print gives no count.
+PRINTED: dict[str, dict[tuple[float, float], float | None]] = {
+    "arq": dict.fromkeys(CONDITIONS, 1.0),
+    "quad": dict.fromkeys(CONDITIONS) | {(0.0, 3.5): 0.0},
+}
+
+Changes = Callable[[str], Mapping[str, Any]]
+
+
+class Variant(NamedTuple):
+    """One thing made otherwise."""
+
+    cause: str  # what is switched
+    name: str  # to what
+    changes: Changes  # tables laid over a robot's test
+    robots: tuple[str, ...] = ROBOTS
+
+
+def _same(tables: Mapping[str, Any]) -> Changes:
+    return lambda robot: tables
+
+
+def _vehicle(tables: Mapping[str, Any]) -> Changes:
+    return lambda robot: {"vehicle": {"preset": robot, **tables}}
+
+
+def _thrust(factor: float) -> Changes:
+    """Rotors stronger or weaker by a factor."""
+
+    def changes(robot: str) -> Mapping[str, Any]:
+        propulsion = VEHICLES[robot].vehicle.propulsion
+        assert propulsion is not None  # both presets fly
+        return {"vehicle": {"preset": robot, "propulsion": {
+            "most_thrust": factor * propulsion.most_thrust}}}  # fmt: skip
+
+    return changes
+
+
+def surface_of(friction: float) -> Mapping[str, Any]:
+    """The paper's wall with another friction coefficient."""
+    wall = {"type": "wall", "distance": 2.75, "surface": {"preset": "wall", "friction": friction}}
+    return {"world": {"obstacles": [wall]}}
+
+
+def _degrees(rate: float) -> Mapping[str, Any]:
+    return {"control": {"rate_limit": math.radians(rate)}}
+
+
+def _way(name: str) -> Changes:
+    return _same({"recovery": {"response": {"way": name}}})
+
+
+#: No accelerometer of the kind reads this far [m/s²].
+UNLIMITED = 2000.0
+
+VARIANTS = (
+    Variant("default", "all as documented", _same({})),
+    Variant("compliance", "ARQ's arms locked", _vehicle({"arms": {"compliant": False}}), ("arq",)),
+    Variant("compliance", "arms of reading A: a quarter as stiff and damped",
+            _vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
+    Variant("IMU clipping", "accelerometer without limit", _same({
+        "sensors": {"imu": {"accelerometer": {"full_scale": UNLIMITED}}},
+        "estimator": {"kalman": {"accelerometer_range": UNLIMITED}}})),
+    Variant("IMU clipping", "filter trusts clipped readings", _same({
+        "estimator": {"kalman": {"distrust_clipped": False}}})),
+    Variant("estimator", "true state", _same({"estimator": {"type": "perfect"}})),
+    Variant("estimator", "complementary, PX4-like",
+            _same({"estimator": {"type": "complementary"}})),
+    Variant("rate limit", "110 deg/s", _same(_degrees(110.0))),
+    Variant("rate limit", "1000 deg/s", _same(_degrees(1000.0))),
+    Variant("thrust limit", "rotors 15 % weaker", _thrust(0.85)),
+    Variant("thrust limit", "rotors twice as strong", _thrust(2.0)),
+    Variant("rotor lag", "15 ms", _vehicle({"propulsion": {"time_constant": 0.015}})),
+    Variant("rotor lag", "60 ms", _vehicle({"propulsion": {"time_constant": 0.06}})),
+    Variant("attitude loop", "time constant 0.1 s", _same({"control": {"time_constant": 0.1}})),
+    Variant("attitude loop", "time constant 0.25 s", _same({"control": {"time_constant": 0.25}})),
+    Variant("mixer", "airmode", _same({"control": {"lift_share": 1.0}})),
+    Variant("detection delay", "accelerometer on ARQ", _same({
+        "recovery": {"detection": {"hall": {"used": False}, "acceleration": {"used": True}}}}),
+        ("arq",)),
+    Variant("detection delay", "arms read at 100 Hz, 20 ms late", _same({
+        "sensors": {"hall": {"rate": 100.0, "delay": 0.02}}}), ("arq",)),
+    Variant("detection delay", "looking for 50 ms first", _same({
+        "recovery": {"characterisation": {"window": 0.05}}})),
+    Variant("detection", "none", _same({"recovery": {"detection": {
+        "hall": {"used": False}, "acceleration": {"used": True, "threshold": 1e6}}}})),
+    Variant("friction", "0.4", _same(surface_of(0.4))),
+    Variant("friction", "0.2", _same(surface_of(0.2))),
+    Variant("friction", "none", _same(surface_of(0.0))),
+    Variant("contact point", "as printed, eq. (13)", _same({"model": {"contact_point": "paper"}})),
+    Variant("recovery choice", "post-impact", _way("post-impact")),
+    Variant("recovery choice", "set-point", _way("set-point")),
+    Variant("recovery choice", "time-optimal", _way("time-optimal")),
+    Variant("recovery choice", "staged, McGill", _way("staged")),
+)  # fmt: skip
+
+
+class Range(NamedTuple):
+    """Values of one number that the paper does not print."""
+
+    name: str
+    unit: str
+    values: tuple[float, ...]  # in the unit
+    default: float
+    changes: Callable[[str, float], Mapping[str, Any]]
+
+
+RANGES = (
+    Range("attitude time constant", "s", (0.06, 0.08, 0.1, 0.12, 1.0 / 6.5, 0.2, 0.25), 1.0 / 6.5,
+          lambda robot, x: {"control": {"time_constant": x}}),
+    Range("rate limit", "deg/s", (110.0, 160.0, 220.0, 400.0, 1000.0), 220.0,
+          lambda robot, x: _degrees(x)),
+    Range("rate gain", "1/s", (15.0, 20.0, 30.0, 40.0, 50.0), 40.0,
+          lambda robot, x: {"control": {"rate_gain": x}}),
+    Range("rotor time constant", "s", (0.01, 0.02, 0.03, 0.04, 0.05, 0.06), 0.03,
+          lambda robot, x: _vehicle({"propulsion": {"time_constant": x}})(robot)),
+    Range("most thrust over default", "", (0.8, 0.9, 1.0, 1.25, 1.5), 1.0,
+          lambda robot, x: _thrust(x)(robot)),
+    Range("friction", "", (0.0, 0.2, 0.4, 0.6, 0.8, 1.0), 0.8, lambda robot, x: surface_of(x)),
+    Range("duration per speed of the quintic", "s^2/m", (0.1, 0.15, 0.19, 0.25, 0.35), 0.19,
+          lambda robot, x: {"recovery": {"response": {"pace": x}}}),
+    Range("lift share of the mixer", "", (0.0, 0.06, 0.12, 0.2, 0.4, 1.0), 0.12,
+          lambda robot, x: {"control": {"lift_share": x}}),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One test of one robot in one variant."""
+
+    cause: str
+    name: str
+    robot: str
+    pitch: float
+    speed: float
+    successes: int
+    trials: int
+    outcomes: dict[str, int]
+    lowest: float
+    """Median of the lowest height over the flight [m]."""
+    nose_up: float
+    """Median [rad], a negative pitch."""
+    nose_down: float
+    """Median [rad]."""
+    recovery_time: float
+    """Median of those that recovered [s]; NaN if none did."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """One row of a table; angles in degrees."""
+        return {
+            "cause": self.cause, "variant": self.name, "robot": self.robot,
+            "pitch_deg": self.pitch, "speed": self.speed, "successes": self.successes,
+            "trials": self.trials, "outcomes": self.outcomes,
+            "median_lowest_height": self.lowest,
+            "median_nose_up_deg": math.degrees(self.nose_up),
+            "median_nose_down_deg": math.degrees(self.nose_down),
+            "median_recovery_time": None if math.isnan(self.recovery_time) else self.recovery_time,
+        }  # fmt: skip
+
+
+@dataclass
+class WhyResults:
+    """All cells of the ablation and of the ranges."""
+
+    cells: list[Cell] = field(default_factory=list)
+    ranges: list[Cell] = field(default_factory=list)
+
+    def successes(self, name: str, robot: str) -> dict[tuple[float, float], tuple[int, int]]:
+        """Successes and trials of a variant by test."""
+        return {
+            (c.pitch, c.speed): (c.successes, c.trials)
+            for c in self.cells
+            if c.name == name and c.robot == robot
+        }
+
+    def moves(self, robot: str) -> list[tuple[str, str, int]]:
+        """Variants whose total of successes differs from the default's, largest change first."""
+        base = self._total("all as documented", robot)
+        changed = [
+            (v.cause, v.name, self._total(v.name, robot) - base)
+            for v in VARIANTS
+            if robot in v.robots and self.successes(v.name, robot)
+        ]
+        return sorted((c for c in changed if c[2]), key=lambda c: c[2])
+
+    def _total(self, name: str, robot: str) -> int:
+        return sum(count for count, _ in self.successes(name, robot).values())
+
+    def holds(self, one: Range, robot: str = "arq") -> tuple[float, float] | None:
+        """Least and most value about the default for which a robot survives every trial."""
+        good = [self._whole(one, x, robot) for x in one.values]
+        at = one.values.index(one.default)
+        if not good[at]:
+            return None
+        low = high = at
+        while low > 0 and good[low - 1]:
+            low -= 1
+        while high + 1 < len(good) and good[high + 1]:
+            high += 1
+        return one.values[low], one.values[high]
+
+    def _whole(self, one: Range, value: float, robot: str) -> bool:
+        mine = [c for c in self.ranges
+                if (c.cause, c.name, c.robot) == (one.name, _label(value), robot)]  # fmt: skip
+        return bool(mine) and all(c.successes == c.trials for c in mine)
+
+
+def _label(value: float) -> str:
+    return f"{value:.4g}"
+
+
+def _cell(cause: str, name: str, trials: Sequence[Trial]) -> Cell:
+    def median(key: str) -> float:
+        known = [t.measures[key] for t in trials if t.measures[key] is not None]
+        return float(np.median(known)) if known else math.nan  # type: ignore[arg-type]
+
+    first = trials[0]
+    return Cell(
+        cause, name, first.robot, first.pitch, first.speed,
+        sum(t.success for t in trials), len(trials),
+        dict(Counter(t.outcome.word for t in trials)),
+        median("lowest_height"), median("nose_up"), median("nose_down"), median("recovery_time"),
+    )  # fmt: skip
+
+
+def _cells(cause: str, name: str, trials: Sequence[Trial]) -> list[Cell]:
+    tests: dict[tuple[str, float, float], list[Trial]] = {}
+    for trial in trials:
+        tests.setdefault((trial.robot, trial.pitch, trial.speed), []).append(trial)
+    return [_cell(cause, name, some) for some in tests.values()]
+
+
+def why(
+    trials: int = TRIALS,
+    *,
+    variants: Sequence[Variant] = VARIANTS,
+    ranges: Sequence[Range] = RANGES,
+    conditions: Sequence[tuple[float, float]] = CONDITIONS,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> WhyResults:
+    """Fly all variants and ranges.
+
+    Args:
+        trials: Of each test.
+        variants: Things made otherwise.
+        ranges: Numbers that are walked along, with ARQ and Quad.
+        conditions: Pitch [deg] and speed [m/s] of the tests.
+        seed: Of all luck.
+        progress: Called with the share done.
+    """
+    results = WhyResults()
+    walked = [(one, value) for one in ranges for value in one.values]
+    count = len(variants) + len(walked)
+    for done, variant in enumerate(variants):
+        tests = [
+            Condition(robot, pitch, speed, variant.changes(robot))
+            for robot in variant.robots
+            for pitch, speed in conditions
+        ]
+        flown = fly_trials(tests, trials, seed=seed)
+        results.cells += _cells(variant.cause, variant.name, flown)
+        if progress is not None:
+            progress((done + 1) / count)
+    for done, (one, value) in enumerate(walked):
+        tests = [
+            Condition(robot, pitch, speed, merged({}, one.changes(robot, value)))
+            for robot in ROBOTS
+            for pitch, speed in conditions
+        ]
+        results.ranges += _cells(one.name, _label(value), fly_trials(tests, trials, seed=seed))
+        if progress is not None:
+            progress((len(variants) + done + 1) / count)
+    return results
