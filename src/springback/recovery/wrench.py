@@ -95,7 +95,7 @@ def struck_by(
         observer: Settings.
         r: Attitude.
         at: What the estimator says.
-        known: Force of rotors and gravity, world [N].
+        known: Force of rotors, gravity and all that is steady, world [N].
         moment: Of the rotors, and −ω × J ω, body axes [N m].
         spin: J ω, body axes [N m s].
         blow: So far.
@@ -155,7 +155,8 @@ def observed_wrench(
     moment_sum = memory.moment_sum + (known_moment + memory.moment) * h
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
-    blow = struck_by(observer, r, at, known, known_moment, spin, memory.blow)
+    lasting = known + memory.steady
+    blow = struck_by(observer, r, at, lasting, known_moment, spin, memory.blow)
     kept = ExternalWrench(
         memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum,
         memory.blow,
