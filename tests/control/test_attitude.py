@@ -192,7 +192,7 @@ def test_converges_from_a_thousand_attitudes(kind: Any) -> None:
 
 def test_lee_with_the_rate_loop_is_lees_moment() -> None:
     """−k_R e_R − k_Ω e_Ω + ω × J ω with k_Ω = k_ω J, k_R = k_ω J/τ."""
-    rate_law = ControlSettings(gyro_cutoff=0.0).rate_law()
+    rate_law = ControlSettings(gyro_cutoff=0.0, rate_integral=0.0).rate_law()
     j, k = np.array(INERTIA), rate_law.gain.x
     rng = np.random.default_rng(15)
     for q, desired in zip(random_attitudes(100, 16), random_attitudes(100, 17), strict=True):

@@ -32,6 +32,7 @@ def simulated(settings: ControlSettings, axis: Axis, mass: float, h: float = 1e-
     )
     p, v, angle, omega, felt, push = 1.0, 0.0, 1.0 if axis == "yaw" else 0.0, 0.0, 0.0, 0.0
     command, wanted, moment, queue, path = 0.0, 0.0, 0.0, [0.0] * (late + 1), []
+    steady = 0.0
     for k in range(round(6.0 / h)):
         if k % ticks["position"] == 0:
             command = -(kp * p + kv * v) / mass
@@ -41,7 +42,8 @@ def simulated(settings: ControlSettings, axis: Axis, mass: float, h: float = 1e-
         if k % ticks["attitude"] == 0:
             wanted = ((0.0 if axis == "yaw" else arrived) - angle) / tau
         if k % ticks["rate"] == 0:
-            moment = settings.rate_gain * (wanted - felt)
+            steady += settings.rate_integral * (wanted - felt) * h * ticks["rate"]
+            moment = settings.rate_gain * (wanted - felt) + steady
         if axis == "vertical":
             push += h / ROTOR_LAG * (arrived - push)
             v += h * push
@@ -68,12 +70,14 @@ def dominant(path: np.ndarray, order: int, step: float = 1e-2) -> complex:
 @pytest.mark.parametrize(
     ("axis", "changes", "modes"),
     [
-        ("horizontal", {}, 3),  # a real mode decays nearly as slowly as the swinging pair
-        ("horizontal", {"stiffness": 25.0, "damping": 9.0}, 3),
+        # A real mode decays nearly as slowly as the swinging pair; with the integral there are two, and
+        # linear prediction cannot part them: it is tried on yaw.
+        ("horizontal", {"rate_integral": 0.0}, 3),
+        ("horizontal", {"stiffness": 25.0, "damping": 9.0, "rate_integral": 0.0}, 3),
         ("horizontal", {"stiffness": 60.0, "damping": 12.0}, 2),
         ("vertical", {}, 2),
         ("vertical", {"vertical_stiffness": 150.0, "vertical_damping": 10.0}, 2),
-        ("yaw", {}, 1),
+        ("yaw", {}, 2),
     ],
 )
 def test_eigenvalues_are_those_of_the_simulated_loop(axis: Axis, changes: Any, modes: int) -> None:
@@ -105,7 +109,7 @@ def test_without_lags_the_loop_is_a_mass_on_a_spring() -> None:
     """m s² + K_v s + K_p, as all lags go to zero."""
     fast = ControlSettings(
         offboard_delay=0.0, position_frequency=1e7, attitude_frequency=1e7, rate_frequency=1e7,
-        gyro_cutoff=0.0, rate_gain=1e5, time_constant=1e-4,
+        gyro_cutoff=0.0, rate_gain=1e5, rate_integral=0.0, time_constant=1e-4,
     )  # fmt: skip
     for axis, kp, kv in (("horizontal", 11.2, 7.1), ("vertical", 26.0, 10.6)):
         settings = fast.model_copy(update={"stiffness": 11.2, "damping": 7.1,
@@ -121,8 +125,9 @@ def test_integrals_only_add_an_eigenvalue() -> None:
         ("horizontal", "integral", 1.0 / ControlSettings().stiffness),
         ("yaw", "rate_integral", 1.0 / ControlSettings().rate_gain),
     ):
-        plain = loop_eigenvalues(ControlSettings(), axis, 1.22, 0.03)  # type: ignore[arg-type]
-        small = ControlSettings(**{name: 1e-4})
+        without = {"integral": 0.0, "rate_integral": 0.0}
+        plain = loop_eigenvalues(ControlSettings(**without), axis, 1.22, 0.03)  # type: ignore[arg-type]
+        small = ControlSettings(**{**without, name: 1e-4})
         more = loop_eigenvalues(small, axis, 1.22, 0.03)  # type: ignore[arg-type]
         assert more[0] == pytest.approx(-1e-4 * ratio, rel=1e-3)
         np.testing.assert_allclose(np.sort_complex(more[1:]), np.sort_complex(plain), rtol=1e-3)
@@ -160,7 +165,7 @@ def test_frequencies_that_do_not_divide_the_clock_are_refused(
 
 
 def test_settings_take_units_and_refuse_what_cannot_be() -> None:
-    given = ControlSettings(rate_limit="220 deg/s", stiffness="9 N/m", offboard_delay="10 ms")
+    given = ControlSettings(rate_limit="220 deg/s", stiffness="9.5 N/m", offboard_delay="10 ms")
     assert given == ControlSettings()
     for bad, part in (
         ({"tilt_limit": "95 deg"}, "at most 1.55"),

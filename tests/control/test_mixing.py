@@ -17,6 +17,7 @@ from springback.vehicle.state import Airframe
 
 ARQ: Airframe = VEHICLES["arq"].vehicle.airframe()
 LOWEST, HIGHEST = 0.2, 7.0
+AIRMODE = 100.0  # [N], more than the rotors can give
 FREE = (0.19,) * 4
 
 
@@ -92,7 +93,7 @@ def test_without_rotor_torque_yaw_is_left_out() -> None:
     wrench = Wrench(14.0, Vec(0.3, -0.2, 0.5))
     for thrusts in (
         allocated(mixer(airframe, FREE), wrench),
-        mixed(mixer(airframe, FREE), 0.0, 7.0, wrench),
+        mixed(mixer(airframe, FREE), 0.0, 7.0, wrench, 0.0),
     ):
         np.testing.assert_allclose(
             leaves(wrench_of(airframe, FREE, thrusts)), [14.0, 0.3, -0.2, 0.0], atol=1e-12
@@ -106,7 +107,7 @@ def test_exact_where_it_fits_and_within_limits_always(airframe: Airframe) -> Non
         lengths = random_lengths(rng, len(airframe.arms))
         wrench = random_wrench(rng, float(rng.choice([0.1, 0.5, 3.0])))
         plain = np.array(allocated(mixer(airframe, lengths), wrench))
-        thrusts = np.array(mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench))
+        thrusts = np.array(mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE))
         assert thrusts.min() >= LOWEST
         assert thrusts.max() <= HIGHEST
         if plain.min() >= LOWEST and plain.max() <= HIGHEST:
@@ -143,7 +144,9 @@ def test_yaw_gives_way_first_then_collective_and_roll_and_pitch_last() -> None:
         plain = allocated(mixer(ARQ, lengths), wrench)
         if min(plain) >= LOWEST and max(plain) <= HIGHEST:
             continue
-        given = wrench_of(ARQ, lengths, mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench))
+        given = wrench_of(
+            ARQ, lengths, mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
+        )
         share, low, high = greatest_share(lengths, wrench)
         m, got = wrench.moment, given.moment
         np.testing.assert_allclose([got.x, got.y], [share * m.x, share * m.y], atol=1e-7)
@@ -162,7 +165,9 @@ def test_no_worse_than_clipping_where_roll_and_pitch_are_within_reach() -> None:
     for _ in range(80):
         wrench = random_wrench(rng, 0.7)
         clipped = tuple(min(max(t, LOWEST), HIGHEST) for t in allocated(mixer(ARQ, FREE), wrench))
-        given = wrench_of(ARQ, FREE, mixed(mixer(ARQ, FREE), LOWEST, HIGHEST, wrench)).moment
+        given = wrench_of(
+            ARQ, FREE, mixed(mixer(ARQ, FREE), LOWEST, HIGHEST, wrench, AIRMODE)
+        ).moment
         bent = wrench_of(ARQ, FREE, clipped).moment
         m = wrench.moment
         share, _, _ = greatest_share(FREE, wrench)
@@ -174,12 +179,38 @@ def test_no_worse_than_clipping_where_roll_and_pitch_are_within_reach() -> None:
     assert better > 10
 
 
+def test_without_airmode_roll_and_pitch_never_raise_the_thrust_beyond_the_lift() -> None:
+    """By linear programming: most of the moment under a collective of at most what is allowed."""
+    rng, tight = np.random.default_rng(7), 0
+    for lift in (0.0, 2.0, 6.0):
+        for _ in range(60):
+            lengths, wrench = random_lengths(rng), random_wrench(rng, 1.0)
+            wrench = wrench._replace(thrust=float(rng.uniform(1.5, 4.0)))
+            most = max(wrench.thrust, lift)
+            given = wrench_of(
+                ARQ, lengths, mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, lift)
+            )
+            assert given.thrust <= most + 1e-9
+            b, m = effectiveness(ARQ, lengths), wrench.moment
+            equal = np.column_stack([b[1:], [-m.x, -m.y, 0.0]])
+            best = linprog(
+                [0, 0, 0, 0, -1], A_eq=equal, b_eq=np.zeros(3), A_ub=[[*b[0], 0.0]], b_ub=[most],
+                bounds=[(LOWEST, HIGHEST)] * 4 + [(0.0, 1.0)],
+            )  # fmt: skip
+            np.testing.assert_allclose([given.moment.x, given.moment.y],
+                                       [-best.fun * m.x, -best.fun * m.y], atol=1e-7)  # fmt: skip
+            tight += -best.fun < 1.0 - 1e-9
+    assert tight > 30
+
+
 def test_plain_python_is_the_compiled_mixing() -> None:
     @numba.njit
     def compiled(airframe, lengths, wrench):  # type: ignore[no-untyped-def]
-        return mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench)
+        return mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
 
     rng = np.random.default_rng(6)
     for _ in range(200):
         lengths, wrench = random_lengths(rng), random_wrench(rng, 1.0)
-        assert compiled(ARQ, lengths, wrench) == mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench)
+        assert compiled(ARQ, lengths, wrench) == mixed(
+            mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, AIRMODE
+        )

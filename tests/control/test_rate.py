@@ -21,7 +21,7 @@ ARQ = VEHICLES["arq"].vehicle
 
 
 def law(**changes: object) -> RateLaw:
-    return ControlSettings(**{"gyro_cutoff": 0.0, **changes}).rate_law()
+    return ControlSettings(**{"gyro_cutoff": 0.0, "rate_integral": 0.0, **changes}).rate_law()
 
 
 def full_inertia() -> Mat:

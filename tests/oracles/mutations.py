@@ -112,7 +112,7 @@ MUTATIONS = (
     Mutation("slider, weight", MOTION, "force - mu @ weight", "force + mu @ weight"),
     Mutation("slider, mass off-diagonal", MOTION, "u.x - slide.z * u.y", "u.x + slide.z * u.y"),
     Mutation("weight, sign", MOTION, "r @ solved.linear - Vec", "r @ solved.linear + Vec"),
-    Mutation("solve, one cofactor", VECTORS, "c00 * b.x + c01 * b.y + c02 * b.z", "c00 * b.x + c01 * b.y - c02 * b.z"),
+    Mutation("solve, one cofactor", VECTORS, "q * r - p * f, p * r - q * d", "q * r + p * f, p * r - q * d"),
     # kinematics, energy, locking
     Mutation("quaternion rate, one term", VECTORS, "q.y * omega.z - q.z * omega.y", "q.y * omega.z + q.z * omega.y"),
     Mutation("rotation matrix, one term", VECTORS, "2.0 * (x * y - w * z)", "2.0 * (x * y + w * z)"),

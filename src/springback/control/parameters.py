@@ -46,7 +46,7 @@ class Schedule(NamedTuple):
 class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
-    stiffness: quantity("N/m", least=0.0) = 9.0  # type: ignore[valid-type]
+    stiffness: quantity("N/m", least=0.0) = 9.5  # type: ignore[valid-type]
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
     vertical_stiffness: quantity("N/m", least=0.0) = 19.5  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""

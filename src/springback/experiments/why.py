@@ -189,26 +189,34 @@ class WhyResults:
     cells: list[Cell] = field(default_factory=list)
     ranges: list[Cell] = field(default_factory=list)
 
-    def successes(self, name: str, robot: str) -> dict[tuple[float, float], tuple[int, int]]:
-        """Successes and trials of a variant by test."""
+    def successes(self, variant: Variant, robot: str) -> dict[tuple[float, float], Cell]:
+        """Cells of a variant by test; those that cannot be flown are missing."""
         return {
-            (c.pitch, c.speed): (c.successes, c.trials)
+            (c.pitch, c.speed): c
             for c in self.cells
-            if c.name == name and c.robot == robot
+            if (c.cause, c.name, c.robot) == (variant.cause, variant.name, robot)
         }
 
-    def moves(self, robot: str) -> list[tuple[str, str, int]]:
-        """Variants whose total of successes differs from the default's, largest change first."""
-        base = self._total("all as documented", robot)
-        changed = [
-            (v.cause, v.name, self._total(v.name, robot) - base)
-            for v in VARIANTS
-            if robot in v.robots and self.successes(v.name, robot)
-        ]
-        return sorted((c for c in changed if c[2]), key=lambda c: c[2])
+    def moves(self, robot: str) -> list[tuple[Variant, int, list[tuple[float, float]]]]:
+        """Variants with other successes than the default: how many more, and tests unflown."""
+        base, found = self.successes(VARIANTS[0], robot), []
+        for variant in VARIANTS[1:]:
+            cells = self.successes(variant, robot)
+            more = sum(cells[test].successes - base[test].successes for test in cells)
+            unflown = [test for test in base if test not in cells]
+            if cells and (more or unflown):
+                found.append((variant, more, unflown))
+        return sorted(found, key=lambda one: one[1])
 
-    def _total(self, name: str, robot: str) -> int:
-        return sum(count for count, _ in self.successes(name, robot).values())
+    def printed_by(self) -> list[Variant]:
+        """Variants with the printed result at 3.5 m/s: ARQ always survives, Quad never."""
+        fast, found = (0.0, 3.5), []
+        for variant in VARIANTS:
+            cells = [self.successes(variant, robot).get(fast) for robot in ROBOTS]
+            arq, quad = cells
+            if arq and quad and arq.successes == arq.trials and quad.successes == 0:
+                found.append(variant)
+        return found
 
     def holds(self, one: Range, robot: str = "arq") -> tuple[float, float] | None:
         """Least and most value about the default for which a robot survives every trial."""
@@ -223,9 +231,18 @@ class WhyResults:
             high += 1
         return one.values[low], one.values[high]
 
+    def share(self, one: Range, value: float, robot: str) -> float:
+        """Share of all trials of a robot that succeed at one value; NaN if none could be flown."""
+        mine = self._at(one, value, robot)
+        trials = sum(c.trials for c in mine)
+        return sum(c.successes for c in mine) / trials if trials else math.nan
+
+    def _at(self, one: Range, value: float, robot: str) -> list[Cell]:
+        key = (one.name, _label(value), robot)
+        return [c for c in self.ranges if (c.cause, c.name, c.robot) == key]
+
     def _whole(self, one: Range, value: float, robot: str) -> bool:
-        mine = [c for c in self.ranges
-                if (c.cause, c.name, c.robot) == (one.name, _label(value), robot)]  # fmt: skip
+        mine = self._at(one, value, robot)
         return bool(mine) and all(c.successes == c.trials for c in mine)
 
 

@@ -237,19 +237,36 @@ def normalised(q: Quat) -> Quat:
     return Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
 
 
+class Adjugate(NamedTuple):
+    """A symmetric matrix turned inside out: its inverse is the adjugate over the determinant."""
+
+    matrix: Mat
+    determinant: float
+
+
 @kernel
-def solve_symmetric(m: Mat, b: Vec) -> Vec:
-    """Solution x of m x = b for a symmetric positive definite m; only its upper half is read."""
+def _adjugate(m: Mat) -> Adjugate:
+    """Of a symmetric matrix, of which only the upper half is read."""
     a, d, f = m.x.x, m.y.y, m.z.z
     p, q, r = m.x.y, m.x.z, m.y.z
     c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
     c11, c12, c22 = a * f - q * q, p * q - a * r, a * d - p * p
-    inverse = 1.0 / (a * c00 + p * c01 + q * c02)
-    return Vec(
-        (c00 * b.x + c01 * b.y + c02 * b.z) * inverse,
-        (c01 * b.x + c11 * b.y + c12 * b.z) * inverse,
-        (c02 * b.x + c12 * b.y + c22 * b.z) * inverse,
-    )
+    rows = Mat(Vec(c00, c01, c02), Vec(c01, c11, c12), Vec(c02, c12, c22))
+    return Adjugate(rows, a * c00 + p * c01 + q * c02)
+
+
+@kernel
+def solve_symmetric(m: Mat, b: Vec) -> Vec:
+    """Solution x of m x = b for a symmetric positive definite m; only its upper half is read."""
+    turned = _adjugate(m)
+    return (turned.matrix @ b) * (1.0 / turned.determinant)
+
+
+@kernel
+def inverse_symmetric(m: Mat) -> Mat:
+    """Inverse of a symmetric positive definite matrix; only its upper half is read."""
+    turned = _adjugate(m)
+    return turned.matrix * (1.0 / turned.determinant)
 
 
 @kernel
@@ -278,17 +295,6 @@ def isotropic(s: float) -> Mat:
 def skew(a: Vec) -> Mat:
     """[a]×, the matrix with [a]× b = a × b."""
     return Mat(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))
-
-
-@kernel
-def inverse_symmetric(m: Mat) -> Mat:
-    """Inverse of a symmetric positive definite matrix; only its upper half is read."""
-    a, d, f = m.x.x, m.y.y, m.z.z
-    p, q, r = m.x.y, m.x.z, m.y.z
-    c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
-    c11, c12, c22 = a * f - q * q, p * q - a * r, a * d - p * p
-    adjugate = Mat(Vec(c00, c01, c02), Vec(c01, c11, c12), Vec(c02, c12, c22))
-    return adjugate * (1.0 / (a * c00 + p * c01 + q * c02))
 
 
 @kernel

@@ -1,0 +1,108 @@
+"""The command `springback study why`: what explains the difference between the robots."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from springback.interfaces.cli import (
+    OUT,
+    _have_figures,
+    _print,
+    _progress,
+    _say,
+    force_option,
+    json_option,
+    quiet_option,
+)
+
+
+@click.command()
+@click.option("--out", type=OUT, required=True, help="Folder for why.json, why.csv, figures.")
+@click.option(
+    "--trials", type=click.IntRange(1, 1000), default=10, show_default=True, help="Of each test."
+)
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all luck.")
+@click.option("--no-ranges", is_flag=True, help="Only the ablation.")
+@click.option("--no-figures", is_flag=True, help="Write no figures.")
+@force_option
+@json_option
+@quiet_option
+def why(
+    out: Path,
+    trials: int,
+    seed: int,
+    no_ranges: bool,
+    no_figures: bool,
+    force: bool,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Switch one thing at a time, and see which robot still survives which test.
+
+    Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; then, along
+    numbers that the paper does not print, over which range the printed result holds.
+    """
+    from springback.experiments.why import RANGES
+    from springback.experiments.why import why as explained
+    from springback.interfaces.files import output_folder
+
+    figures = not no_figures and _have_figures(quiet)
+    with output_folder(out, force=force) as folder:
+        _say("some variants are of a kind of their own; the first run compiles for minutes", quiet)
+        ranges = () if no_ranges else RANGES
+        with _progress("what if", quiet) as show:
+            results = explained(trials, ranges=ranges, seed=seed, progress=show)
+        _written(results, folder, figures)
+    rows = [cell.as_dict() for cell in (*results.cells, *results.ranges)]
+    _print(rows if as_json else "\n".join(sentences(results)), as_json)
+    _say(f"written to {out}", quiet)
+
+
+def _written(results: Any, folder: Path, figures: bool) -> None:
+    import csv
+
+    from springback.interfaces.files import write_json
+
+    rows = [{**cell.as_dict(), "part": part}
+            for part, cells in (("ablation", results.cells), ("range", results.ranges))
+            for cell in cells]  # fmt: skip
+    write_json(folder / "why.json", {"cells": rows, "sentences": sentences(results)})
+    with (folder / "why.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+    if figures:
+        from springback.interfaces.canvas import save
+        from springback.interfaces.plots_why import ablation_figure, ranges_figure
+
+        save(ablation_figure(results), folder / "ablation")
+        if results.ranges:
+            save(ranges_figure(results), folder / "ranges")
+
+
+def sentences(results: Any) -> list[str]:
+    """What the study says, a line each."""
+    from springback.experiments.why import RANGES, ROBOTS, VARIANTS
+
+    told = []
+    for robot in ROBOTS:
+        cells = results.successes(VARIANTS[0], robot)
+        counts = ", ".join(f"{p:+g} deg {v:g} m/s {c.successes}/{c.trials}"
+                           for (p, v), c in cells.items())  # fmt: skip
+        told.append(f"{robot}, all as documented: {counts}")
+        for variant, more, unflown in results.moves(robot):
+            cannot = ", ".join(f"{p:+g} deg {v:g} m/s" for p, v in unflown)
+            why = f"; run-up cannot be flown: {cannot}" if unflown else ""
+            told.append(f"  {variant.cause}, {variant.name}: {more:+d} successes{why}")
+    found = results.printed_by()
+    names = ", ".join(f"{v.cause} {v.name}" for v in found) or "none of these changes"
+    told.append(f"ARQ always and Quad never at 3.5 m/s, as printed: {names}")
+    for one in RANGES if results.ranges else ():
+        held = results.holds(one)
+        unit = f" {one.unit}" if one.unit else ""
+        what = f"{held[0]:.4g} to {held[1]:.4g}{unit}" if held else "not even at its default"
+        told.append(f"ARQ survives every trial with {one.name} {what} (default {one.default:.4g})")
+    return told
