@@ -42,6 +42,8 @@ CONTACT_X = 2.5
 FAR = 50.0
 #: Peak over mean speed of the polynomial of least snap from rest to rest: 35/16.
 PEAK_OVER_MEAN = 35.0 / 16.0
+#: An arm took part if it took this share of the normal impulse by the end of the window (chosen).
+TOOK_PART = 0.1
 #: The signals of the diary, and the sensor at whose pace each changes.
 SIGNALS = {"hall": "pressed", "acceleration": "jolt", "wrench": "push", "momentum": "push"}
 UNITS = {"hall": "m", "acceleration": "m/s^2", "wrench": "N", "momentum": "N"}
@@ -251,12 +253,13 @@ def made_out(approach: Approach, ready: Any, guided: GuidedFlown, touch: float) 
         return None
     alarm, end = diary["time"][looking[0]], diary["time"][looking[-1]] + 1.0 / ready.scenario.clock
     hit: Collision = guided.aboard.pilot.collision
-    t = trace["time"]
+    t: Array = np.asarray(trace["time"])
     first, at, last = (min(int(np.searchsorted(t, x)), len(t) - 1) for x in (touch, alarm, end))
     impulse = -(_vectors(trace, "work.impulse")[last] - _vectors(trace, "work.impulse")[first])
     count = len(ready.model.airframe.arms)
     pressed = np.stack([trace[f"arms.{j + 1}.normal"][first : last + 1] for j in range(count)])
-    touched = (pressed > 0.0).any(axis=1)
+    shares = np.trapezoid(pressed, t[first : last + 1], axis=1)
+    touched = shares >= TOOK_PART * shares.sum()
     normal = np.array(guided.flown.record.inward)
     told = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
     said = dict(zip(SOURCES, told, strict=True))

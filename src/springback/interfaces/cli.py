@@ -342,6 +342,9 @@ def _table(rows: list[Any]) -> str:
     return "\n".join(lines)
 
 
+from springback.interfaces import cli_study  # noqa: E402, F401  # its commands join the others
+
+
 def main() -> None:
     """Run the command line and leave with its exit code."""
     gc.set_threshold(FEW_CYCLES)

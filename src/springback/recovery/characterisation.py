@@ -20,6 +20,7 @@ from springback.kernels.trees import each, largest, pick, total
 from springback.kernels.vectors import Mat, Quat, Vec, norm, rotation
 from springback.recovery.detection import compressions, horizontal, jolt
 from springback.recovery.line_of_action import (
+    MISSED,
     Pass,
     across,
     direction_of,
@@ -36,6 +37,10 @@ from springback.vehicle.state import Airframe, Arm, arm_direction
 #: hit.  Chosen: in flights against the paper's wall it is at most 0.4 for one arm, since cages
 #: stick there, and 0.5 to 1.2, the length of an arm over the radius of its cage, for two.
 ONE_ARM = 0.45
+
+
+#: Compression from which an arm counts as pressed in [m], chosen: ten steps of the Hall sensor.
+FELT = 2e-4
 
 
 class Characterisation(NamedTuple):
@@ -156,8 +161,27 @@ def _pointing(arm: Arm, compression: float) -> Vec:
 
 
 @kernel
+def _in_front(compression: float, sine: float) -> float:
+    """Arms behind are pressed in by their own inertia, too."""
+    return pick(sine < MISSED, compression, 0.0)
+
+
+@kernel
 def _took_part(compression: float, most: float, share: float) -> float:
-    return 1.0 if (compression > 0.0) & (compression >= share * most) else 0.0
+    return 1.0 if (compression > FELT) & (compression >= share * most) else 0.0
+
+
+@kernel
+def felt_arms(look: Characterisation, pressed: tuple[float, ...], met: Pass) -> tuple[float, ...]:
+    """Arms in front that were pressed in, 1 or 0 each.
+
+    Args:
+        look: Settings.
+        pressed: Largest compression of each arm [m].
+        met: How the line of action passes the cages.
+    """
+    front = each(_in_front, (pressed, met.sines), ())
+    return each(_took_part, (front,), (largest(front), look.share))
 
 
 @kernel
@@ -176,14 +200,9 @@ def touching_arms(
         pressed: Largest compression of each arm [m].
         met: How the line of action passes the cages.
     """
-    most = largest(pressed)
-    felt = each(_took_part, (pressed,), (most, look.share))
+    felt = felt_arms(look, pressed, met)
     rigid = pick(abs(met.sine) < ONE_ARM, met.one, met.two)
-    return pick(most > FELT, felt, rigid)
-
-
-#: Compression from which an arm counts as pressed in [m], chosen: ten steps of the Hall sensor.
-FELT = 2e-4
+    return pick(total(felt) > 0.5, felt, rigid)
 
 
 @kernel
@@ -252,8 +271,8 @@ def bearing(
     # While it is hit the robot turns: what met which cage is told in its axes of that time.
     carried = direction_of(Vec(-c.x, -c.y, 0.0), 0.0)
     met: Pass = passed(airframe, lengths, carried, lever_of(wrench.blow))
-    felt = each(_took_part, (pressed,), (largest(pressed), look.share))
-    both = (abs(met.sine) >= ONE_ARM) | ((largest(pressed) > FELT) & (total(felt) > 1.5))
+    felt = felt_arms(look, pressed, met)
+    both = (abs(met.sine) >= ONE_ARM) | (total(felt) > 1.5)
     tangent = pick(both, across(met.span, ahead), turned_back(ahead, met.sine))
     normal = level_normal(r, tangent) * look.level
     return Bearing(direction_of(-impulse, look.level), normal, met)

@@ -121,11 +121,12 @@ class Looking(Settings):
     """Of the direction f_c⁰. Chosen (`springback study detection`): `arms` says only along which
     arm the robot was pressed, `acceleration` and `wrench` where the contact force came from, with
     its friction; `fused`, from force and moment, the obstacle's normal."""
-    window: quantity("s", least=0.0) = 0.015  # type: ignore[valid-type]
-    """After the alarm. Chosen: as long as the recovery of the paper's tests bears without loss."""
-    longer: quantity("s", least=0.0) = 0.015  # type: ignore[valid-type]
+    window: quantity("s", least=0.0) = 0.012  # type: ignore[valid-type]
+    """After the alarm. Chosen: direction errors of both robots are then below 5 degrees
+    (`springback study detection`), and no trial of the paper's tests is lost by the wait."""
+    longer: quantity("s", least=0.0) = 0.018  # type: ignore[valid-type]
     """So much longer where the accelerometer clipped and no arm gave way. Chosen: what is lost
-    motion capture tells, which is 10 ms late, by a second sample, 5 ms later."""
+    motion capture tells, 10 ms late, 5 ms apart; contacts of a rigid robot take some 30 ms."""
     share: quantity("", above=0.0, most=1.0) = 0.25  # type: ignore[valid-type]
     """An arm took part if it was pressed in by this share of the most pressed one. Chosen."""
     level: bool = True

@@ -48,6 +48,8 @@ class Blow(NamedTuple):
     turning: Vec  # of the external moment about the main body, body axes [N m s]
     velocity: Vec  # of the main body at the last sample, world [m/s]
     spin: Vec  # J ω at the last sample, body axes [N m s]
+    steady_force: Vec  # what is slow of that force, world [N]
+    steady_moment: Vec  # what is slow of that moment, body axes [N m]
 
 
 class ExternalWrench(NamedTuple):
@@ -69,7 +71,7 @@ def no_wrench(
     none = Vec(0.0, 0.0, 0.0)
     inertia = inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
-    blow = Blow(none, none, none, start.velocity, spin)
+    blow = Blow(none, none, none, start.velocity, spin, none, none)
     return ExternalWrench(none, none, none, thrust, momentum, spin, blow)
 
 
@@ -91,24 +93,29 @@ def struck_by(
 ) -> Blow:
     """The impulses after one more sample: Δ(m v) − known force · h, and Δ(J ω) − moment · h.
 
+    Less what is slow of either, by one and the same filter, lest their ratio be wrong; and of these
+    very sums, for what is steady of the accelerometer holds its bias.
+
     Args:
         observer: Settings.
         r: Attitude.
         at: What the estimator says.
-        known: Force of rotors, gravity and all that is steady, world [N].
+        known: Force of rotors and gravity, world [N].
         moment: Of the rotors, and −ω × J ω, body axes [N m].
         spin: J ω, body axes [N m s].
         blow: So far.
     """
     h, kept = observer.interval, 1.0 - observer.fading * observer.interval
-    push = (at.velocity - blow.velocity) * observer.mass - known * h
-    turn = spin - blow.spin - moment * h
+    push = (at.velocity - blow.velocity) * observer.mass - (known + blow.steady_force) * h
+    turn = spin - blow.spin - (moment + blow.steady_moment) * h
     return Blow(
         blow.impulse * kept + push,
         blow.carried * kept + push @ r,
         blow.turning * kept + turn,
         at.velocity,
         spin,
+        blow.steady_force + push * observer.steady_gain,
+        blow.steady_moment + turn * observer.steady_gain,
     )
 
 
@@ -155,8 +162,7 @@ def observed_wrench(
     moment_sum = memory.moment_sum + (known_moment + memory.moment) * h
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
-    lasting = known + memory.steady
-    blow = struck_by(observer, r, at, lasting, known_moment, spin, memory.blow)
+    blow = struck_by(observer, r, at, known, known_moment, spin, memory.blow)
     kept = ExternalWrench(
         memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum,
         memory.blow,
