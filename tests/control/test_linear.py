@@ -165,7 +165,7 @@ def test_frequencies_that_do_not_divide_the_clock_are_refused(
 
 
 def test_settings_take_units_and_refuse_what_cannot_be() -> None:
-    given = ControlSettings(rate_limit="220 deg/s", stiffness="9.5 N/m", offboard_delay="10 ms")
+    given = ControlSettings(rate_limit="220 deg/s", stiffness="9.25 N/m", offboard_delay="10 ms")
     assert given == ControlSettings()
     for bad, part in (
         ({"tilt_limit": "95 deg"}, "at most 1.55"),

@@ -63,7 +63,7 @@ def test_both_leads_are_needed(
     """Without one of them the hardest run-up arrives worse; without either it misses by far."""
 
     def badness() -> float:
-        was = arrival("arq", -45.0, 2.0)
+        was = arrival("arq", -45.0, 2.0, control={"rate_integral": 0.0})
         return max(abs(was.speed_error) / SPEED, abs(was.pitch_error) / PITCH)
 
     with_both = badness()
@@ -77,11 +77,17 @@ def test_both_leads_are_needed(
 def test_leads_are_those_of_the_loops() -> None:
     """Delay and half of two holds; then 1/k_ω less the filter's 5.3 ms; nothing where nothing is fed."""
     settings = ControlSettings(
-        offboard_delay=0.01, attitude_frequency=250.0, rate_gain=25.0, gyro_cutoff=30.0
+        offboard_delay=0.01,
+        attitude_frequency=250.0,
+        rate_gain=25.0,
+        gyro_cutoff=30.0,
+        rate_integral=0.0,
     )
     law = settings.model_copy(update={"feed_forward": True}).position_law(1.0, 9.81)
     assert law.tilt_lead == pytest.approx(0.017)
     assert law.rate_lead == pytest.approx(0.017 + 0.04 - 0.005305, abs=1e-6)
+    held = settings.model_copy(update={"feed_forward": True, "rate_integral": 50.0})
+    assert held.position_law(1.0, 9.81).rate_lead == pytest.approx(0.017)
     still = settings.position_law(1.0, 9.81)
     assert still.tilt_lead == still.rate_lead == 0.0
 

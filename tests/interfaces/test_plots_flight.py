@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from springback.errors import InputError
 from springback.experiments.comparison import Mark
 from springback.experiments.paper import flight as paper_flight
+from springback.experiments.paper import resilience as paper_resilience
 from springback.experiments.paper import slider as paper_slider
 from springback.experiments.paper.features import TABLE_I, feature_rows
 from springback.experiments.paper.flight import (
@@ -46,6 +47,7 @@ from springback.interfaces import (
     plots,
     plots_flight,
     plots_guided,
+    plots_resilience,
     plots_slider,
     report,
 )
@@ -464,10 +466,13 @@ def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
     slider = MADE_UP["MADE_UP"]["made_up_results"]()
     monkeypatch.setattr(paper_slider, "slider_experiments", lambda *_: slider)
     monkeypatch.setattr(paper_flight, "flight_experiments", lambda progress: results)
+    trials = MADE_UP["made_up_trials"]()
+    monkeypatch.setattr(paper_resilience, "resilience_experiments", lambda progress: trials)
     for module, names in {
         plots: ("energy",),
         plots_slider: ("slider", "sweep", "readings", "readme"),
         plots_flight: ("steps", "circles", "table_iv", "endurance"),
+        plots_resilience: ("success",),
     }.items():
         for name in names:
             monkeypatch.setattr(module, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
@@ -476,7 +481,8 @@ def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("faked")
 def test_parts_are_reproduced_on_demand(tmp_path: Path) -> None:
     wanted = {"flight": {"Table I", "Table IV"}, "slider": {"Table II", "Table III", "Sweep"}}
-    wanted["all"] = wanted["flight"] | wanted["slider"]
+    wanted["resilience"] = {"Resilience"}
+    wanted["all"] = set.union(*wanted.values())
     for part, experiments in wanted.items():
         out = tmp_path / part
         done = CliRunner().invoke(cli, ["reproduce", part, "--out", str(out), "--json", "-q"])
@@ -488,7 +494,8 @@ def test_parts_are_reproduced_on_demand(tmp_path: Path) -> None:
 
 
 def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
-    words = ["reproduce", "flight", "--reading", "X: a=1", "--out", str(tmp_path / "out")]
-    done = CliRunner().invoke(cli, words)
-    assert isinstance(done.exception, InputError)
-    assert not (tmp_path / "out").exists()
+    for part in ("flight", "resilience"):
+        words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
+        done = CliRunner().invoke(cli, words)
+        assert isinstance(done.exception, InputError)
+        assert not (tmp_path / "out").exists()

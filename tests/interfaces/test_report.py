@@ -13,9 +13,20 @@ import pytest
 from matplotlib.figure import Figure
 
 from springback.experiments.comparison import Mark
+from springback.experiments.paper.resilience import ResilienceResults
 from springback.experiments.paper.slider import READINGS, SliderResults
-from springback.interfaces import plots, plots_slider, report, report_page, report_slider
+from springback.experiments.recovery_measures import RECOVERY_MEASURES
+from springback.experiments.trials import Trial
+from springback.interfaces import (
+    plots,
+    plots_slider,
+    report,
+    report_page,
+    report_resilience,
+    report_slider,
+)
 from springback.interfaces.report import Results
+from springback.simulation.measures import MEASURES, Outcome
 
 # Run by path, so that it does not matter under which name this folder is imported.
 MADE_UP = runpy.run_path(str(Path(__file__).with_name("test_plots.py")))
@@ -205,8 +216,37 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
     )
 
 
+def made_up_trials(lost: Outcome = Outcome.RECOVERED) -> ResilienceResults:
+    """Ten trials of each robot at 3.5 m/s; ARQ recovers, Quad ends as is asked for."""
+    measures = dict.fromkeys([*MEASURES, *RECOVERY_MEASURES], 1.0)
+    ends = {"arq": Outcome.RECOVERED, "quad": lost}
+    return ResilienceResults(10, flown=[
+        Trial(robot, 0.0, 3.5, k, end, measures) for robot, end in ends.items() for k in range(10)
+    ])  # fmt: skip
+
+
+def test_the_verdict_on_collisions_follows_the_trials() -> None:
+    def said(of: ResilienceResults) -> str:
+        return " ".join(
+            block
+            for section in report_resilience.resilience_sections(of)
+            for block in section.blocks
+            if isinstance(block, str)
+        )
+
+    against = said(made_up_trials())
+    assert "ARQ recovers in 10 of 10 trials; printed are 100 %. Quad at 3.5 m/s" in against
+    assert "contradicts the paper" in against
+    assert "study why" in against
+    assert "No trial of the 20 failed" in against
+    as_printed = said(made_up_trials(Outcome.HIT_GROUND))
+    assert "Quad at 3.5 m/s recovers in 0 of 10 trials, as printed." in as_printed
+    assert "contradicts the paper" not in as_printed
+    assert "10 of 20 failed trials ended: a cage touched the ground (10)" in as_printed
+
+
 def test_words_carry_no_typed_numbers() -> None:
-    for name in ("report", "slider", "flight"):
+    for name in ("report", "slider", "flight", "resilience"):
         for key, words in report_page.Words.of(name).text.items():
             if isinstance(words, str):
                 law = words.replace("1 + 1.5 c_a", "")  # the law itself

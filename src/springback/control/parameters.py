@@ -46,7 +46,7 @@ class Schedule(NamedTuple):
 class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
-    stiffness: quantity("N/m", least=0.0) = 9.5  # type: ignore[valid-type]
+    stiffness: quantity("N/m", least=0.0) = 9.25  # type: ignore[valid-type]
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
     vertical_stiffness: quantity("N/m", least=0.0) = 19.5  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""
@@ -89,10 +89,10 @@ class ControlSettings(Settings):
     rate_gain: quantity("1/s", above=0.0) = 40.0  # type: ignore[valid-type]
     """k_ω of all three axes. PX4's MC_ROLLRATE_P = MC_PITCHRATE_P = 0.15 of the full roll or pitch
     of its mixer, 4 T √½ L √½ with T = 7.0 N and L = 0.19 m, is 0.40 N m s: 43 and 37 1/s by Quad's
-    moments of inertia about x and y.  With 20 1/s the fit above would hang on a hair."""
-    rate_integral: quantity("1/s^2", least=0.0) = 53.0  # type: ignore[valid-type]
-    """k_ω times PX4's MC_PITCHRATE_I/MC_PITCHRATE_P = 0.2/0.15 1/s: against steady torques, as of
-    a cage that leans on a wall."""
+    moments of inertia about x and y."""
+    rate_integral: quantity("1/s^2", least=0.0) = 0.0  # type: ignore[valid-type]
+    """Chosen: none; the modelled robots have no steady torque to hold against.  The 0.2/0.15 1/s of
+    PX4's MC_PITCHRATE_I over MC_PITCHRATE_P would make it 53: run-ups then overshoot."""
     rate_integral_limit: quantity("rad/s^2", least=0.0) = 80.0  # type: ignore[valid-type]
     """k_ω times PX4's MC_PR_INT_LIM/MC_PITCHRATE_P = 0.30/0.15 rad/s."""
     rate_derivative: Factor = 0.0
@@ -171,8 +171,10 @@ class ControlSettings(Settings):
 
         By the lead of the tilt, and by the lag 1/k_ω − τ_f of the rate loop.  Its filter τ_f in the
         feedback hastens it: ω/ω_wanted = 1/(F + s (1 + τ s)/k_ω), F = 1/(1 + τ_f s), to first
-        order in s.  The rotors' τ is of second order.
+        order in s.  The rotors' τ is of second order.  An integral makes up that lag.
         """
+        if self.rate_integral > 0.0:
+            return self.tilt_lead()
         return self.tilt_lead() + max(1.0 / float(self.rate_gain) - self.gyro_lag(), 0.0)
 
     def attitude_law(self) -> AttitudeLaw:

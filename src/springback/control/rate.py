@@ -9,6 +9,9 @@ from springback.kernels.trees import each, total
 from springback.kernels.vectors import Mat, Vec, axiswise, positive_part, within
 from springback.vehicle.state import Airframe, Arm, arms_inertia
 
+#: A moment that the rotors fail to give by this much is given, but for rounding [N m].
+ROUNDING = 1e-9
+
 
 class RateLaw(NamedTuple):
     """Settings of the rate loop; gains act on angular accelerations."""
@@ -72,7 +75,8 @@ def _integral(
     count: their share is 1 − (e/fade)².  Source: both are in PX4's RateControl.
     """
     share = positive_part(1.0 - (error / fade) * (error / fade))
-    running = 0.0 if unmet * error > 0.0 else period
+    saturated = (unmet * error > 0.0) & (unmet * unmet > ROUNDING * ROUNDING)
+    running = 0.0 if saturated else period
     return within(value + gain * share * error * running, -most, most)
 
 

@@ -23,8 +23,8 @@ from springback.vehicle.state import State
 
 #: The paper's start and return point, section Impact Resilience [m].
 HOME = (0.0, 0.0, 1.0)
-#: Long enough for the slowest run-up of the paper, 2.75 s, and five seconds after it [s], chosen.
-DURATION = 8.0
+#: Long enough for the slowest run-up of the paper, 2.75 s, recovery and the way home [s], chosen.
+DURATION = 11.0
 
 
 class Scatter(NamedTuple):
@@ -256,7 +256,7 @@ def fly_trials(
             asked.append((condition, number))
     groups: dict[Any, list[int]] = {}
     for k, one in enumerate(flights):
-        groups.setdefault(_kind(one), []).append(k)
+        groups.setdefault(kind_of(one), []).append(k)
     results: dict[int, tuple[Outcome, dict[str, float | None]]] = {}
     for members in groups.values():
         done = len(results)
@@ -283,7 +283,7 @@ def _too_hard(condition: Condition) -> bool:
     return False
 
 
-def _kind(one: Ready) -> Any:
+def kind_of(one: Ready) -> Any:
     """Flights of one kind can fly abreast."""
     return (
         _types(one.model), _types(one.board.cabin), one.model.timing.until,

@@ -185,7 +185,7 @@ def check(pilot: str, scenario: Path | None, as_json: bool, quiet: bool) -> None
 
 
 @cli.command()
-@click.argument("part", type=click.Choice(["all", "slider", "flight"]), default="all")
+@click.argument("part", type=click.Choice(["all", "slider", "flight", "resilience"]), default="all")
 @click.option(
     "--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV."
 )
@@ -202,11 +202,12 @@ def reproduce(
     """Reproduce the paper: its numbers beside ours, in a report.
 
     `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
-    I, sizes, payload and hover time, and Table IV, steps and circles.
+    I, sizes, payload and hover time, and Table IV, steps and circles; `resilience` is collisions in
+    flight, seven kinds of ten trials for both robots, and ten collisions in a row.
     """
     from springback.interfaces.files import output_folder
 
-    if readings and part == "flight":
+    if readings and part not in ("all", "slider"):
         raise InputError("--reading is for the slider tests; leave it out, or reproduce all")
     _needs_figures()
     with output_folder(out, force=force) as folder:
@@ -222,19 +223,24 @@ def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool)
     """Reproduce a part, write the report into a folder, give the compared numbers."""
     from springback.experiments.paper.features import feature_rows
     from springback.experiments.paper.flight import flight_experiments
+    from springback.experiments.paper.resilience import resilience_experiments
     from springback.experiments.paper.slider import named_reading, slider_experiments
     from springback.interfaces.report import Results, write_report
 
     extra, results = [named_reading(text) for text in readings], Results()
-    if part != "flight":
+    if part in ("all", "slider"):
         _say("slider tests: Table III and the sweep; the first run compiles for a minute", quiet)
         with _progress("slider tests", quiet) as show:
             results = replace(results, slider=slider_experiments(extra, show))
-    if part != "slider":
+    if part in ("all", "flight"):
         _say("free flight: Tables I and IV; the first run compiles for a minute", quiet)
         with _progress("free flight", quiet) as show:
             flown = flight_experiments(progress=show)
         results = replace(results, features=feature_rows(), flight=flown)
+    if part in ("all", "resilience"):
+        _say("collisions in flight; the first run compiles for a minute or two", quiet)
+        with _progress("collisions in flight", quiet) as show:
+            results = replace(results, resilience=resilience_experiments(progress=show))
     with _patience("writing the report", quiet):
         write_report(results, folder, about=_about())
     return results.rows
@@ -323,7 +329,7 @@ def _described(data: dict[str, Any], indent: str = "") -> str:
 def _table(rows: list[Any]) -> str:
     """Compared numbers as text."""
     lines = [
-        f"{'':<11}{'robot':<16}{'on':<6}{'reading':<9}{'quantity':<36}{'ours':>10}{'printed':>10}"
+        f"{'':<11}{'robot':<16}{'on':<6}{'reading':<9}{'quantity':<43}{'ours':>10}{'printed':>10}"
         f"{'':>9}  mark"
     ]
     for row in rows:
@@ -336,13 +342,13 @@ def _table(rows: list[Any]) -> str:
         reading = row.reading if slider else ""
         quantity = row.quantity if slider or not row.reading else f"{row.quantity}, {row.reading}"
         lines.append(
-            f"{row.experiment:<11}{row.robot:<16}{row.surface:<6}{reading:<9}{quantity:<36}"
+            f"{row.experiment:<11}{row.robot:<16}{row.surface:<6}{reading:<9}{quantity:<43}"
             f"{ours:>10}{printed:>10}{deviation:>9}  {row.mark.word}"
         )
     return "\n".join(lines)
 
 
-from springback.interfaces import cli_study  # noqa: E402, F401  # its commands join the others
+from springback.interfaces import cli_map, cli_study  # noqa: E402, F401
 
 
 def main() -> None:

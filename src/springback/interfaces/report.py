@@ -1,7 +1,7 @@
 """The reproduction report: one page that needs nothing else, its figures, and the numbers as data.
 
-It has a part for each part of the paper that was reproduced: the slider tests, and features and
-free flight.  What the parts have in common is here.
+It has a part for each part of the paper that was reproduced: the slider tests, features and free
+flight, and collisions in flight.  What the parts have in common is here.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any
 from springback.experiments.comparison import AGREEMENT, Mark, Row
 from springback.experiments.paper.flight import FlightResults
 from springback.experiments.paper.printed import PAPER
+from springback.experiments.paper.resilience import ResilienceResults
 from springback.experiments.paper.slider import SliderResults
 from springback.interfaces import canvas
 from springback.interfaces.files import write_json
@@ -31,6 +32,11 @@ from springback.interfaces.report_page import (
     plain,
     rounded,
 )
+from springback.interfaces.report_resilience import (
+    resilience_data,
+    resilience_sections,
+    resilience_tables,
+)
 from springback.interfaces.report_slider import slider_data, slider_sections, sweep_rows
 
 WORDS = Words.of("report")
@@ -45,18 +51,25 @@ class Results:
     features: list[Row] = field(default_factory=list)
     """Table I."""
     flight: FlightResults | None = None
+    resilience: ResilienceResults | None = None
 
     @property
     def rows(self) -> list[Row]:
         """All compared numbers."""
         slider = self.slider.rows if self.slider else []
-        return [*slider, *self.features, *(self.flight.rows() if self.flight else [])]
+        flight = self.flight.rows() if self.flight else []
+        resilience = self.resilience.rows() if self.resilience else []
+        return [*slider, *self.features, *flight, *resilience]
 
     @property
     def _kind(self) -> str:
-        if self.slider is None:
-            return "flight"
-        return "slider" if self.flight is None and not self.features else "both"
+        there = {
+            "slider": self.slider is not None,
+            "flight": self.flight is not None or bool(self.features),
+            "resilience": self.resilience is not None,
+        }
+        kinds = [kind for kind, flown in there.items() if flown]
+        return kinds[0] if len(kinds) == 1 else "several"
 
     @property
     def title(self) -> str:
@@ -98,6 +111,8 @@ def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]
     sections = slider_sections(results.slider) if results.slider else []
     if results.flight is not None or results.features:
         sections += flight_sections(results.features, results.flight)
+    if results.resilience is not None:
+        sections += resilience_sections(results.resilience)
     if sections:
         first = sections[0]
         sections[0] = replace(first, blocks=(*first.blocks, _marks(results.rows)))
@@ -148,12 +163,15 @@ def _tables(results: Results) -> dict[str, Rows]:
         tables["sweep.csv"] = sweep_rows(results.slider)
     if results.flight is not None or results.features:
         tables |= flight_tables(results.flight)
+    if results.resilience is not None:
+        tables |= resilience_tables(results.resilience)
     return tables
 
 
 def _data(results: Results, about: Mapping[str, Any]) -> dict[str, Any]:
     slider = slider_data(results.slider) if results.slider is not None else {}
     flight = flight_data(results.flight) if results.flight is not None else {}
+    resilience = resilience_data(results.resilience) if results.resilience is not None else {}
     return {
         "about": dict(about),
         "paper": PAPER,
@@ -161,6 +179,7 @@ def _data(results: Results, about: Mapping[str, Any]) -> dict[str, Any]:
         "rows": [row.as_dict() for row in results.rows],
         **slider,
         **flight,
+        **resilience,
     }
 
 

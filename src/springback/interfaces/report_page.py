@@ -117,7 +117,7 @@ def page(title: str, sections: Sequence[Section]) -> str:
 
 def _symbols(text: str) -> Markup:
     """Text, escaped, with the symbols of the paper set as such."""
-    known = r"\b([abcklmpvI])_(a|b|c|l|n|max|rigid|x|y|z|xx|yy|zz)\b"
+    known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
     return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
 
 

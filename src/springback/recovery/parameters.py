@@ -127,8 +127,9 @@ class Looking(Settings):
     longer: quantity("s", least=0.0) = 0.018  # type: ignore[valid-type]
     """So much longer where the accelerometer clipped and no arm gave way. Chosen: what is lost
     motion capture tells, 10 ms late, 5 ms apart; contacts of a rigid robot take some 30 ms."""
-    share: quantity("", above=0.0, most=1.0) = 0.25  # type: ignore[valid-type]
-    """An arm took part if it was pressed in by this share of the most pressed one. Chosen."""
+    share: quantity("", above=0.0, most=1.0) = 0.1  # type: ignore[valid-type]
+    """An arm in front took part if it was pressed in by this share of the most pressed one.
+    Chosen."""
     level: bool = True
     """Whether obstacles are upright, so that f_c⁰ is level, as all of the paper's are."""
 
@@ -194,8 +195,9 @@ class Settling(Settings):
     """Chosen."""
     stay: Duration = 0.5
     """How long the robot rests before it goes on, at p_r and at home. Chosen; at least `dwell`."""
-    patience: Duration = 5.0
-    """After the end of a way the robot goes on anyway. Chosen."""
+    patience: Duration = 2.0
+    """After the end of a way the robot goes on anyway, as where it leans on the wall and cannot get
+    away. Chosen: beyond the 1.5 s in which it settles."""
 
     @model_validator(mode="after")
     def _long_enough(self) -> Settling:

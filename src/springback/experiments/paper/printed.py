@@ -39,3 +39,21 @@ TABLE_III = {
     ("arq", "mat"): Impact(0.498, 0.504, 137.0, 142.0, 0.033, 0.083),
 }
 """Table III and the text of section IV-A: simulation and physical test."""
+
+SUCCESS = {
+    ("arq", 0.0, 2.0): 1.0, ("arq", 0.0, 3.5): 1.0, ("arq", -45.0, 2.0): 1.0,
+    ("arq", -30.0, 2.0): 1.0, ("arq", 30.0, 2.0): 1.0, ("arq", -15.0, 2.0): 1.0,
+    ("arq", 15.0, 2.0): 1.0, ("quad", 0.0, 3.5): 0.0,
+}  # fmt: skip
+"""Share of recovered collisions by robot, pitch [deg] and speed [m/s], section Impact Resilience:
+ARQ '100% success rates for all collision tests'; Quad at 3.5 m/s 'fails ... in all trials'."""
+SUCCESS_WORDS = {
+    ("quad", 0.0, 2.0): "fairly good", ("quad", -30.0, 2.0): "fairly good",
+    ("quad", 30.0, 2.0): "fairly good", ("quad", -15.0, 2.0): "fairly good",
+    ("quad", 15.0, 2.0): "fairly good", ("quad", -45.0, 2.0): "drops",
+}  # fmt: skip
+"""The same where it has words and no number."""
+RECOVERY_PITCH = (-66.0, 49.0)
+"""[deg], largest nose up and nose down of a recovery from 3.5 m/s, section Impact Resilience."""
+COLLISIONS_IN_A_ROW = 10
+"""Of ARQ at -45 deg, 2 m/s, 'without landing', section Impact Resilience."""

@@ -1,0 +1,386 @@
+"""Impact resilience: seven kinds of collision with a wall, both robots, and ten hits in a row.
+
+One set of parameters flies all of it; nothing is tuned to a condition.  Trials differ in their luck
+(`Scatter`), of which both robots are dealt the same.  What the paper leaves open is chosen here and
+said so: the laws of that luck, how long a flight lasts and how often the repeated test is flown.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+import scipy  # its parts are loaded when first used
+
+from springback.experiments.comparison import Mark, Row, predicted_or_contradicted
+from springback.experiments.paper.printed import (
+    COLLISIONS_IN_A_ROW,
+    RECOVERY_PITCH,
+    SUCCESS,
+)
+from springback.experiments.result import Flight, fly
+from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.trials import (
+    HOME,
+    Condition,
+    Luck,
+    Scatter,
+    Trial,
+    fly_trials,
+    trial_tables,
+)
+from springback.recovery.journey import CRUISE, HOVER, LOOK, RECOVER
+from springback.simulation.measures import Outcome
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+ROBOTS = ("arq", "quad")
+TRIALS = 10
+"""Section Impact Resilience: ten trials of each condition."""
+CONFIDENCE = 0.95
+"""Of the intervals of success rates."""
+SLOWEST = (0.0, 1.0)
+"""Pitch [deg] and speed [m/s] of flights that only serve to see how detection goes with speed."""
+FASTEST = (0.0, 3.5)
+"""Pitch [deg] and speed [m/s] of the collisions whose largest pitch is printed."""
+REPEATED = (-45.0, 2.0)
+"""Pitch [deg] and speed [m/s] of the repeated test."""
+REPEATS = 5
+"""How often the repeated test is flown, chosen."""
+TIME_EACH = 12.0
+"""For a collision of the repeated test, its way home included [s], chosen: it takes some 9 s, and
+some 10 s where the robot comes back to the wall a second time."""
+RETURN_TOLERANCE = 0.1
+"""The robot must come back this near to the start [m]; chosen, L_c."""
+FAR = 2.0
+"""Chosen: who was so far from the place of touch before it came to rest [m] rested at home only."""
+SAMPLES = (("arq", 0.0, 3.5), ("arq", 0.0, 2.0), ("quad", 0.0, 2.0))
+"""Robot, pitch [deg] and speed [m/s] of the flights that the paper draws."""
+PACE = "the duration of the way back was chosen so that it asks for the printed nose up"
+
+
+class Tally(NamedTuple):
+    """How often a robot recovered in one condition."""
+
+    robot: str
+    pitch: float  # [deg]
+    speed: float  # [m/s]
+    successes: int
+    trials: int
+    low: float  # Wilson's interval
+    high: float
+    failures: dict[str, int]  # outcome in words: how often
+
+    @property
+    def rate(self) -> float:
+        """Share of the trials."""
+        return self.successes / self.trials
+
+
+def wilson(successes: int, trials: int) -> tuple[float, float]:
+    """Wilson's interval of a share, at `CONFIDENCE` (Wilson 1927)."""
+    test = scipy.stats.binomtest(successes, trials)
+    interval = test.proportion_ci(confidence_level=CONFIDENCE, method="wilson")
+    return float(interval.low), float(interval.high)
+
+
+@dataclass(frozen=True)
+class Repeat:
+    """One flight of the repeated test: collision after collision without landing."""
+
+    robot: str
+    trial: int
+    outcome: Outcome
+    asked: int
+    """Collisions that were to be made."""
+    collisions: int
+    recovered: int
+    returns: tuple[float, ...]
+    """How far from `HOME` the robot truly was when it took itself to be home, each time [m]."""
+    alarms: int
+    """One for each collision; more where the robot swung back to the wall before it rested."""
+    false_alarms: int
+    flight: Flight | None = field(default=None, repr=False)
+    """Kept for the first trial of each robot."""
+
+    @property
+    def success(self) -> bool:
+        """Recovered from every collision, and came back near enough every time."""
+        near = [gap <= RETURN_TOLERANCE for gap in self.returns]
+        return self.outcome is Outcome.RECOVERED and all(near) and len(near) == self.asked
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data."""
+        return {
+            "robot": self.robot, "trial": self.trial, "outcome": self.outcome.word,
+            "success": self.success, "asked": self.asked, "collisions": self.collisions,
+            "recovered": self.recovered, "alarms": self.alarms, "false_alarms": self.false_alarms,
+            "returns": list(self.returns),
+        }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One trial with its trajectory."""
+
+    robot: str
+    pitch: float
+    """[deg]"""
+    speed: float
+    """[m/s]"""
+    luck: Luck
+    flight: Flight = field(repr=False)
+
+
+@dataclass
+class ResilienceResults:
+    """All collisions in flight."""
+
+    trials: int
+    scatter: Scatter = field(default_factory=Scatter)
+    flown: list[Trial] = field(default_factory=list)
+    """Of `CONDITIONS`."""
+    slower: list[Trial] = field(default_factory=list)
+    """At `SLOWEST`, which the paper does not fly."""
+    repeats: list[Repeat] = field(default_factory=list)
+    samples: list[Sample] = field(default_factory=list)
+
+    def values(self, robot: str, pitch: float, speed: float, measure: str) -> list[float]:
+        """A measure of all trials of a condition that have it."""
+        found = [
+            trial.measures[measure] for trial in [*self.flown, *self.slower]
+            if (trial.robot, trial.pitch, trial.speed) == (robot, pitch, speed)
+        ]  # fmt: skip
+        return [value for value in found if value is not None]
+
+    def tallies(self) -> list[Tally]:
+        """Successes of every condition that was flown, robot by robot."""
+        tallies = []
+        for robot in ROBOTS:
+            for pitch, speed in CONDITIONS:
+                of = (robot, pitch, speed)
+                found = [t for t in self.flown if (t.robot, t.pitch, t.speed) == of]
+                if found:
+                    won = sum(trial.success for trial in found)
+                    lost = Counter(trial.outcome.value for trial in found if not trial.success)
+                    tallies.append(Tally(*of, won, len(found), *wilson(won, len(found)), {**lost}))
+        return tallies
+
+    def sample(self, robot: str, pitch: float, speed: float) -> Sample | None:
+        """The trial of a condition whose trajectory was kept."""
+        of = (robot, pitch, speed)
+        return next((s for s in self.samples if (s.robot, s.pitch, s.speed) == of), None)
+
+    def repeated(self, robot: str) -> list[Repeat]:
+        """Flights of the repeated test."""
+        return [repeat for repeat in self.repeats if repeat.robot == robot]
+
+    def rows(self) -> list[Row]:
+        """Ours beside print, for every printed number."""
+        return [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
+
+    def _success_rows(self) -> list[Row]:
+        rows = []
+        for tally in self.tallies():
+            printed = SUCCESS.get(tally[:3])
+            if printed is not None:
+                note = (
+                    f"{tally.successes} of {tally.trials}, Wilson {100 * CONFIDENCE:g} % interval "
+                    f"{tally.low:.3f} to {tally.high:.3f}"
+                )
+                name = condition_name(tally.pitch, tally.speed)
+                mark = rate_mark(tally.rate, printed)
+                rows.append(
+                    _row(tally.robot, name, "success rate", "", tally.rate, printed, mark, note)
+                )
+        return rows
+
+    def _pitch_rows(self) -> list[Row]:
+        rows, name = [], condition_name(*FASTEST)
+        for side, printed, measure in zip(
+            ("nose up", "nose down"), RECOVERY_PITCH, ("nose_up", "nose_down"), strict=True
+        ):
+            flown = [math.degrees(x) for x in self.values("arq", *FASTEST, measure)]
+            if flown:
+                ours = float(np.median(flown))
+                note = (
+                    f"median of {len(flown)} trials, {min(flown):.1f} to {max(flown):.1f} deg; "
+                    f"{PACE}"
+                )
+                mark = predicted_or_contradicted(ours, printed)
+                rows.append(_row("arq", name, f"pitch, {side}", "deg", ours, printed, mark, note))
+        sample = self.sample("arq", *FASTEST)
+        asked = asked_extremes(sample.flight) if sample is not None else None
+        if asked is not None:
+            (up, down), (least, most) = asked, RECOVERY_PITCH
+            mark = predicted_or_contradicted(down, most)
+            what = "pitch asked for"
+            rows += [
+                _row("arq", name, f"{what}, nose up", "deg", up, least, Mark.FITTED, PACE),
+                _row("arq", name, f"{what}, nose down", "deg", down, most, mark, PACE),
+            ]
+        return rows
+
+    def _repeated_rows(self) -> list[Row]:
+        found = self.repeated("arq")
+        if not found or found[0].asked != COLLISIONS_IN_A_ROW:
+            return []
+        ours = float(min(repeat.recovered for repeat in found))
+        won = sum(repeat.success for repeat in found)
+        note = (
+            f"the fewest of {len(found)} flights; {won} of them came back to within "
+            f"{RETURN_TOLERANCE:g} m every time"
+        )
+        mark = predicted_or_contradicted(ours, COLLISIONS_IN_A_ROW)
+        name = condition_name(*REPEATED)
+        return [_row("arq", name, "recovered in a row", "", ours, COLLISIONS_IN_A_ROW, mark, note)]
+
+
+def _row(
+    robot: str, reading: str, quantity: str, unit: str, ours: float, printed: float, mark: Mark,
+    note: str,
+) -> Row:  # fmt: skip
+    """A compared number; what print says of collisions in flight are physical tests."""
+    return Row(
+        "Resilience", robot, "wall", reading, quantity, unit, ours, printed, None, mark, 0.0, "",
+        note,
+    )  # fmt: skip
+
+
+def condition_name(pitch: float, speed: float) -> str:
+    """A condition in words."""
+    return f"{speed:g} m/s, {pitch:g} deg"
+
+
+def rate_mark(ours: float, printed: float) -> Mark:
+    """The mark of a share, which may be printed as none at all."""
+    if printed == 0.0:
+        return Mark.PREDICTED if ours == 0.0 else Mark.CONTRADICTED
+    return predicted_or_contradicted(ours, printed)
+
+
+# -- what is read from a flight -------------------------------------------------------------------
+
+
+def pitch_of(w: Array, x: Array, y: Array, z: Array) -> Array:
+    """Pitch in the X-Z plane, positive nose down, over the whole turn, of attitudes [rad]."""
+    return np.arctan2(2.0 * (w * y + x * z), 1.0 - 2.0 * (x * x + y * y))
+
+
+def motion(flight: Flight) -> dict[str, Array]:
+    """What a flight did and what it was asked for, tick by tick.
+
+    Returns:
+        ``t`` since first touch [s]; ``x`` [m], ``vx`` [m/s] and ``pitch`` [rad] as flown; the same
+        with ``asked_`` as the reference asks for, pitch by its acceleration; ``aimed_pitch`` [rad]
+        with feedback, as the position controller wants it.
+    """
+    c, d = flight.columns, flight.diary
+    touch = flight.measures["touch_time"] or 0.0
+    gravity = float(flight.scenario.world.gravity)
+    true_pitch = pitch_of(*(c[f"q{part}"] for part in "wxyz"))
+    flown = {"x": c["x"], "z": c["z"], "vx": c["vx"], "pitch": true_pitch}
+    return {
+        "t": d["t"] - touch,
+        **{name: np.interp(d["t"], c["t"], curve) for name, curve in flown.items()},
+        "asked_x": d["ref_x"],
+        "asked_vx": d["ref_vx"],
+        "asked_pitch": np.arctan2(d["ref_ax"], d["ref_az"] + gravity),
+        "aimed_pitch": pitch_of(*(d[f"aim_q{part}"] for part in "wxyz")),
+    }
+
+
+def asked_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
+    """Smallest and largest pitch asked for on the way to p_r [deg]; None if there was no way."""
+    pitch = np.degrees(motion(flight)[curve][flight.diary["leg"] == RECOVER])
+    return (float(pitch.min()), float(pitch.max())) if len(pitch) else None
+
+
+def _began(flight: Flight, leg: float) -> Array:
+    """When a leg of the journey began [s]; the first of a flight did not begin."""
+    legs = flight.diary["leg"]
+    began: Array = flight.diary["t"][1:][(legs[1:] == leg) & (legs[:-1] != leg)]
+    return began
+
+
+def returns_of(flight: Flight) -> tuple[float, ...]:
+    """True distance from `HOME`, each time that the pilot ends its way home [m]."""
+    c = flight.columns
+    arrived = np.sort(np.concatenate([_began(flight, CRUISE), _began(flight, HOVER)]))
+    gaps = [np.interp(arrived, c["t"], c[axis]) - HOME[k] for k, axis in enumerate("xyz")]
+    return tuple(np.sqrt(sum(gap * gap for gap in gaps)).tolist())
+
+
+# -- flights --------------------------------------------------------------------------------------
+
+
+def repeated_test(
+    robot: str, trial: int, scatter: Scatter, seed: int, collisions: int, *, keep: bool = False
+) -> Repeat:
+    """Fly the repeated test once."""
+    luck = scatter.drawn(robot, *REPEATED, trial, seed)
+    changes = {
+        "recovery": {"runs": collisions}, "simulation": {"duration": TIME_EACH * collisions},
+    }  # fmt: skip
+    flight = fly(trial_tables(robot, *REPEATED, luck, changes))
+    runs, recovered, false_alarms = (
+        int(flight.measures[name] or 0.0) for name in ("runs", "recovered_runs", "false_alarms")
+    )
+    return Repeat(
+        robot, trial, flight.outcome, collisions, runs, recovered, returns_of(flight),
+        len(_began(flight, LOOK)), false_alarms, flight if keep else None,
+    )  # fmt: skip
+
+
+def sampled(robot: str, pitch: float, speed: float, scatter: Scatter, seed: int) -> Sample:
+    """The first trial of a condition once more, with its trajectory."""
+    luck = scatter.drawn(robot, pitch, speed, 0, seed)
+    return Sample(robot, pitch, speed, luck, fly(trial_tables(robot, pitch, speed, luck)))
+
+
+def resilience_experiments(
+    trials: int = TRIALS,
+    repeats: int = REPEATS,
+    collisions: int = COLLISIONS_IN_A_ROW,
+    *,
+    scatter: Scatter | None = None,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> ResilienceResults:
+    """Fly all collisions in flight, every one with sensors, estimator and lagging rotors.
+
+    Args:
+        trials: Of each condition.
+        repeats: Of the repeated test, for each robot.
+        collisions: Of each repeated test.
+        scatter: What differs from trial to trial; by default the laws of `Scatter`.
+        seed: Of all luck.
+        progress: Called with the share that is done.
+    """
+    dealt = scatter or Scatter()
+    asked = [Condition(robot, *condition) for robot in ROBOTS for condition in CONDITIONS]
+    more = [Condition(robot, *SLOWEST) for robot in ROBOTS]
+    half = None if progress is None else lambda share: progress(0.5 * share)
+    flown = fly_trials([*asked, *more], trials, scatter=dealt, seed=seed, progress=half)
+    several = len(asked) * trials
+    results = ResilienceResults(trials, dealt, flown[:several], flown[several:])
+    left = len(SAMPLES) + repeats * len(ROBOTS)
+
+    def tick() -> None:
+        done = len(results.samples) + len(results.repeats)
+        if progress is not None:
+            progress(0.5 + 0.5 * done / left)
+
+    for sample in SAMPLES:
+        results.samples.append(sampled(*sample, dealt, seed))
+        tick()
+    for robot in ROBOTS:
+        for trial in range(repeats):
+            keep = trial == 0
+            results.repeats.append(repeated_test(robot, trial, dealt, seed, collisions, keep=keep))
+            tick()
+    return results

@@ -1,0 +1,110 @@
+"""The command ``springback map``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from springback.interfaces.cli import (
+    OUT,
+    _have_figures,
+    _patience,
+    _print,
+    _progress,
+    _say,
+    cli,
+    force_option,
+    json_option,
+    quiet_option,
+)
+
+
+@cli.command(name="map")
+@click.argument("x", default="speed=1:5:9", metavar="[X=FROM:TO:COUNT]")
+@click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
+@click.option(
+    "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
+    help="Vehicle preset; may be given several times.",
+)  # fmt: skip
+@click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Of all luck.")
+@click.option(
+    "--set", "settings", multiple=True, metavar="KEY=VALUE", help="The same in all trials."
+)
+@click.option("--out", type=OUT, help="Folder for map.json, map.csv, map.png, map.pdf.")
+@click.option("--dry-run", is_flag=True, help="Only say what would be flown.")
+@click.option("--no-figures", is_flag=True, help="Write no figures.")
+@force_option
+@json_option
+@quiet_option
+def map_command(
+    x: str,
+    y: str | None,
+    robots: tuple[str, ...],
+    trials: int,
+    seed: int,
+    settings: tuple[str, ...],
+    out: Path | None,
+    dry_run: bool,
+    no_figures: bool,
+    force: bool,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Map how often robots recover from a collision, over two parameters.
+
+    speed and pitch are those at contact; any other parameter is the dotted path of a number in the
+    scenario. By default speed from 1 to 5 m/s over pitch from -60 to 60 deg, positive nose down.
+
+    \b
+    springback map --out map
+    springback map speed=1:5:9 pitch=-60deg:60deg:9 --robot arq --trials 20 --out map
+    springback map recovery.response.pace=0.1:0.3:5 vehicle.arms.stiffness="2 N/mm:8 N/mm:4" \\
+        --set speed=3.5 --out map
+    """  # noqa: D301
+    from springback.errors import InputError
+    from springback.experiments.mapping import fly_envelope, outlook, plan_envelope
+    from springback.interfaces.files import output_folder
+
+    with _patience("reading", quiet):
+        plan = plan_envelope(x, y, robots=robots, trials=trials, seed=seed, settings=settings)
+    if dry_run:
+        coming = outlook(plan)
+        _print(coming._asdict() if as_json else coming.sentence(), as_json)
+        return
+    if out is None:
+        raise InputError("--out is missing: the folder to write to (or --dry-run)")
+    with output_folder(out, force=force) as folder:
+        _say(outlook(plan).sentence(), quiet)
+        with _progress("flying the map", quiet) as show:
+            envelope = fly_envelope(plan, show)
+        with _patience("writing", quiet):
+            written = _write(envelope, folder, not no_figures and _have_figures(quiet))
+        names = [path.name for path in written]
+    text = "\n\n".join(envelope.table(robot) for robot in envelope.robots)
+    sentences = "\n".join(envelope.sentence(robot) for robot in envelope.robots)
+    _print(envelope.as_dict() if as_json else f"{text}\n\n{sentences}", as_json)
+    _say(f"written to {out}: {', '.join(names)}", quiet)
+
+
+def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
+    """Write ``map.json``, ``map.csv`` and, if wanted, ``map.png`` and ``map.pdf``."""
+    import csv
+
+    from springback.interfaces.files import write_json
+
+    written = [folder / "map.json", folder / "map.csv"]
+    write_json(written[0], envelope.as_dict())
+    rows = envelope.rows()
+    with written[1].open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    if figures:
+        from springback.interfaces import canvas
+        from springback.interfaces.plots_map import map_figure
+
+        written += canvas.save(map_figure(envelope), folder / "map")
+    return written
