@@ -173,6 +173,15 @@ def test_the_source_that_is_chosen_is_relied_on(source: str) -> None:
     assert hit.direction == ways[source]
 
 
+def test_the_accelerometer_points_away_from_the_obstacle() -> None:
+    """The wall is where the specific force comes from: the robot is pushed the other way."""
+    found = no_impression(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
+    at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(Blow(*(NONE,) * 7))
+    hit = characterised(LOOK, AIRFRAME, seen(), at, words, found, NONE, NONE)
+    assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
+    assert hit.by_fusion == hit.by_wrench == NONE
+
+
 def test_without_any_push_the_way_of_flight_is_taken() -> None:
     hit = made_out(level(0.0), 0.0, {0: 0.0})
     assert hit.direction == Vec(1.0, 0.0, 0.0)
@@ -224,21 +233,26 @@ def test_what_was_strongest_is_kept_and_clipped_readings_say_no_direction() -> N
         so_far = impressed(LOOK, AIRFRAME, seen(Vec(-reading, 0.0, 9.81)), at, nothing, so_far)
     assert so_far.ticks == 4.0
     assert norm(so_far.jolted - Vec(0.0, -90.0, 0.0)) < 1e-9  # body x is world y
-    assert so_far.clipped == 1.0
+    assert so_far.clipped == 3.0  # the third of four
     assert unclipped(LOOK.limit, Vec(0.0, -100.0, 0.0))
     assert not unclipped(LOOK.limit, Vec(0.0, 0.0, 150.0))
 
 
 def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it() -> None:
+    """Ticks are of 1 ms; the reading of the eighth was clipped."""
     clear = no_impression(AIRFRAME)
-    clipped = clear._replace(clipped=1.0)
-    gave_way = clipped._replace(pressed=(5e-3, 0.0, 0.0, 0.0))
-    just = LOOK.window + 1e-6
-    assert not looked_enough(LOOK, clear, LOOK.window - 1e-4)
-    assert looked_enough(LOOK, clear, just)
-    assert looked_enough(LOOK, gave_way, just)
-    assert not looked_enough(LOOK, clipped, just)
-    assert looked_enough(LOOK, clipped, just + LOOK.longer)
+
+    def enough(at: int, clipped: float, pressed: float, second: float = 0.0) -> bool:
+        found = clear._replace(ticks=float(at), clipped=clipped, pressed=(pressed, 0.0, 0.0, 0.0))
+        return bool(looked_enough(LOOK, found, (1.0, second, 0.0, 0.0), 1e-3 * at))
+
+    window, longer = round(1e3 * LOOK.window), round(1e3 * LOOK.longer)
+    assert not enough(window - 1, 0.0, 0.0)
+    assert enough(window + 1, 0.0, 0.0)
+    assert enough(window + 1, 8.0, 5e-3)
+    assert enough(window + 1, 8.0, 0.0, second=1.0)
+    assert not enough(8 + longer - 1, 8.0, 0.0)
+    assert enough(8 + longer + 1, 8.0, 0.0)
 
 
 def test_plain_and_compiled_are_twins() -> None:

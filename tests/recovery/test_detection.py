@@ -7,7 +7,7 @@ import numba
 import numpy as np
 import pytest
 
-from springback.experiments.receiver import Judged, alarms, curve, delay
+from springback.experiments.receiver import Judged, alarms, curve, delay, quiet
 from springback.kernels.vectors import Vec
 from springback.recovery.detection import (
     NOT_TRIGGERED,
@@ -125,7 +125,8 @@ def test_delay_of_a_ramp_and_a_curve_that_falls() -> None:
     assert delay(hit, touch, 5.0, 1, 0.03) is None
     luck = np.random.default_rng(3)
     free = Judged(luck.exponential(size=100_000), TICK, 1)
-    points = curve([free], [(hit, touch)], [0.5, 2.0, 2.5, 8.0, 20.0], refractory=0.01)
+    thresholds = [0.5, 2.0, 2.5, 8.0, 20.0]
+    points = curve(quiet([free], thresholds, refractory=0.01), [(hit, touch)], thresholds)
     false = [p.false_alarms for p in points]
     assert false == sorted(false, reverse=True)
     assert [p.probability for p in points] == [1.0, 1.0, 1.0, 0.0, 0.0]

@@ -7,6 +7,7 @@ from typing import Any
 import numba
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from springback.control.rate import inertia_at
 from springback.kernels.trees import leaves
@@ -84,6 +85,25 @@ def test_a_constant_moment_is_found_with_the_same_lag(moment: Vec) -> None:
     for k, wrench in enumerate(told, start=1):
         lagged = moment * (1.0 - (1.0 - GAIN * TICK) ** k)
         assert norm(wrench.moment - lagged) < 1e-9
+
+
+def test_tumbling_freely_is_no_moment() -> None:
+    """Euler's equations J ω̇ = −ω × J ω, by SciPy: nothing but its own spin turns the robot."""
+    matrix, zero = np.array(INERTIA), Vec(0.0, 0.0, 0.0)
+
+    def rate(_: float, omega: Any) -> Any:
+        return np.linalg.solve(matrix, -np.cross(omega, matrix @ omega))
+
+    times = np.arange(200) * TICK
+    way = solve_ivp(rate, (0.0, times[-1]), [4.0, 3.0, 5.0], t_eval=times, rtol=1e-10, atol=1e-10)
+    at = Estimate(zero, LEVEL, zero, Vec(*way.y[:, 0].tolist()))
+    memory = no_wrench(OBSERVER, AIRFRAME, at, HOVER)
+    for omega in way.y.T[1:].tolist():
+        at = Estimate(zero, LEVEL, zero, Vec(*omega))
+        memory = observed_wrench(OBSERVER, AIRFRAME, INERTIA, seen(zero, at), at, HOVER, memory)
+    gyroscopic = np.linalg.norm(np.cross(way.y[:, 0], matrix @ way.y[:, 0]))
+    assert gyroscopic > 0.1
+    assert norm(memory.moment) < 0.02 * gyroscopic
 
 
 def test_momentum_and_acceleration_agree_in_the_steady_state() -> None:

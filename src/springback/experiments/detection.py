@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.experiments.receiver import Array, Judged, Point, curve
+from springback.experiments.receiver import Array, Judged, Point, Quiet, curve, quiet
 from springback.experiments.trials import Scatter, made_ready, trial_tables
 from springback.recovery.characterisation import Collision
 from springback.recovery.journey import LOOK
@@ -317,6 +317,8 @@ class DetectionResults:
     free_on_momentum: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
     alarms: dict[str, dict[str, float]] = field(default_factory=dict)
     """Alarms of each trigger in the free flights of each robot, at its default threshold."""
+    _quiet: dict[tuple[str, str, int], Quiet] = field(default_factory=dict, repr=False)
+    """Looked through once: free flight is long."""
 
     def free_time(self, robot: str) -> float:
         """Free flight of a robot [s]."""
@@ -344,12 +346,16 @@ class DetectionResults:
         self, robot: str, trigger: str, speed: float | None = None, persistence: int = 1
     ) -> list[Point]:
         """The receiver operating curve of a trigger, at one speed or over all."""
-        name = "wrench" if trigger == "momentum" else trigger
-        free = self.free_on_momentum if trigger == "momentum" else self.free
+        key, name = (robot, trigger, persistence), "wrench" if trigger == "momentum" else trigger
+        thresholds = THRESHOLDS[trigger].tolist()
+        if key not in self._quiet:
+            free = self.free_on_momentum if trigger == "momentum" else self.free
+            signals = [one[name] for one in free[robot]]
+            self._quiet[key] = quiet(signals, thresholds, persistence=persistence)
         return curve(
-            [one[name] for one in free[robot]],
+            self._quiet[key],
             [(one.signals[name], one.touch) for one in self.hits(robot, trigger, speed)],
-            THRESHOLDS[trigger].tolist(), persistence=persistence, within=IN_TIME,
+            thresholds, persistence=persistence, within=IN_TIME,
         )  # fmt: skip
 
     def made_out(self, robot: str | None = None, speed: float | None = None) -> list[MadeOut]:

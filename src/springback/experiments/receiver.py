@@ -71,7 +71,9 @@ def delay(
     """
     first = int(np.ceil(touch / judged.period))
     last = int((touch + within) / judged.period) + 1
-    above = held(judged, persistence)[max(first - 1, 0) : last] > threshold
+    before = max(first - 1 - (persistence - 1) * judged.every, 0)
+    near = judged._replace(signal=judged.signal[before:last])
+    above = held(near, persistence)[max(first - 1, 0) - before :] > threshold
     begins = np.flatnonzero(above[1:] & ~above[:-1])
     if not len(begins):
         return None
@@ -105,30 +107,61 @@ class Point(NamedTuple):
         return self.noticed / self.collisions
 
 
-def curve(
+class Quiet(NamedTuple):
+    """What free flight says of every threshold."""
+
+    false_alarms: tuple[int, ...]
+    hours: float
+
+
+def quiet(
     free: Sequence[Judged],
-    hits: Sequence[tuple[Judged, float]],
     thresholds: Sequence[float],
     *,
     persistence: int = 1,
     refractory: float = 1.0,
+) -> Quiet:
+    """False alarms of every threshold.
+
+    Args:
+        free: Signals of free flights.
+        thresholds: In the unit of the signal.
+        persistence: Samples in a row above it.
+        refractory: After an alarm nothing is noticed for so long [s].
+    """
+    hours = sum(len(one.signal) * one.period for one in free) / HOUR
+    most = [float(one.signal.max()) for one in free]
+    counts = (
+        sum(
+            len(alarms(one, threshold, persistence, refractory))
+            for one, highest in zip(free, most, strict=True)
+            if highest > threshold
+        )
+        for threshold in thresholds
+    )
+    return Quiet(tuple(counts), hours)
+
+
+def curve(
+    free: Quiet,
+    hits: Sequence[tuple[Judged, float]],
+    thresholds: Sequence[float],
+    *,
+    persistence: int = 1,
     within: float = 0.03,
 ) -> list[Point]:
     """A receiver operating curve over thresholds.
 
     Args:
-        free: Signals of free flights.
+        free: What free flight says of the same thresholds.
         hits: Signals of collisions, each with the time of first touch [s].
         thresholds: In the unit of the signal.
         persistence: Samples in a row above it.
-        refractory: After an alarm nothing is noticed for so long [s].
         within: Time after touch in which an alarm counts [s].
     """
-    hours = sum(len(one.signal) * one.period for one in free) / HOUR
     points = []
-    for threshold in thresholds:
-        false = sum(len(alarms(one, threshold, persistence, refractory)) for one in free)
+    for threshold, false in zip(thresholds, free.false_alarms, strict=True):
         found = [delay(one, touch, threshold, persistence, within) for one, touch in hits]
         told = tuple(x for x in found if x is not None)
-        points.append(Point(threshold, persistence, false, hours, len(told), len(hits), told))
+        points.append(Point(threshold, persistence, false, free.hours, len(told), len(hits), told))
     return points

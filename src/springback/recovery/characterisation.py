@@ -47,7 +47,7 @@ class Characterisation(NamedTuple):
     """How to look."""
 
     window: float  # after the alarm, in which to look [s]
-    longer: float  # and so much longer where only a clipped accelerometer has felt it [s]
+    longer: float  # and after a clipped reading at least, where one rigid arm was hit [s]
     arms: float  # weight of the direction from the arms, 1 or 0
     acceleration: float  # from the accelerometer
     wrench: float  # from the external force
@@ -64,7 +64,7 @@ class Impression(NamedTuple):
     pressed: tuple[float, ...]  # largest compression of each arm [m]
     jolted: Vec  # horizontal specific force where it was largest, world [m/s²]
     pushed: Vec  # external force where it was largest, world [N]
-    clipped: float  # 1 once the accelerometer was at its range
+    clipped: float  # tick at which the accelerometer was last at its range, 0 before
     attitude: Quat  # at the alarm
     lengths: tuple[float, ...]  # of the arms at the alarm [m]
 
@@ -137,22 +137,31 @@ def impressed(
         pressed,
         pick(stronger, jolted, so_far.jolted),
         pick(harder, pushed, so_far.pushed),
-        pick(within, so_far.clipped, 1.0),
+        pick(within, so_far.clipped, so_far.ticks + 1.0),
         pick(new, at.attitude, so_far.attitude),
         pick(new, seen.arm_length, so_far.lengths),
     )
 
 
 @kernel
-def looked_enough(look: Characterisation, so_far: Impression, elapsed: float) -> bool:
-    """Whether the window is over, some time after the alarm [s].
+def looked_enough(
+    look: Characterisation, so_far: Impression, arms: tuple[float, ...], elapsed: float
+) -> bool:
+    """Whether the window is over.
 
-    It is longer where the accelerometer clipped and no arm gave way: what it has lost motion
-    capture tells, later.  Where arms give way they tell which of them were hit, what is lost is
-    less, and a robot that leans on the wall had better not wait.
+    Where the accelerometer clipped and one rigid arm was hit it lasts until motion capture has seen
+    the end of the clipping, and so what was lost.  Two arms tell the normal without it; arms that
+    give way lose less; and a robot that leans on the wall had better not wait.
+
+    Args:
+        look: Settings.
+        so_far: What was seen.
+        arms: That took part, as far as is known, 1 or 0 each.
+        elapsed: Since the alarm [s].
     """
-    alone = pick(largest(so_far.pressed) > FELT, 0.0, so_far.clipped)
-    return elapsed >= look.window + alone * look.longer
+    alone = (so_far.clipped > 0.5) & (largest(so_far.pressed) <= FELT) & (total(arms) < 1.5)
+    since = elapsed * (1.0 - so_far.clipped / pick(so_far.ticks > 0.5, so_far.ticks, 1.0))
+    return (elapsed >= look.window) & ((not alone) | (since >= look.longer))
 
 
 @kernel

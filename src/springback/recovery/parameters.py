@@ -124,9 +124,9 @@ class Looking(Settings):
     window: quantity("s", least=0.0) = 0.012  # type: ignore[valid-type]
     """After the alarm. Chosen: direction errors of both robots are then below 5 degrees
     (`springback study detection`), and no trial of the paper's tests is lost by the wait."""
-    longer: quantity("s", least=0.0) = 0.018  # type: ignore[valid-type]
-    """So much longer where the accelerometer clipped and no arm gave way. Chosen: what is lost
-    motion capture tells, 10 ms late, 5 ms apart; contacts of a rigid robot take some 30 ms."""
+    longer: quantity("s", least=0.0) = 0.0175  # type: ignore[valid-type]
+    """After a clipped reading at least, where one rigid arm was hit. Chosen: motion capture, which
+    tells what is lost, is 10 ms late and speaks every 5 ms."""
     share: quantity("", above=0.0, most=1.0) = 0.1  # type: ignore[valid-type]
     """An arm in front took part if it was pressed in by this share of the most pressed one.
     Chosen."""

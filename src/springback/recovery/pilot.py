@@ -224,7 +224,7 @@ def _gone(
     wanted: Target,
 ) -> Journey:
     elapsed = time - journey.since
-    if (journey.leg == LOOK) & looked_enough(pilot.look, impression, elapsed):
+    if (journey.leg == LOOK) & looked_enough(pilot.look, impression, hit.arms, elapsed):
         return leaving(pilot.route, journey, hit, at, time, wanted.yaw)
     return travelled(pilot.route, journey, hit, at, time, wanted.yaw)
 
