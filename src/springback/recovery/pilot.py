@@ -27,6 +27,7 @@ from springback.recovery.characterisation import (
     Impression,
     characterised,
     impressed,
+    looked_enough,
     no_collision,
     no_impression,
 )
@@ -196,6 +197,7 @@ def _made_out(
     seen: Measurement,
     at: Estimate,
     impression: Impression,
+    wrench: ExternalWrench,
     before: Journey,
     journey: Journey,
     m: ResilientMemory,
@@ -207,15 +209,22 @@ def _made_out(
     position = pick(new, at.position, m.collision.position)
     velocity = pick(new, m.history.older, m.collision.velocity)
     return characterised(
-        pilot.look, pilot.cascade.airframe, seen, at, impression, position, velocity
+        pilot.look, pilot.cascade.airframe, seen, at, wrench, impression, position, velocity
     )
 
 
 @kernel
 def _gone(
-    pilot: Resilient, time: float, at: Estimate, hit: Collision, journey: Journey, wanted: Target
+    pilot: Resilient,
+    time: float,
+    at: Estimate,
+    impression: Impression,
+    hit: Collision,
+    journey: Journey,
+    wanted: Target,
 ) -> Journey:
-    if (journey.leg == LOOK) & (time - journey.since >= pilot.route.window):
+    elapsed = time - journey.since
+    if (journey.leg == LOOK) & looked_enough(pilot.look, impression, hit.arms, elapsed):
         return leaving(pilot.route, journey, hit, at, time, wanted.yaw)
     return travelled(pilot.route, journey, hit, at, time, wanted.yaw)
 
@@ -238,8 +247,8 @@ def _resilient(
     fresh = pick((journey.leg == LOOK) & (m.journey.leg == LOOK), 1.0, 0.0)
     so_far = pick(fresh > 0.5, m.impression, no_impression(airframe))
     impression = impressed(pilot.look, airframe, seen, at, wrench, so_far)
-    hit = _made_out(pilot, time, seen, at, impression, m.journey, journey, m)
-    gone = _gone(pilot, time, at, hit, journey, m.flight.offboard.wanted)
+    hit = _made_out(pilot, time, seen, at, impression, wrench, m.journey, journey, m)
+    gone = _gone(pilot, time, at, impression, hit, journey, m.flight.offboard.wanted)
 
     said = worded(pilot.route.response, pilot, tick, time, at, hit, gone, m.flight.offboard)
     autopilot = flown(cascade, tick, seen.arm_length, at, said.offboard, m.flight)

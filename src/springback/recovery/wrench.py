@@ -5,6 +5,11 @@ reaction for flying robots", T-RO 2017.  The force comes from the accelerometer 
 estimated momentum, the moment from the angular momentum; every part of the estimate follows the
 truth with a lag of first order.  Here the force is in world axes, for obstacles do not turn with
 the robot.
+
+Beside the lagging estimate stand impulses: what has pushed and turned the robot lately, summed up
+and fading alike.  Their ratio is the lever arm of a collision, and as a sum they need not follow
+its force; they come from the estimated motion, which motion capture keeps right where an
+accelerometer clips.
 """
 
 from __future__ import annotations
@@ -32,6 +37,19 @@ class Observer(NamedTuple):
     steady_gain: float  # of what counts as steady, as wind does [1/s]
     rotor_share: float  # of a command that a rotor follows within one tick
     momentum: float  # 1: force from the estimated momentum; 0: from the accelerometer
+    fading: float  # of the impulses [1/s]
+
+
+class Blow(NamedTuple):
+    """What has pushed and turned the robot lately, fading; forces as they came, not as they lag."""
+
+    impulse: Vec  # of the external force, world [N s]
+    carried: Vec  # the same, each part in the body axes of its time [N s]
+    turning: Vec  # of the external moment about the main body, body axes [N m s]
+    velocity: Vec  # of the main body at the last sample, world [m/s]
+    spin: Vec  # J ω at the last sample, body axes [N m s]
+    steady_force: Vec  # what is slow of that force, world [N]
+    steady_moment: Vec  # what is slow of that moment, body axes [N m]
 
 
 class ExternalWrench(NamedTuple):
@@ -43,6 +61,7 @@ class ExternalWrench(NamedTuple):
     thrust: tuple[float, ...]  # of each rotor, as its lag is believed to be [N]
     force_sum: Vec  # ∫ (known forces + f̂_e) dt, less the momentum at the start [N s]
     moment_sum: Vec  # likewise [N m s]
+    blow: Blow
 
 
 def no_wrench(
@@ -51,8 +70,9 @@ def no_wrench(
     """Memory of an observer that starts with a motion and nothing pushing."""
     none = Vec(0.0, 0.0, 0.0)
     inertia = inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
-    momentum = start.velocity * observer.mass
-    return ExternalWrench(none, none, none, thrust, momentum, inertia @ start.angular_velocity)
+    momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
+    blow = Blow(none, none, none, start.velocity, spin, none, none)
+    return ExternalWrench(none, none, none, thrust, momentum, spin, blow)
 
 
 @kernel
@@ -65,6 +85,38 @@ def _felt(observer: Observer, by_rotors: Vec, r: Mat, specific_force: Vec, old: 
     """Force from the accelerometer: f̂' = K_f (m R a − f_T R e_z − f̂)."""
     now = (r @ specific_force) * observer.mass - by_rotors
     return old + (now - old) * (observer.force_gain * observer.interval)
+
+
+@kernel
+def struck_by(
+    observer: Observer, r: Mat, at: Estimate, known: Vec, moment: Vec, spin: Vec, blow: Blow
+) -> Blow:
+    """The impulses after one more sample: Δ(m v) − known force · h, and Δ(J ω) − moment · h.
+
+    Less what is slow of either, by one and the same filter, lest their ratio be wrong; and of these
+    very sums, for what is steady of the accelerometer holds its bias.
+
+    Args:
+        observer: Settings.
+        r: Attitude.
+        at: What the estimator says.
+        known: Force of rotors and gravity, world [N].
+        moment: Of the rotors, and −ω × J ω, body axes [N m].
+        spin: J ω, body axes [N m s].
+        blow: So far.
+    """
+    h, kept = observer.interval, 1.0 - observer.fading * observer.interval
+    push = (at.velocity - blow.velocity) * observer.mass - (known + blow.steady_force) * h
+    turn = spin - blow.spin - (moment + blow.steady_moment) * h
+    return Blow(
+        blow.impulse * kept + push,
+        blow.carried * kept + push @ r,
+        blow.turning * kept + turn,
+        at.velocity,
+        spin,
+        blow.steady_force + push * observer.steady_gain,
+        blow.steady_moment + turn * observer.steady_gain,
+    )
 
 
 @kernel
@@ -106,11 +158,14 @@ def observed_wrench(
 
     omega = at.angular_velocity
     spin = inertia @ omega
-    moment_sum = memory.moment_sum + (given.moment - (omega ^ spin) + memory.moment) * h
+    known_moment = given.moment - (omega ^ spin)
+    moment_sum = memory.moment_sum + (known_moment + memory.moment) * h
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
+    blow = struck_by(observer, r, at, known, known_moment, spin, memory.blow)
     kept = ExternalWrench(
-        memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum
-    )
-    now = ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum)
+        memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum,
+        memory.blow,
+    )  # fmt: skip
+    now = ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum, blow)
     return pick(seen.inertial.fresh > 0.5, now, kept)

@@ -1,0 +1,167 @@
+"""Alarms that a threshold would have raised on a signal that was kept: receiver operating curves.
+
+The signals of all triggers stand in the diary of a flight, so any threshold and any persistence can
+be judged afterwards, on the same flights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+#: Seconds in an hour.
+HOUR = 3600.0
+#: No event in a time T bounds the rate of events below this over T with 95 % confidence: −ln 0.05.
+NONE_SEEN = 2.9957
+
+
+class Judged(NamedTuple):
+    """A trigger whose signal is judged afterwards."""
+
+    signal: Array  # tick by tick
+    period: float  # of a tick [s]
+    every: int  # ticks between samples; between them the signal stands
+
+
+def held(judged: Judged, persistence: int) -> Array:
+    """What the last samples have all reached, tick by tick, from the first tick on."""
+    span = (persistence - 1) * judged.every + 1
+    if span == 1:
+        return judged.signal
+    padded = np.concatenate([np.full(span - 1, -np.inf), judged.signal])
+    windows = np.lib.stride_tricks.sliding_window_view(padded, span)
+    least: Array = windows.min(axis=1)
+    return least
+
+
+def alarms(judged: Judged, threshold: float, persistence: int, refractory: float) -> list[int]:
+    """Ticks at which `springback.recovery.detection.triggered` goes off.
+
+    Args:
+        judged: The signal.
+        threshold: In its unit.
+        persistence: Samples in a row above it.
+        refractory: After an alarm nothing is noticed for so long [s].
+    """
+    above = held(judged, persistence) > threshold
+    begins = np.flatnonzero(above & ~np.concatenate([[False], above[:-1]]))
+    raised: list[int] = []
+    for tick in begins.tolist():
+        if not raised or (tick - raised[-1]) * judged.period >= refractory - 1e-9:
+            raised.append(tick)
+    return raised
+
+
+def delay(
+    judged: Judged, touch: float, threshold: float, persistence: int, within: float
+) -> float | None:
+    """From touch to the first alarm after it [s]; None if there is none in time.
+
+    A signal that is above the threshold already when the robot touches has raised its alarm before.
+
+    Args:
+        judged: The signal, from tick 0 at time 0.
+        touch: Time of first touch [s].
+        threshold: In the unit of the signal.
+        persistence: Samples in a row above it.
+        within: A later alarm does not count [s].
+    """
+    first = int(np.ceil(touch / judged.period))
+    last = int((touch + within) / judged.period) + 1
+    before = max(first - 1 - (persistence - 1) * judged.every, 0)
+    near = judged._replace(signal=judged.signal[before:last])
+    above = held(near, persistence)[max(first - 1, 0) - before :] > threshold
+    begins = np.flatnonzero(above[1:] & ~above[:-1])
+    if not len(begins):
+        return None
+    return float((first + begins[0]) * judged.period - touch)
+
+
+class Point(NamedTuple):
+    """One point of a receiver operating curve."""
+
+    threshold: float
+    persistence: int
+    false_alarms: int
+    hours: float  # of free flight
+    noticed: int
+    collisions: int
+    delays: tuple[float, ...]  # of those noticed [s]
+
+    @property
+    def rate(self) -> float:
+        """False alarms an hour."""
+        return self.false_alarms / self.hours
+
+    @property
+    def bound(self) -> float:
+        """Where none was seen, what the rate is below with 95 % confidence; else the rate [1/h]."""
+        return self.rate if self.false_alarms else NONE_SEEN / self.hours
+
+    @property
+    def probability(self) -> float:
+        """Share of collisions that were noticed in time."""
+        return self.noticed / self.collisions
+
+
+class Quiet(NamedTuple):
+    """What free flight says of every threshold."""
+
+    false_alarms: tuple[int, ...]
+    hours: float
+
+
+def quiet(
+    free: Sequence[Judged],
+    thresholds: Sequence[float],
+    *,
+    persistence: int = 1,
+    refractory: float = 1.0,
+) -> Quiet:
+    """False alarms of every threshold.
+
+    Args:
+        free: Signals of free flights.
+        thresholds: In the unit of the signal.
+        persistence: Samples in a row above it.
+        refractory: After an alarm nothing is noticed for so long [s].
+    """
+    hours = sum(len(one.signal) * one.period for one in free) / HOUR
+    most = [float(one.signal.max()) for one in free]
+    counts = (
+        sum(
+            len(alarms(one, threshold, persistence, refractory))
+            for one, highest in zip(free, most, strict=True)
+            if highest > threshold
+        )
+        for threshold in thresholds
+    )
+    return Quiet(tuple(counts), hours)
+
+
+def curve(
+    free: Quiet,
+    hits: Sequence[tuple[Judged, float]],
+    thresholds: Sequence[float],
+    *,
+    persistence: int = 1,
+    within: float = 0.03,
+) -> list[Point]:
+    """A receiver operating curve over thresholds.
+
+    Args:
+        free: What free flight says of the same thresholds.
+        hits: Signals of collisions, each with the time of first touch [s].
+        thresholds: In the unit of the signal.
+        persistence: Samples in a row above it.
+        within: Time after touch in which an alarm counts [s].
+    """
+    points = []
+    for threshold, false in zip(thresholds, free.false_alarms, strict=True):
+        found = [delay(one, touch, threshold, persistence, within) for one, touch in hits]
+        told = tuple(x for x in found if x is not None)
+        points.append(Point(threshold, persistence, false, free.hours, len(told), len(hits), told))
+    return points
