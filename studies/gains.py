@@ -47,7 +47,7 @@ Robot = Literal["quad", "arq"]
 WAIT, DWELL = 0.5, 5.0  # [s]
 MASS = {name: VEHICLES[name].vehicle.mass for name in ("quad", "arq")}
 BESSEL = math.sqrt(0.75)  # damping ratio of a Bessel filter of two poles
-HORIZONTAL, VERTICAL = 9.25, 19.5  # [N/m], the defaults
+HORIZONTAL, VERTICAL = 9.25, 20.0  # [N/m], the defaults
 Split = Callable[[np.ndarray], list[tuple[float, float]]]
 DRY = {name: mass - BATTERY for name, mass in MASS.items()}
 INERTIA = {name: float(VEHICLES[name].vehicle.inertia()[1, 1]) for name in ("quad", "arq")}
@@ -140,7 +140,7 @@ def fits() -> list[dict[str, Any]]:
         "three": (lambda v: [(v[0], v[2]), (v[1], v[2])], [11.0, 26.5, 0.95]),
         "two, one stiffness and one ratio": (lambda v: [(v[0], v[1]), (v[0], v[1])], [13.0, 0.78]),
         "two, Butterworth": (_stiffnesses(math.sqrt(0.5)), [7.0, 14.0]),
-        "two, Bessel": (_stiffnesses(BESSEL), [9.25, 19.5]),
+        "two, Bessel": (_stiffnesses(BESSEL), [9.25, 20.0]),
         "two, critical damping": (_stiffnesses(1.0), [12.5, 32.0]),
         "two, Bessel, rounded": (lambda v: [(HORIZONTAL, BESSEL), (VERTICAL, BESSEL)], []),
     }

@@ -9,7 +9,7 @@ import pytest
 import springback
 from springback.vehicle.library import VEHICLES
 
-LAG, TICK = 0.03, 1e-3  # [s] of the presets, and of the clock
+LAG, TICK = 0.025, 1e-3  # [s] of the presets, and of the clock
 QUAD = VEHICLES["quad"].vehicle
 HOVER = QUAD.mass * 9.81 / 4.0  # [N]
 

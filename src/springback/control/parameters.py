@@ -48,7 +48,7 @@ class ControlSettings(Settings):
 
     stiffness: quantity("N/m", least=0.0) = 9.25  # type: ignore[valid-type]
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
-    vertical_stiffness: quantity("N/m", least=0.0) = 19.5  # type: ignore[valid-type]
+    vertical_stiffness: quantity("N/m", least=0.0) = 20.0  # type: ignore[valid-type]
     """K_p, vertical. Fitted, as above."""
     damping_ratio: quantity("", least=0.0) = BESSEL  # type: ignore[valid-type]
     """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Chosen from the textbook's √½, √¾ and

@@ -130,7 +130,7 @@ RANGES = (
           lambda robot, x: _degrees(x)),
     Range("rate gain", "1/s", (15.0, 20.0, 30.0, 40.0, 50.0), 40.0,
           lambda robot, x: {"control": {"rate_gain": x}}),
-    Range("rotor time constant", "s", (0.01, 0.02, 0.03, 0.04, 0.05, 0.06), 0.03,
+    Range("rotor time constant", "s", (0.01, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06), 0.025,
           lambda robot, x: _vehicle({"propulsion": {"time_constant": x}})(robot)),
     Range("most thrust over default", "", (0.8, 0.9, 1.0, 1.25, 1.5), 1.0,
           lambda robot, x: _thrust(x)(robot)),

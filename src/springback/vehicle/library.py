@@ -76,8 +76,8 @@ _PROPULSION_SOURCES = {
     "propulsion.most_thrust": "derived: fitted to Quad's Maximum payload, 1.64 kg in Table I, read "
     "as what the rotors just hold; ARQ's 1.38 kg would be 2.5 % less thrust",
     "propulsion.least_thrust": "chosen: rotors do not turn backwards",
-    "propulsion.time_constant": "chosen: 30 ms, between RotorS's Hummingbird (12.5 ms up, 25 ms "
-    "down) and JSK's aerial_robot (90 ms); the paper prints none",
+    "propulsion.time_constant": "chosen: 25 ms, the slower of RotorS's Hummingbird (12.5 ms up, 25 "
+    "ms down); JSK's aerial_robot assumes 90 ms; the paper prints none",
     "propulsion.figure_of_merit": "derived: fitted to Quad's Flight Time (Hover), 573 s in Table I,"
     " with the chosen numbers below; only its product with radius and energy is determined",
     "propulsion.disk_radius": "chosen: 5 inch propellers; the cages of 0.11 m leave room for 8 inch"
