@@ -17,7 +17,11 @@ from springback.experiments.paper.flight import (
     FlightResults,
     flight_experiments,
 )
+from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS
+from springback.experiments.paper.resilience import ROBOTS as RESILIENT
+from springback.experiments.paper.resilience import ResilienceResults, resilience_experiments
 from springback.experiments.paper.slider import SliderResults, slider_experiments
+from springback.experiments.run_ups import CONDITIONS
 from springback.interfaces.canvas import png
 from springback.interfaces.plots_slider import readme_figure
 
@@ -93,6 +97,21 @@ def flight_table(results: FlightResults) -> str:
     return "\n".join(lines) + "\n"
 
 
+def resilience_table(results: ResilienceResults) -> str:
+    """Recovered trials in Markdown, with Wilson's intervals, and what is printed."""
+    lines = ["| pitch, speed | ARQ | printed | Quad | printed |", "|---|---|---|---|---|"]
+    tallies = {(t.robot, t.pitch, t.speed): t for t in results.tallies()}
+    for pitch, speed in CONDITIONS:
+        cells = []
+        for robot in RESILIENT:
+            of = (robot, pitch, speed)
+            tally, share = tallies[of], SUCCESS.get(of)
+            ours = f"{tally.successes} of {tally.trials} ({tally.low:.0%} to {tally.high:.0%})"
+            cells += [ours, SUCCESS_WORDS.get(of, "") if share is None else f"{share:.0%}"]
+        lines.append(f"| {pitch:g}°, {speed:g} m/s | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
 def with_table(text: str, name: str, table: str) -> str:
     """README with what stands between a table's marks replaced."""
     begin, end = BEGIN.format(name=name), END.format(name=name)
@@ -104,5 +123,6 @@ if __name__ == "__main__":
     results = slider_experiments()
     text = with_table(README.read_text(encoding="utf-8"), "reproduction", table(results))
     text = with_table(text, "flight", flight_table(flight_experiments()))
+    text = with_table(text, "resilience", resilience_table(resilience_experiments(repeats=0)))
     README.write_text(text, encoding="utf-8")
     FIGURE.write_bytes(png(readme_figure(results)))

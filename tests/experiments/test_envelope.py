@@ -11,6 +11,7 @@ from springback.experiments.axes import Axis, Parameter
 from springback.experiments.envelope import LEVEL, Cell, Envelope, Place, stretches
 from springback.experiments.mapping import Plan, fly_envelope, outlook, plan_envelope
 from springback.experiments.scenario import scenario_from
+from springback.experiments.trials import DURATION
 
 SMALL = {"robots": ("arq",), "trials": 2}
 
@@ -243,6 +244,6 @@ def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
 def test_the_outlook_counts_and_flies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mapping, "fly_trials", None)
     coming = outlook(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
-    assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, 8.0, 1)
+    assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, DURATION, 1)
     two = axes("estimator.kalman.offset.0=0:0.01:2", settings=("estimator.type=perfect",))
     assert outlook(two).kinds == 1

@@ -59,7 +59,7 @@ def test_a_small_map_end_to_end(tmp_path: Path) -> None:
 def test_a_dry_run_flies_and_writes_nothing(tmp_path: Path) -> None:
     done = run("--dry-run", "--out", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert "162 cells, at most 1620 flights of 8 s, 1 kind of flight" in done.stdout
+    assert "162 cells, at most 1620 flights of 11 s, 1 kind of flight" in done.stdout
     assert list(tmp_path.iterdir()) == []
     told = json.loads(run("--dry-run", "--json", "--trials", "3", cwd=tmp_path).stdout)
     assert (told["cells"], told["flights"]) == (162, 486)

@@ -89,9 +89,9 @@ def test_it_goes_home_once_it_has_rested_and_not_before() -> None:
 def test_moving_or_far_is_no_rest() -> None:
     gone = leaving(ROUTE, struck(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
     far = gone.goal + Vec(0.11, 0.0, 0.0)
-    assert rested(gone, far, 3.01, gone.ends + 4.0).leg == RECOVER
+    assert rested(gone, far, 3.01, gone.ends + SETTINGS.settling.patience - 0.1).leg == RECOVER
     fast = gone
-    for k in range(400):
+    for k in range(200):
         fast = travelled(ROUTE, fast, HIT, at(gone.goal, Vec(0.31, 0.0, 0.0)), 3.01 + 0.01 * k, 0.0)
     assert fast.leg == RECOVER
     assert rested(gone, far, 3.01, gone.ends + SETTINGS.settling.patience + 0.1).leg == RETURN

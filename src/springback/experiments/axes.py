@@ -143,7 +143,7 @@ def parameter(name: str, scenario: Scenario) -> Parameter | None:
             f"such as {dotted(SURFACE)}.friction"
         )
     field, parent = _walked(path, name, scenario)
-    unit, whole = _numberkind_of(field, inside=isinstance(path[-1], int))
+    unit, whole = _number_kind(field, inside=isinstance(path[-1], int))
     if unit is None and not whole:
         return None
     others = tuple(parent) if isinstance(parent, tuple) else ()
@@ -305,7 +305,7 @@ def _tables(annotation: Any) -> Iterator[type[Settings]]:
             yield leaf
 
 
-def _numberkind_of(field: FieldInfo | None, inside: bool) -> tuple[str | None, bool]:
+def _number_kind(field: FieldInfo | None, inside: bool) -> tuple[str | None, bool]:
     """SI unit of a number's field, None if it has none, and whether it is a whole number's.
 
     Args:

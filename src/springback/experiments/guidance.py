@@ -104,17 +104,24 @@ def reference_of(scenario: Scenario, model: Model) -> Any:
         The problem of a reference that the vehicle cannot follow.
     """
     with _in_table("reference"):
-        return _made_reference(
+        made = _made_reference(
             scenario.reference,
             limits_of(scenario),
             scenario.vehicle.airframe(),
             model.contact_point,
         )
+        if isinstance(made, InputError):
+            raise made
+        return made
 
 
 @functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
 def _made_reference(settings: Any, limits: Limits, airframe: Airframe, point: Any) -> Any:
-    return settings.reference(limits, lambda pitch: reach(airframe, point, pitch))
+    """Numbers of the reference, or the problem with it: finding that out takes longest."""
+    try:
+        return settings.reference(limits, lambda pitch: reach(airframe, point, pitch))
+    except InputError as problem_of_it:
+        return problem_of_it
 
 
 def sensors_of(scenario: Scenario, flight: int) -> Sensors:

@@ -32,10 +32,10 @@ from springback.experiments.trials import (
     Condition,
     Trial,
     fly_trials,
+    kind_of,
     made_ready,
     trial_tables,
 )
-from springback.experiments.trials import kind_of as kind_of
 
 ROBOTS = ("arq", "quad")
 AXES = ("speed=1:5:9", "pitch=-60deg:60deg:9")

@@ -22,12 +22,6 @@ from springback.vehicle.library import VEHICLES
 
 ROBOTS = ("arq", "quad")
 TRIALS = 10
-#: The printed success of each robot and test; None where print gives no count.
-PRINTED: dict[str, dict[tuple[float, float], float | None]] = {
-    "arq": dict.fromkeys(CONDITIONS, 1.0),
-    "quad": dict.fromkeys(CONDITIONS) | {(0.0, 3.5): 0.0},
-}
-
 Changes = Callable[[str], Mapping[str, Any]]
 
 

@@ -127,7 +127,7 @@ def fly(
     as_json: bool,
     quiet: bool,
 ) -> None:
-    r"""Fly a SCENARIO file, with any of its values overridden.
+    """Fly a SCENARIO file, with any of its values overridden.
 
     \b
     springback fly scenario.toml --out results
@@ -165,7 +165,7 @@ def fly(
 @json_option
 @quiet_option
 def check(pilot: str, scenario: Path | None, as_json: bool, quiet: bool) -> None:
-    r"""Try a pilot of your own on what every pilot should keep to.
+    """Try a pilot of your own on what every pilot should keep to.
 
     At rest at the start of the SCENARIO (by default quad at [0, 0, 1] m) it must hover.
 

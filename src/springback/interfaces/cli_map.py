@@ -63,7 +63,7 @@ def map_command(
     springback map speed=1:5:9 pitch=-60deg:60deg:9 --robot arq --trials 20 --out map
     springback map recovery.response.pace=0.1:0.3:5 vehicle.arms.stiffness="2 N/mm:8 N/mm:4" \\
         --set speed=3.5 --out map
-    """  # noqa: D301
+    """
     from springback.errors import InputError
     from springback.experiments.mapping import fly_envelope, outlook, plan_envelope
     from springback.interfaces.files import output_folder

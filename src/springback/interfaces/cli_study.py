@@ -19,11 +19,15 @@ from springback.interfaces.cli import (
     json_option,
     quiet_option,
 )
+from springback.interfaces.cli_why import why
 
 
 @cli.group()
 def study() -> None:
     """Studies of what the paper leaves open."""
+
+
+study.add_command(why)
 
 
 @study.command()
