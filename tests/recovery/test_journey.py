@@ -37,6 +37,7 @@ HIT = Collision(
     STILL,
     STILL,
     STILL,
+    STILL,
     (1.0, 0.0, 0.0, 0.0),
     60.0,
 )

@@ -22,8 +22,9 @@ PLACE = Vec(2.5, 0.0, 1.0)
 
 def hit(speed: float) -> Collision:
     return Collision(
-        PLACE, Vec(speed, 0.0, 0.0), NORTH, STILL, STILL, STILL, PLACE, (1.0, 1.0, 0.0, 0.0), 50.0
-    )
+        PLACE, Vec(speed, 0.0, 0.0), NORTH, STILL, STILL, STILL, STILL, PLACE,
+        (1.0, 1.0, 0.0, 0.0), 50.0,
+    )  # fmt: skip
 
 
 def believed(position: Vec, velocity: Vec) -> Estimate:

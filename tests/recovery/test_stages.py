@@ -14,7 +14,9 @@ from springback.recovery.stages import DAMPING, LEVELLING, OVER, TILTING, Stage,
 from springback.sensing.measurement import Estimate
 
 STILL, NORTH = Vec(0.0, 0.0, 0.0), Vec(1.0, 0.0, 0.0)
-HIT = Collision(STILL, NORTH, NORTH, STILL, STILL, STILL, STILL, (1.0, 1.0, 0.0, 0.0), 50.0)
+HIT = Collision(
+    STILL, NORTH, NORTH, STILL, STILL, STILL, STILL, STILL, (1.0, 1.0, 0.0, 0.0), 50.0
+)  # fmt: skip
 LAW = ControlSettings().position_law(1.4, 9.81)
 RESPONSE = Answering(way="staged").response()
 AWAY = -math.atan(0.75)  # pitch of the first stage: nose up, away from a wall in the north

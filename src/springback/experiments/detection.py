@@ -54,8 +54,8 @@ THRESHOLDS: dict[str, Array] = {
     "wrench": np.geomspace(0.5, 150.0, 31),
     "momentum": np.geomspace(0.5, 150.0, 31),
 }
-#: A storm for free flight: 6 m/s of mean wind, moderate turbulence, drag as in
-#: `springback.dynamics.air`'s tests; all chosen.
+#: A storm for free flight: 6 m/s of mean wind, turbulence of a moderate wind of 30 knots; the drag
+#: is strong for robots this heavy; all chosen.
 STORM = {
     "wind": [6.0, 0.0, 0.0],
     "gusts": {"wind_at_6_m": 30.0 * 1852.0 / 3600.0},
