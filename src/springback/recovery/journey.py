@@ -28,7 +28,6 @@ class Route(NamedTuple):
     """Settings of a journey."""
 
     response: Any  # Quintic, TimeOptimal, Staged
-    window: float  # for which the robot looks at a collision [s]
     distance: float  # δ = L_c, from p_c to p_r [m]
     tolerance: float  # it has settled this near its goal [m], ...
     slow: float  # this slow [m/s], ...

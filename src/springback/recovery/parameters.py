@@ -295,7 +295,6 @@ class RecoverySettings(Settings):
         s = self.settling
         return Route(
             response=self.response.response(),
-            window=self.characterisation.window,
             distance=self.response.distance,
             tolerance=s.tolerance,
             slow=s.speed,
