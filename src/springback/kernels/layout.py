@@ -35,7 +35,10 @@ Buffer = np.ndarray[Any, np.dtype[np.float64]]
 
 def structure(tree: Any) -> Any:
     """The types in a tree, nested as they are; equal for trees that differ in numbers only."""
-    return (type(tree), *map(structure, tree)) if isinstance(tree, tuple) else type(tree)
+    if not isinstance(tree, tuple):
+        return type(tree)
+    inner = [structure(branch) if isinstance(branch, tuple) else type(branch) for branch in tree]
+    return (type(tree), *inner)
 
 
 class Like:

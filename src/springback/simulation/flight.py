@@ -146,9 +146,9 @@ def own_types(tree: Any) -> set[type]:
 
 
 def _gather_types(tree: Any, found: set[type]) -> None:
-    if isinstance(tree, tuple):
-        found.add(type(tree))
-        for branch in tree:
+    found.add(type(tree))
+    for branch in tree:
+        if isinstance(branch, tuple):
             _gather_types(branch, found)
 
 
