@@ -116,7 +116,7 @@ class Propulsion(Settings):
     """Of one rotor; 0: rotors stop but do not turn backwards."""
     time_constant: quantity("s", least=0.0) = 0.025  # type: ignore[valid-type]
     """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
-    aerial_robot assumes 90 ms.  With 40 ms ARQ would not always survive (`springback study why`)."""
+    aerial_robot assumes 90 ms.  With 40 ms ARQ does not always survive (`springback study why`)."""
     figure_of_merit: quantity("", above=0.0, most=1.0) | None = None  # type: ignore[valid-type]
     """Ideal induced power over power from the battery: propeller, motor and controller together."""
     disk_radius: Length | None = None
