@@ -47,6 +47,10 @@ def test_legs_come_in_their_order(flight: Flight) -> None:
     legs = flight.diary["leg"]
     order = [leg for k, leg in enumerate(legs) if k == 0 or leg != legs[k - 1]]
     assert order == [CRUISE, LOOK, RECOVER, RETURN, HOVER]
+    names = ("alarm_time", "planned_time", "rested_time", "home_time")
+    for name, leg in zip(names, (LOOK, RECOVER, RETURN, HOVER), strict=True):
+        begins = flight.diary["t"][np.argmax(legs == leg)]
+        assert flight.measures[name] == pytest.approx(begins, abs=1e-9)
 
 
 def test_the_alarm_comes_after_the_touch_and_the_goal_is_before_the_wall(flight: Flight) -> None:

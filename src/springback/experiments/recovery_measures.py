@@ -18,6 +18,9 @@ RECOVERY_MEASURES = {
     "recovered_runs": ("", "of these, those that ended at rest, at p_r or at home"),
     "false_alarms": ("", "alarms without a contact"),
     "alarm_time": ("s", "of the last alarm that belongs to a collision"),
+    "planned_time": ("s", "when the way back was planned, on the last run"),
+    "rested_time": ("s", "when the pilot took itself to rest at p_r, or gave up waiting"),
+    "home_time": ("s", "when it took itself to be home again"),
     "detection_delay": ("s", "first alarm after first touch"),
     "hall_delay": ("s", "first time that the arms' trigger went off, after first touch"),
     "acceleration_delay": ("s", "the same for the accelerometer's trigger"),
@@ -53,6 +56,10 @@ def recovery_outcome(guided: GuidedFlown) -> Outcome:
     return Outcome.NOT_DETECTED if seen.run.alarm < 0.0 else Outcome.NOT_SETTLED
 
 
+def _known(time: float) -> float | None:
+    return time if time >= 0.0 else None
+
+
 def _since(time: float, touch: float) -> float | None:
     return time - touch if time >= 0.0 and touch >= 0.0 else None
 
@@ -69,7 +76,7 @@ def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
     seen: RefereeMemory = guided.aboard.witness
     memory: ResilientMemory = guided.aboard.pilot
     record, run, hit, d = guided.flown.record, seen.run, memory.collision, memory.detection
-    first = record.touch_time
+    first, log = record.touch_time, memory.journey.log
     # The record knows first touch exactly; the referee, of later runs, to a tick.
     touch = first if seen.runs == 1.0 else run.touch
     happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
@@ -79,6 +86,9 @@ def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
         "recovered_runs": seen.recovered,
         "false_alarms": seen.false_alarms,
         "alarm_time": run.alarm if noticed else None,
+        "planned_time": _known(log.planned),
+        "rested_time": _known(log.settled),
+        "home_time": _known(log.home),
         "detection_delay": _since(run.alarm, touch),
         "hall_delay": _since(d.hall.first, first),
         "acceleration_delay": _since(d.acceleration.first, first),
