@@ -496,6 +496,5 @@ def test_parts_are_reproduced_on_demand(tmp_path: Path) -> None:
 def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
     for part in ("flight", "resilience"):
         words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
-        done = CliRunner().invoke(cli, words)
-        assert isinstance(done.exception, InputError)
+        assert isinstance(CliRunner().invoke(cli, words).exception, InputError)
         assert not (tmp_path / "out").exists()

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 #: Streams of a flight's luck beside that of its ticks (`springback.simulation.guided`).
 TURN_ON = 2
+#: Range of an accelerometer that has none [m/s²]; finite, as all numbers in kernels.
+UNCLIPPED = 1e6
 
 
 class OwnPilot(NamedTuple):
@@ -213,7 +215,7 @@ def resilient_of(scenario: Scenario, cascade: Cascade) -> Resilient:
                 vehicle.mass, scenario.world.gravity, rotors.time_constant, tick, inertial
             ),
             detection=told.triggers(compliant, inertial, hall),
-            look=told.looks(math.inf if imu.perfect else imu.accelerometer.full_scale),
+            look=told.looks(UNCLIPPED if imu.perfect else imu.accelerometer.full_scale),
             route=told.route(Vec(*scenario.start.position)),
         )
 
