@@ -103,6 +103,9 @@ def test_the_fastest_way_from_any_motion() -> None:
         step = t[1] - t[0]
         assert np.abs(np.diff(x) - 0.5 * step * (u[1:] + u[:-1])).max() < 6.0 * step**2
         assert np.abs(np.diff(u)).max() <= 6.0 * step * (1.0 + 1e-9)
+        # Acceleration is the slope of the speed, but where it is switched and where all ends.
+        slopes = np.abs(np.diff(u) / step - a[:-1]) > 1e-6 * 6.0
+        assert slopes.sum() <= 3
         # Lower bound by the speed that must be shed and the distance that must be made good.
         assert plan.ends - 1.0 >= abs(v) / 6.0 - 1e-9
         assert plan.ends - 1.0 >= _least_time(p, v, goal, 6.0) - 1e-3
