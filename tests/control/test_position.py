@@ -195,3 +195,24 @@ def test_plain_python_is_the_compiled_law() -> None:
         target = Target(*(random_vec(rng, 5.0) for _ in range(4)), 0.3, 0.2)
         at = Estimate(random_vec(rng, 1.0), q, random_vec(rng, 1.0), ZERO)
         assert compiled(law, target, at, NO_MEMORY) == aim(law, target, at, NO_MEMORY)
+
+
+def test_height_goes_first_where_thrust_is_short() -> None:
+    """No more than the rotors give: the vertical part is kept, the horizontal keeps its direction.
+
+    And its margin, where the vertical part alone would take all.
+    """
+    most = 24.0
+    law, rng = SETTINGS.position_law(MASS, GRAVITY, most), np.random.default_rng(9)
+    short = 0
+    for _ in range(200):
+        force = random_vec(rng, 40.0)
+        got = upward(law, force)
+        lift = min(max(force.z, law.least_lift), most)
+        assert got.z == pytest.approx(lift, rel=1e-12)
+        across, asked = math.hypot(got.x, got.y), math.hypot(force.x, force.y)
+        room = max(math.sqrt(most**2 - lift**2), law.margin * most)
+        assert across == pytest.approx(min(asked, room, lift * law.slope), rel=1e-9)
+        assert got.x * force.y == pytest.approx(got.y * force.x, abs=1e-9)
+        short += asked > room
+    assert short > 30

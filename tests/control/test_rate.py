@@ -99,6 +99,7 @@ def test_integral_does_not_wind_up() -> None:
         return memory.integral
 
     assert leaves(after(up, up)) == [0.0] * 3
+    assert after(up, up * 1e-15) == after(up, ZERO)  # rounding is no saturation
     assert min(after(up, -up)) > 0.0
     assert leaves(after(up, ZERO, 3000)) == [rate_law.integral_limit] * 3
     assert leaves(after(up * math.radians(401.0), ZERO)) == [0.0] * 3
