@@ -118,11 +118,12 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
     by_class = functools.singledispatch(function)
 
     @functools.wraps(function)
-    def chosen(*arguments: Any) -> Any:
+    def choosing(*arguments: Any) -> Any:
         cls = getattr(arguments[0], "instance_class", None) or type(arguments[0])
         return by_class.dispatch(cls)(*arguments)
 
-    chosen.register, chosen.dispatch = by_class.register, by_class.dispatch  # type: ignore[attr-defined]
+    chosen: Any = choosing
+    chosen.register, chosen.dispatch = by_class.register, by_class.dispatch
 
     @compiled(chosen)
     def by_type(*arguments: Any) -> Any:

@@ -15,11 +15,8 @@ from springback.kernels.bits import bits_of, float_of
 from springback.kernels.compiler import kernel
 
 #: Of a float: bits of its fraction, those of 1.0, and place of the exponent.
-_FRACTION, _ONE, _PLACE = (
-    np.uint64(0x000FFFFFFFFFFFFF),
-    np.uint64(0x3FF0000000000000),
-    np.uint64(52),
-)
+_FRACTION, _ONE = np.uint64(0x000FFFFFFFFFFFFF), np.uint64(0x3FF0000000000000)
+_PLACE = np.uint64(52)
 _BIAS = 1023.0
 #: 2⁵²: whole numbers added to it stand in the fraction's bits.
 _WHOLE = 4503599627370496.0
@@ -35,7 +32,8 @@ LEAST = -708.0
 def logarithm(x: float) -> float:
     """Natural logarithm of a normal float above zero."""
     bits = bits_of(x)
-    exponent, m = 1.0 * (bits >> _PLACE) - _BIAS, float_of((bits & _FRACTION) | _ONE)
+    exponent: float = 1.0 * (bits >> _PLACE) - _BIAS
+    m = float_of((bits & _FRACTION) | _ONE)
     large = m > _ROOT_2
     e, part = exponent + 1.0 if large else exponent, 0.5 * m if large else m
     f = part - 1.0

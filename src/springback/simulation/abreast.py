@@ -63,11 +63,7 @@ def fly_groups(
         progress: Called now and then with the share done.
     """
     duration, numbers = model.timing.until, flights or [0] * len(seeds)
-    ticks, like, like_cabin = (
-        ticks_of(duration, cabin.guidance.period),
-        shape_of(model, start),
-        cabin,
-    )
+    ticks, shape = ticks_of(duration, cabin.guidance.period), shape_of(model, start)
     guide, lanes, nothing = entries_for(model, cabin).guide, (0,) * width, np.zeros((0, 1))
     channels = sum(draw.channels for draw in draws) - GUST_NOISE
     sensing, gusts = Like((0.0,) * channels), Like((0.0,) * GUST_NOISE)
@@ -76,15 +72,13 @@ def fly_groups(
         last = min(first + TOGETHER, len(buffers))
         mine = slice(first * width, last * width)
         luck = yet_to_be_dealt(seeds[mine], numbers[mine], draws, width, min(STRETCH, ticks))
-        next_up, logged = (
-            np.array([0, 0, -luck.noise.shape[1]], dtype=np.int64),
-            np.zeros(1, np.int64),
-        )
+        next_up = np.array([0, 0, -luck.noise.shape[1]], dtype=np.int64)
+        logged = np.zeros(1, dtype=np.int64)
         while next_up[0] < ticks:
             guide(
-                Like(like), Like(like_cabin), buffers[first:last], aboard[first:last], lanes,
-                sensing, gusts, luck, next_up, min(ticks, int(next_up[0]) + TICKS), ticks, duration,
-                False, nothing, logged, nothing,
+                Like(shape), Like(cabin), buffers[first:last], aboard[first:last], lanes, sensing,
+                gusts, luck, next_up, min(ticks, int(next_up[0]) + TICKS), ticks, duration, False,
+                nothing, logged, nothing,
             )  # fmt: skip
 
     batches = range(0, len(buffers), TOGETHER)
