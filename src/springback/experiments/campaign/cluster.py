@@ -1,0 +1,1 @@
+"""Flying on a Dask cluster."""
