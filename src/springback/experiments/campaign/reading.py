@@ -116,6 +116,27 @@ class Campaign:
             names = [column[0] for column in found.description]
             return Answer(names, found.fetchall())
 
+    def save(self, sql: str, path: Path) -> int:
+        """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
+
+        Args:
+            sql: One statement.
+            path: Of the file.
+
+        Raises:
+            InputError: If it cannot be understood, or the file not be written.
+        """
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_name(f".{path.name}.draft")
+        try:
+            with self.connected() as connection, in_words():
+                copy = f"COPY ({sql}) TO {quoted(str(draft))} (FORMAT parquet, COMPRESSION zstd)"
+                count = int(connection.execute(copy).fetchone()[0])
+            draft.replace(path)
+        finally:
+            draft.unlink(missing_ok=True)
+        return count
+
     def to_dataframe(self, sql: str = "SELECT * FROM flights ORDER BY flight") -> pandas.DataFrame:
         """Rows as a pandas DataFrame; units in ``attrs``."""
         from springback.experiments.extras import needs
@@ -210,7 +231,9 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
     try:
         yield
     except duckdb.Error as error:
-        said = str(error).partition("\nLINE ")[0].partition("\n\n")[0]
+        said = str(error)
+        for rest in ("\nLINE ", "\n\n", " You might need", "\n\tCandidate functions"):
+            said = said.partition(rest)[0]
         raise InputError(f"{whose}: {' '.join(said.split())}") from None
 
 

@@ -106,7 +106,7 @@ class Store:
         draft = path.with_name(f".{path.name}.draft")
         try:
             path.parent.mkdir(exist_ok=True)
-            _write_rows(draft, columns, self.design)
+            write_rows(draft, columns, self.design)
             with draft.open("rb+") as file:
                 os.fsync(file.fileno())
                 digest = hashlib.file_digest(file, "sha256").hexdigest()
@@ -156,7 +156,7 @@ class Store:
         return str(there.relative_to(self.folder))
 
 
-def _write_rows(path: Path, columns: Columns, design: Design) -> None:
+def write_rows(path: Path, columns: Columns, design: Design) -> None:
     """Rows as Parquet: numbers that do not exist are empty, success as the plan has it."""
     units = {name: unit for name, (unit, _) in known_columns().items()} | design.units
     about = {"springback": __version__, "plan": design.plan.digest(), "name": design.plan.name}
@@ -182,7 +182,8 @@ def rows_of(design: Design) -> str:
         for name in (MEASURES | RECOVERY_MEASURES)
     )
     flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
-    success = f"CASE WHEN outcome <> 'refused' THEN ({design.success}) END AS success"
+    won = f"CASE WHEN outcome <> 'refused' THEN ({design.success}) END"
+    success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
     rest = ", ".join(named(name) for name in (MEASURES | RECOVERY_MEASURES))
     return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
 
