@@ -285,3 +285,61 @@ def refly(
     for line in again.differences:
         _say(f"not as in row {row}: {line}", False)
     sys.exit(1)
+
+
+@cli.command()
+@click.argument("folder", type=FOLDER)
+@click.option("--out", type=OUT, help="Folder for summary.html, summary.json and figures.")
+@click.option(
+    "--map", "pairs", multiple=True, metavar="X,Y",
+    help="Fields to draw success over; by default all pairs of the first four.",
+)  # fmt: skip
+@click.option("--scatter", is_flag=True, help="Success along what luck deals out, too.")
+@click.option("--no-figures", is_flag=True, help="Write no figures and no page.")
+@force_option
+@json_option
+@quiet_option
+def summary(
+    folder: Path,
+    out: Path | None,
+    pairs: tuple[str, ...],
+    scatter: bool,
+    no_figures: bool,
+    force: bool,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Sum up the campaign in FOLDER: success, outcomes, quantiles, robot against robot.
+
+    Shares have Wilson's intervals. Robots were dealt the same samples and luck, so they are
+    compared pair by pair. A campaign that is still flying can be summed up, too.
+
+    \b
+    springback summary results
+    springback summary results --out page --map speed,pitch
+    """
+    from springback.experiments.campaign.marginals import scale
+    from springback.experiments.campaign.reading import Campaign
+    from springback.experiments.campaign.statistics import summary as summed_up
+    from springback.interfaces.files import output_folder
+    from springback.interfaces.report_campaign import summary_text, write_summary
+
+    known = Campaign(folder)
+    asked = []
+    for text in pairs:
+        x, sign, y = (part.strip() for part in text.partition(","))
+        if not sign or not y or x == y:
+            raise InputError(f"--map {text}: give two fields, such as speed,pitch")
+        asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
+    if pairs and out is None:
+        raise InputError("--map needs --out: the folder for the figures")
+    with _patience("summing up", quiet):
+        found = summed_up(known)
+    if out is not None:
+        figures = not no_figures and _have_figures(quiet)
+        with output_folder(out, force=force) as place, _patience("drawing", quiet):
+            files = write_summary(found, place, pairs=asked, scatter=scatter, figures=figures)
+            names = [path.name for path in files]
+    _print(found.as_dict() if as_json else summary_text(found), as_json)
+    if out is not None:
+        _say(f"written to {out}: {', '.join(names)}", quiet)

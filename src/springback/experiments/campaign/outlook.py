@@ -113,7 +113,7 @@ def _bytes_each(rows: dict[str, Any], design: Design) -> float:
     """Bytes of a row on the disk; what is there once for each part is left out."""
     few, count = {name: values[:1] for name, values in rows.items()}, len(rows["flight"])
     with tempfile.TemporaryDirectory() as folder:
-        sizes = []
+        sizes = list[int]()
         for columns in (rows, few):
             path = Path(folder) / f"{len(sizes)}.parquet"
             write_rows(path, columns, design)

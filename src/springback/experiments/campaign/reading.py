@@ -9,6 +9,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+import numpy.typing as npt
+
 from springback.errors import InputError
 from springback.experiments.campaign import ledger
 from springback.experiments.campaign.columns import known_columns
@@ -22,6 +25,7 @@ from springback.version import __version__
 if TYPE_CHECKING:
     import pandas
 
+Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 
 
@@ -115,6 +119,15 @@ class Campaign:
             found = connection.execute(sql, list(parameters))
             names = [column[0] for column in found.description]
             return Answer(names, found.fetchall())
+
+    def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
+        """What a query finds, as arrays of floats by column; NaN for what is not there."""
+        with self.connected() as connection, in_words():
+            found = connection.execute(sql, list(parameters)).fetchnumpy()
+        return {
+            name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
+            for name, values in found.items()
+        }
 
     def save(self, sql: str, path: Path) -> int:
         """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
