@@ -102,10 +102,14 @@ def campaign(
 def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> Any:
     from springback.experiments.campaign.design import laid_out
     from springback.experiments.campaign.plan import read_plan
+    from springback.experiments.campaign.reading import check_conditions
     from springback.experiments.campaign.store import PLAN, about
 
     if plan is not None:
-        return laid_out(*read_plan(plan, overrides))
+        read, source = read_plan(plan, overrides)
+        design = laid_out(read, source)
+        check_conditions(design, source)
+        return design
     assert out is not None
     about(out)
     return laid_out(*read_plan(out / PLAN), tried=False)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
@@ -41,6 +41,7 @@ from springback.experiments.campaign.sampling import (
 )
 from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import Scenario, preset, scenario_from
+from springback.settings import Settings
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
@@ -296,7 +297,7 @@ def _check_columns(
         if field in fields:
             blame(("vary", k, "field"), f"is varied by entry {fields[field] + 1} already")
         elif column.lower() in taken:
-            what = f"{column!r} as a name of a column {taken[column.lower()]}; give a name"
+            what = f"{column!r} as a name of a column {taken[column.lower()]}; give another name"
             blame(("vary", k, "name" if entry.name else "field"), what)
         fields.setdefault(field, k)
         taken.setdefault(column.lower(), f"is that of entry {k + 1}, too")
@@ -329,18 +330,24 @@ def checked_text(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+class _Reference(Settings):
+    """A reference alone, to be checked without seeking a run-up."""
+
+    reference: ReferenceSettings
+
+
 def _problem(tables: Tables, one: Dimension) -> str:
     """Why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
     reference = tables.get("reference")
     try:
         if one.table == "reference":
-            TypeAdapter(ReferenceSettings).validate_python(reference)
+            _Reference.model_validate({"reference": reference})
             return ""
         hold = {"reference": {"type": "hold"}} if reference is not None else {}
         scenario_from(tables | hold, False)
     except ValidationError as error:
         [(path, what), *_] = problem_paths(error)
-        return f"{dotted(('reference', *path))}: {what}"
+        return f"{dotted(path)}: {what}"
     except InputError as error:
         line = error.problems[0]
         weak = line.startswith("reference: ") or "each rotor's share of the true weight" in line

@@ -263,7 +263,7 @@ class _Reader:
                 if value is None:
                     break
             if not _is_number(value):
-                self.say("", "the scenario has no number of its own here: give it one there")
+                self.say("", "the scenario has no number here to start from; give it one")
                 return None
             found.append(float(value))
         return tuple(found)

@@ -16,7 +16,7 @@ from springback.errors import InputError
 from springback.experiments.campaign import ledger
 from springback.experiments.campaign.columns import known_columns
 from springback.experiments.campaign.design import Design, laid_out
-from springback.experiments.campaign.plan import read_plan
+from springback.experiments.campaign.plan import Source, read_plan
 from springback.experiments.campaign.store import PLAN, about, empty_rows, rows_of, written
 from springback.experiments.parquet import quoted, write_parquet
 from springback.experiments.result import Flight, fly
@@ -250,8 +250,12 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
         raise InputError(f"{whose}: {' '.join(said.split())}") from None
 
 
-def check_conditions(design: Design) -> None:
+def check_conditions(design: Design, source: Source | None = None) -> None:
     """Refuse conditions of a plan that SQL does not understand, before anything is flown.
+
+    Args:
+        design: Of the plan.
+        source: Where the plan stands.
 
     Raises:
         InputError: That names the entry.
@@ -266,5 +270,5 @@ def check_conditions(design: Design) -> None:
     with duckdb.connect() as connection:
         connection.register("given", empty_rows(design))
         for entry, statement in statements.items():
-            with in_words(entry):
+            with in_words((source or Source()).blamed(entry.split("."), "").rstrip(": ")):
                 connection.execute(statement)
