@@ -280,12 +280,29 @@ class SensorSettings(Settings):
         Raises:
             The problem, if a rate or a delay does not fit the clock.
         """
-        a = generator.standard_normal(6).tolist()
-        biases = Vec(a[0], a[1], a[2]), Vec(a[3], a[4], a[5])
+        return self.switched_on(self.devices(tick, vehicle), generator)
+
+    def devices(self, tick: float, vehicle: Vehicle) -> Sensors:
+        """The numbers that are the same in every flight: biases are zero; see `sensors`."""
+        still = Vec(0.0, 0.0, 0.0)
         with inside("motion_capture"):
             motion_capture: Any = self.motion_capture.device(tick)
         with inside("imu"):
-            inertial: Any = self.imu.device(tick, biases)
+            inertial: Any = self.imu.device(tick, (still, still))
         with inside("hall"):
             arm_length: Any = self.hall.device(tick, vehicle)
         return Sensors(motion_capture, inertial, arm_length, 1.0 if self.reveal else 0.0)
+
+    def switched_on(self, devices: Sensors, generator: np.random.Generator) -> Sensors:
+        """The devices with the biases of one flight, six numbers drawn from a generator."""
+        a = generator.standard_normal(6).tolist()
+        if self.imu.perfect:
+            return devices
+        unit, imu = devices.inertial, self.imu
+        biased = InertialUnit(
+            unit.offset,
+            unit.every,
+            unit.accelerometer._replace(bias=imu.accelerometer.bias * Vec(a[0], a[1], a[2])),
+            unit.gyroscope._replace(bias=imu.gyroscope.bias * Vec(a[3], a[4], a[5])),
+        )
+        return Sensors(devices.motion_capture, biased, devices.arm_length, devices.reveal)
