@@ -48,6 +48,7 @@ if TYPE_CHECKING:
 TURN_ON = 2
 #: Range of an accelerometer that has none [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
+ORIGIN = Vec(0.0, 0.0, 0.0)
 
 
 class OwnPilot(NamedTuple):
@@ -296,13 +297,10 @@ def resilient_of(
     s, told, tick = scenario, scenario.recovery, make(_tick, scenario.clock)
     assert told is not None  # asked only of scenarios that recover
     eyes = make(eyes_of, told, s.vehicle, s.sensors, believed.gravity, tick)
-    place = s.start.position if told.home is None else told.home
-    return Resilient(cascade, *eyes, make(_route, told, place))
-
-
-def _route(told: RecoverySettings, start: tuple[float, float, float]) -> Route:
-    with _in_table("recovery"):
-        return told.route(Vec(*start))
+    route: Route = make(RecoverySettings.route, told, ORIGIN)
+    if told.home is None:
+        route = route._replace(home=Vec(*s.start.position))
+    return Resilient(cascade, *eyes, route)
 
 
 def board_of(

@@ -102,12 +102,12 @@ def resilient_memory(
     nothing = make(no_collision, airframe)
     return ResilientMemory(
         flight,
-        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust),
+        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust, make),
         NOT_DETECTED,
         make(no_impression, airframe),
         nothing,
         History(start.velocity, start.velocity),
-        journey_at_start(pilot.route, start, nothing),
+        journey_at_start(pilot.route, nothing, make),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -141,5 +142,9 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
         ),
         waiting=0.0,
     )
-    known = Known(uncorrelated(*deviations), Surprise(0.0, 0.0))
-    return KalmanMemory(track, Seldom(0.0, known))
+    return KalmanMemory(track, _first_known(deviations))
+
+
+@functools.lru_cache(maxsize=64)  # the same for every flight of a campaign
+def _first_known(deviations: Deviations) -> Seldom:
+    return Seldom(0.0, Known(uncorrelated(*deviations), Surprise(0.0, 0.0)))
