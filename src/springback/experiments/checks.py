@@ -48,7 +48,7 @@ def check_tables(scenario: Scenario, make: Make = afresh) -> None:
     check_reference(s)
     thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
-    body = true_body(s.vehicle, s.model_error, s.payload, make)
+    body = make(true_body, s.vehicle, s.model_error, s.payload, make)
     make(check_steps, s.simulation, s.vehicle)
     check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
 

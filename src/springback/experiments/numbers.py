@@ -159,7 +159,8 @@ def true_airframe(
     vehicle: Vehicle, error: ModelError, load: Payload, make: Make = afresh
 ) -> Airframe:
     """The numbers of the vehicle as it is, for the equations of motion."""
-    airframe, body = make(Vehicle.airframe, vehicle), true_body(vehicle, error, load, make)
+    airframe = make(Vehicle.airframe, vehicle)
+    body = make(true_body, vehicle, error, load, make)
     if body is None:
         return airframe
     inertia = Mat(*(Vec(*row) for row in body.inertia))
@@ -170,9 +171,9 @@ def true_airframe(
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
+def world_numbers(world: WorldSettings, own: Sequence[Own] = (), make: Make = afresh) -> World:
     """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
-    built = obstacles(world.obstacles, own)
+    built = obstacles(world.obstacles, own, make)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 
@@ -223,7 +224,7 @@ def flight_model(scenario: Scenario, own: Sequence[Own] = (), make: Make = afres
     s = scenario
     return Model(
         true_airframe(s.vehicle, s.model_error, s.payload, make),
-        make(world_numbers, s.world, own),
+        make(world_numbers, s.world, own, make),
         make(contact_point_of, s.model),
         make(guide_of, s.model),
         make(AirSettings.air, s.air),
