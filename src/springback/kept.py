@@ -8,6 +8,7 @@ reads.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
+from operator import is_
 from typing import Any, Protocol, TypeVar
 
 R = TypeVar("R")
@@ -42,19 +43,15 @@ class Kept:
         """``function(*given)``, or what it gave for the very same objects the last time.
 
         Args:
-            function: Gives the same for the same, and changes nothing.
+            function: Gives the same for the same, and changes nothing; always given as many.
             *given: Compared by identity.
             place: Tells apart uses of one function that take turns.
         """
         key = function if place is None else (function, place)
         last = self._last.get(key)
-        if last is not None:
-            for a, b in zip(last[0], given, strict=True):
-                if a is not b:
-                    break
-            else:
-                result: R = last[1]
-                return result
+        if last is not None and all(map(is_, last[0], given)):
+            kept: R = last[1]
+            return kept
         result = function(*given)
         self._last[key] = given, result
         return result

@@ -18,7 +18,7 @@ from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import Seldom, each, largest, pick
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import ZERO, Mat, Vec
 from springback.sensing.measurement import Estimate, Measurement, due, estimated
 from springback.simulation.aboard import Piloted, piloted, told
 from springback.vehicle.state import Airframe
@@ -92,13 +92,12 @@ def cascade_memory(
         thrust: Command to each rotor [N].
         make: How parts are made.
     """
-    still = Vec(0.0, 0.0, 0.0)
-    at_start = AttitudeTarget(estimate.attitude, still, sum(thrust))
+    at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
     wanted = make(_first_target, pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
     built = make(_first_built, pilot.airframe)
-    autopilot = Autopilot(at_start, still, rate, still, thrust, built)
+    autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.experiments.guidance import turn_on_normals
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
@@ -114,9 +115,9 @@ def _fly_block(
     """Make some flights ready, fly them kind by kind, and read what they left."""
     kinds: dict[Any, _Kind] = {}
     last: _Kind | None = None
-    for number in block:
+    for number, biases in zip(block, _biases([tables[k] for k in block]), strict=True):
         try:
-            one = made_ready(tables[number], make)
+            one = made_ready(tables[number], make, biases)
         except InputError as error:
             out.problems[number] = "; ".join(error.problems)
             continue
@@ -131,6 +132,14 @@ def _fly_block(
 
         _fly_kind(kind, threads, share, out)
         done += len(kind.numbers)
+
+
+def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
+    """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
+    seeds = [table.get("seed", 0) for table in tables]
+    valid = [type(seed) is int and seed >= 0 for seed in seeds]
+    drawn = iter(turn_on_normals([seed for seed, holds in zip(seeds, valid, strict=True) if holds]))
+    return [next(drawn) if holds else None for holds in valid]
 
 
 def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:

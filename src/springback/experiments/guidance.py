@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,7 +20,7 @@ from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import Calm
 from springback.errors import InputError
 from springback.kept import Make, afresh
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
 from springback.recovery.journey import Route
@@ -31,7 +31,7 @@ from springback.recovery.wrench import Observer
 from springback.sensing.clock import inside
 from springback.sensing.estimation import EstimatorSettings, Rhythm
 from springback.sensing.measurement import Estimate
-from springback.sensing.parameters import SensorSettings
+from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
 from springback.simulation.aboard import Cabin, Draw, Guidance, NoWitness, Relay
@@ -48,7 +48,6 @@ if TYPE_CHECKING:
 TURN_ON = 2
 #: Range of an accelerometer that has none [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
-ORIGIN = Vec(0.0, 0.0, 0.0)
 
 
 class OwnPilot(NamedTuple):
@@ -184,10 +183,18 @@ def devices_of(
     return Devices(told, devices, draws_of(devices, vehicle.arm_count))
 
 
-def turn_on_luck(seed: int, flight: int) -> np.random.Generator:
-    """Where the biases of the sensors of one flight are drawn from."""
-    luck = np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON))
-    return np.random.Generator(np.random.SFC64(luck))
+def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
+    """Normal numbers by which sensors are biased when they are switched on, of many flights.
+
+    Args:
+        seeds: One for each flight.
+        flight: Its number in a campaign.
+    """
+    drawn = []
+    for seed in seeds:
+        luck = np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON)))
+        drawn.append(np.random.Generator(luck).standard_normal(BIASES).tolist())
+    return drawn
 
 
 def _tick(clock: float) -> float:
@@ -297,7 +304,7 @@ def resilient_of(
     s, told, tick = scenario, scenario.recovery, make(_tick, scenario.clock)
     assert told is not None  # asked only of scenarios that recover
     eyes = make(eyes_of, told, s.vehicle, s.sensors, believed.gravity, tick)
-    route: Route = make(RecoverySettings.route, told, ORIGIN)
+    route: Route = make(RecoverySettings.route, told, ZERO)
     if told.home is None:
         route = route._replace(home=Vec(*s.start.position))
     return Resilient(cascade, *eyes, route)
@@ -311,6 +318,7 @@ def board_of(
     flight: int = 0,
     pilot: OwnPilot | None = None,
     relay: bool = False,
+    biases: Sequence[float] | None = None,
     make: Make = afresh,
 ) -> Board:
     """What is aboard before the first tick.
@@ -322,45 +330,49 @@ def board_of(
         flight: Its number in a campaign, for its luck.
         pilot: In place of the paper's.
         relay: The pilot is in plain Python, and sits outside.
+        biases: `turn_on_normals` of the seed and the number, if they are known already.
         make: How parts are made.
     """
     s, arms, period = scenario, len(model.airframe.arms), make(_tick, scenario.clock)
     devices = make(devices_of, s.sensors, s.estimator, period, s.vehicle)
-    sensors = devices.told.switched_on(devices.sensors, turn_on_luck(s.seed, flight))
+    drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
+    sensors = devices.told.switched_on(devices.sensors, drawn)
     if relay:
         pilot = OwnPilot(Relay(0.0), model.thrust)
     flown_by = pilot or cascade_of(s, model, start, make)
+    air = make(_air_of, s.air, period)
     judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
     witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)
     seen: Any = referee_at_start(start.position) if judged else NOBODY
-    weather = make(_weather, s.air, period)
     guidance = Guidance(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=make(Propulsion.rotors, propulsion_of(s, model.airframe)),
         witness=witness,
-        weather=weather,
-        mean_wind=make(_mean_wind, s.air),
+        weather=air.weather,
+        mean_wind=air.mean_wind,
         period=period,
     )
     remembered = sensors_at_start(sensors, start, s.world.gravity, make)
     cabin = cabin_of(
         guidance, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
     )
-    return Board(cabin, (*devices.noise, make(_gust_draw, weather)))
+    return Board(cabin, (*devices.noise, air.noise))
 
 
-def _weather(air: AirSettings, tick: float) -> Any:
+class Blowing(NamedTuple):
+    """The air about a vehicle with a pilot."""
+
+    weather: Any
+    mean_wind: Vec  # world [m/s]
+    noise: Draw
+
+
+def _air_of(air: AirSettings, tick: float) -> Blowing:
     with _in_table("air"):
-        return air.turbulence(tick)
-
-
-def _gust_draw(weather: Any) -> Draw:
-    return Draw(GUST_NOISE, 0 if isinstance(weather, Calm) else 1)
-
-
-def _mean_wind(air: AirSettings) -> Vec:
-    return Vec(*air.wind)
+        weather = air.turbulence(tick)
+    noise = Draw(GUST_NOISE, 0 if isinstance(weather, Calm) else 1)
+    return Blowing(weather, Vec(*air.wind), noise)
 
 
 #: Tables that only the pilot of the paper reads, and those that every pilot flies with.

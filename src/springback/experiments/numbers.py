@@ -222,22 +222,31 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
 def flight_model(scenario: Scenario, own: Sequence[Own] = (), make: Make = afresh) -> Model:
     """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
     s = scenario
-    return Model(
-        true_airframe(s.vehicle, s.model_error, s.payload, make),
-        make(world_numbers, s.world, own, make),
-        make(contact_point_of, s.model),
-        make(guide_of, s.model),
-        make(AirSettings.air, s.air),
-        make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None),
-        make(timing_of, s.simulation, s.model, s.vehicle),
-    )
+    airframe = true_airframe(s.vehicle, s.model_error, s.payload, make)
+    world = make(world_numbers, s.world, own, make)
+    thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
+    point, guide, timing = make(_chosen, s.model, s.simulation, s.vehicle)
+    return Model(airframe, world, point, guide, make(AirSettings.air, s.air), thrust, timing)
+
+
+def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
+    """Contact point, guide and timing."""
+    return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
 
 
 def start_state(start: Start, vehicle: Vehicle, make: Make = afresh) -> State:
     """State at time 0, arms at their free length."""
-    s, lengths = start, make(Vehicle.lengths, vehicle)
+    s, arms = start, make(_unpressed, vehicle)
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
-    return State(
-        Vec(*s.position), attitude, Vec(*s.velocity), Vec(*s.angular_velocity),
-        lengths, (0.0,) * len(lengths),
-    )  # fmt: skip
+    spin = make(_vector, s.angular_velocity)
+    return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
+
+
+def _vector(given: tuple[float, float, float]) -> Vec:
+    return Vec(*given)
+
+
+def _unpressed(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Lengths and rates of arms at rest."""
+    lengths = vehicle.lengths()
+    return lengths, (0.0,) * len(lengths)

@@ -8,7 +8,7 @@ what.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Annotated, Any, NamedTuple
 
 from pydantic import TypeAdapter, ValidationError
@@ -46,12 +46,15 @@ class Ready(NamedTuple):
     board: Board | None
 
 
-def made_ready(table: Mapping[str, Any], make: Kept) -> Ready:
+def made_ready(
+    table: Mapping[str, Any], make: Kept, biases: Sequence[float] | None = None
+) -> Ready:
     """A flight made ready from plain tables.
 
     Args:
         table: The whole scenario.
         make: Remembers what flights before shared.
+        biases: `turn_on_normals` of its seed, if they are known already.
 
     Raises:
         InputError: One line for each problem, as of `scenario_from`.
@@ -59,12 +62,12 @@ def made_ready(table: Mapping[str, Any], make: Kept) -> Ready:
     try:
         scenario = scenario_of(table, make)
         check_tables(scenario, make)
-        return _ready(scenario, make)
+        return _ready(scenario, make, biases)
     except PROBLEMS:
         return _ready(scenario_from(table, False), afresh)
 
 
-def _ready(scenario: Scenario, make: Make) -> Ready:
+def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
     """The last checks, and the numbers."""
     s = scenario
     model, start = flight_model(s, (), make), start_state(s.start, s.vehicle, make)
@@ -73,7 +76,7 @@ def _ready(scenario: Scenario, make: Make) -> Ready:
         check_without_pilot(s)
         return Ready(s.seed, model, start, None)
     check_clock(s)
-    return Ready(s.seed, model, start, board_of(s, model, start, make=make))
+    return Ready(s.seed, model, start, board_of(s, model, start, biases=biases, make=make))
 
 
 # -- settings by tables ---------------------------------------------------------------------------
@@ -81,14 +84,14 @@ def _ready(scenario: Scenario, make: Make) -> Ready:
 
 def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
     """A scenario whose tables were checked one by one, but not against each other."""
-    given: dict[str, Any] = {}
+    readers, given = _readers(), dict(_defaults())
     for name, value in table.items():
-        if name not in Scenario.model_fields:
+        if name not in readers:
             raise problem("unknown key", str(name))
-        given[name] = make(_reader(name), value, make, place=name)
+        given[name] = make(readers[name], value, make)
     if "vehicle" not in given:
         raise problem("is missing", "vehicle")
-    return _bare().model_copy(update=_defaults() | given)
+    return _bare().model_copy(update=given)
 
 
 @functools.cache
@@ -105,6 +108,11 @@ def _defaults() -> dict[str, Any]:
 
 
 @functools.cache
+def _readers() -> dict[str, Callable[[Any, Make], Any]]:
+    """What checks the values of the scenario's keys."""
+    return {name: _reader(name) for name in Scenario.model_fields}
+
+
 def _reader(name: str) -> Callable[[Any, Make], Any]:
     """Checks the value of a key of the scenario."""
     field = Scenario.model_fields[name]

@@ -22,7 +22,7 @@ from springback.control.target import Wrench
 from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import each, pick
-from springback.kernels.vectors import Mat, Vec, rotation
+from springback.kernels.vectors import ZERO, Mat, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Airframe
 
@@ -73,7 +73,7 @@ def no_wrench(
     make: Make = afresh,
 ) -> ExternalWrench:
     """Memory of an observer that starts with a motion and nothing pushing."""
-    none, inertia = Vec(0.0, 0.0, 0.0), make(_whole_inertia, airframe)
+    none, inertia = ZERO, make(_whole_inertia, airframe)
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
     blow = Blow(none, none, none, start.velocity, spin, none, none)
     return ExternalWrench(none, none, none, thrust, momentum, spin, blow)

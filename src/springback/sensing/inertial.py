@@ -12,7 +12,7 @@ import math
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Quat, Vec, normalised, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, normalised, rotation
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Inertial, Truth, due
 from springback.sensing.memory import Nothing
@@ -271,4 +271,4 @@ def _settled(channel: Channel, true: Vec) -> ChannelMemory:
     """A channel that has long felt the same, without noise."""
     raw = true + channel.bias
     inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
-    return ChannelMemory(inside, Vec(0.0, 0.0, 0.0))
+    return ChannelMemory(inside, ZERO)

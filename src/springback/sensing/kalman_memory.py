@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import Seldom
-from springback.kernels.vectors import Quat, Vec, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, rotation
 from springback.sensing.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
 
@@ -131,11 +131,10 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
     r, since = rotation(estimate.attitude), exposed_before(kalman, 0.0)
     position = estimate.position + r @ kalman.offset
     velocity = estimate.velocity + r @ (estimate.angular_velocity ^ kalman.offset)
-    zero = Vec(0.0, 0.0, 0.0)
     track = Track(
-        nominal=Nominal(position, velocity, estimate.attitude, zero, zero),
+        nominal=Nominal(position, velocity, estimate.attitude, ZERO, ZERO),
         angular_velocity=estimate.angular_velocity,
-        acceleration=zero,
+        acceleration=ZERO,
         window=empty_window(estimate.attitude),
         kept=tuple(
             Kept(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays

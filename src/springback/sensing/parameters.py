@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from statistics import NormalDist
 from typing import Annotated, Any
 
@@ -23,6 +24,8 @@ from springback.vehicle.parameters import Vehicle
 STANDARD_GRAVITY = 9.80665
 #: Quantile of a probability of zero or one, in place of infinity: chance 1e-350.
 NEVER = -40.0
+#: Normal numbers by which a flight's sensors are biased: three axes of accelerometer and gyroscope.
+BIASES = 6
 
 Rate = quantity("Hz", above=0.0)
 Delay = quantity("s", least=0.0)
@@ -280,7 +283,8 @@ class SensorSettings(Settings):
         Raises:
             The problem, if a rate or a delay does not fit the clock.
         """
-        return self.switched_on(self.devices(tick, vehicle), generator)
+        normals = generator.standard_normal(BIASES).tolist()
+        return self.switched_on(self.devices(tick, vehicle), normals)
 
     def devices(self, tick: float, vehicle: Vehicle) -> Sensors:
         """The numbers that are the same in every flight: biases are zero; see `sensors`."""
@@ -293,12 +297,11 @@ class SensorSettings(Settings):
             arm_length: Any = self.hall.device(tick, vehicle)
         return Sensors(motion_capture, inertial, arm_length, 1.0 if self.reveal else 0.0)
 
-    def switched_on(self, devices: Sensors, generator: np.random.Generator) -> Sensors:
-        """The devices with the biases of one flight, six numbers drawn from a generator."""
-        a = generator.standard_normal(6).tolist()
+    def switched_on(self, devices: Sensors, normals: Sequence[float]) -> Sensors:
+        """The devices with the biases of one flight, by standard normal numbers for each axis."""
         if self.imu.perfect:
             return devices
-        unit, imu = devices.inertial, self.imu
+        a, unit, imu = normals, devices.inertial, self.imu
         biased = InertialUnit(
             unit.offset,
             unit.every,
