@@ -1,33 +1,42 @@
-"""Flights by the thousand: outcomes and measures of many scenarios, flown abreast."""
+"""Flights by the thousand: outcomes and measures of many scenarios, flown abreast.
+
+Making a flight ready and reading what it left would take longer than flying it, were each made
+ready alone.  Here flights share what their tables share, are laid into the buffers by what differs,
+and are read column by column; every number is that of the flight flown alone.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.errors import InputError
-from springback.experiments.guidance import Board, board_of
+from springback.experiments.guidance import turn_on_normals
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
-    judged,
-    recovery_measures,
-    recovery_outcome,
+    recovery_columns,
+    recovery_outcomes,
 )
-from springback.experiments.scenario import Scenario, scenario_from
-from springback.simulation.abreast import fly_guided_many
-from springback.simulation.flight import Flown, fly_many
-from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
-from springback.simulation.measures import MEASURES, measures_of, outcome_of
-from springback.simulation.record import Model
-from springback.vehicle.state import State
-
-Array = np.ndarray[Any, np.dtype[np.float64]]
+from springback.experiments.shared_tables import Ready, made_ready
+from springback.kept import Kept
+from springback.kernels.layout import Buffer, row_of, rows, structure
+from springback.recovery.referee import RefereeMemory
+from springback.simulation.aboard import Cabin
+from springback.simulation.abreast import GUIDED_LANES, fly_groups
+from springback.simulation.flight import LANES, fly_buffers
+from springback.simulation.loading import Laid, Loader, Unlike
+from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.reading import Array, columns_of, energies
 
 #: Outcome of a flight that was not flown, because its scenario cannot be.
 REFUSED = "refused"
+#: Flights that are made ready together (chosen: their buffers then take some 100 MB).
+BLOCK = 4096
+#: Tables by which flights are put in order, that those which share much follow one another.
+ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
 
 
 class Rows(NamedTuple):
@@ -41,13 +50,13 @@ class Rows(NamedTuple):
     """Why a flight was refused; empty for those that were not."""
 
 
-class _Ready(NamedTuple):
-    """A flight made ready; without a pilot it has no board."""
+class _Kind(NamedTuple):
+    """Flights that fly abreast, as they are collected."""
 
-    scenario: Scenario
-    model: Model
-    start: State
-    board: Board | None
+    loader: Loader
+    first: Ready
+    numbers: list[int]
+    seeds: list[int]
 
 
 def fly_scenarios(
@@ -58,74 +67,145 @@ def fly_scenarios(
 ) -> Rows:
     """Fly many scenarios; each flight's numbers depend on its own tables alone.
 
+    It is fast where flights share tables: the very objects, at any depth.
+
     Args:
         tables: Whole scenarios, as plain tables.
         threads: That fly at a time.
         progress: Called now and then with the share done.
     """
-    outcomes, problems = [REFUSED] * len(tables), [""] * len(tables)
-    measures = {name: np.full(len(tables), math.nan) for name in (MEASURES | RECOVERY_MEASURES)}
-    kinds: dict[Any, list[tuple[int, _Ready]]] = {}
-    for k, table in enumerate(tables):
+    count, make = len(tables), Kept()
+    out = Rows(
+        [REFUSED] * count,
+        {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
+        [""] * count,
+    )
+    order = _ordered(tables)
+    for first in range(0, count, BLOCK):
+        block = order[first : first + BLOCK]
+
+        def share(x: float, first: int = first, size: int = len(block)) -> None:
+            if progress is not None:
+                progress((first + x * size) / count)
+
+        _fly_block(tables, block, make, threads, share, out)
+        share(1.0)
+    return out
+
+
+def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Flights that share tables one after another."""
+    known: dict[Hashable, int] = {}
+
+    def number(value: Any) -> int:
+        return known.setdefault(value if isinstance(value, str) else id(value), len(known))
+
+    keys = [tuple(number(table.get(name)) for name in ORDER) for table in tables]
+    return sorted(range(len(tables)), key=keys.__getitem__)
+
+
+def _fly_block(
+    tables: Sequence[Mapping[str, Any]],
+    block: list[int],
+    make: Kept,
+    threads: int,
+    progress: Callable[[float], None],
+    out: Rows,
+) -> None:
+    """Make some flights ready, fly them kind by kind, and read what they left."""
+    kinds: dict[Any, _Kind] = {}
+    last: _Kind | None = None
+    for number, biases in zip(block, _biases([tables[k] for k in block]), strict=True):
         try:
-            one = _made_ready(table)
+            one = made_ready(tables[number], make, biases)
         except InputError as error:
-            problems[k] = "; ".join(error.problems)
+            out.problems[number] = "; ".join(error.problems)
             continue
-        kinds.setdefault(_kind(one), []).append((k, one))
-    done = 0
-    for members in kinds.values():
-        flown = _flown([one for _, one in members], threads)
-        for (k, _), (word, values) in zip(members, flown, strict=True):
-            outcomes[k] = word
-            for name, value in values.items():
-                measures[name][k] = math.nan if value is None else value
-        done += len(members)
-        if progress is not None:
-            progress(done / len(tables))
-    return Rows(outcomes, measures, problems)
+        last = _sorted_in(one, last, kinds)
+        last.numbers.append(number)
+        last.seeds.append(one.seed)
+    done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
+    for kind in kinds.values():
+
+        def share(x: float, done: int = done, size: int = len(kind.numbers)) -> None:
+            progress((done + x * size) / all_ready)
+
+        _fly_kind(kind, threads, share, out)
+        done += len(kind.numbers)
 
 
-def _made_ready(table: Mapping[str, Any]) -> _Ready:
-    scenario = scenario_from(table, False)
-    model, start = scenario.flight_model(), scenario.start_state()
-    aloft = scenario.reference is not None
-    return _Ready(scenario, model, start, board_of(scenario, model, start) if aloft else None)
+def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
+    """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
+    seeds = [table.get("seed", 0) for table in tables]
+    valid = [type(seed) is int and seed >= 0 for seed in seeds]
+    drawn = iter(turn_on_normals([seed for seed, holds in zip(seeds, valid, strict=True) if holds]))
+    return [next(drawn) if holds else None for holds in valid]
 
 
-def _kind(one: _Ready) -> Any:
-    """Flights of one kind can fly abreast."""
+def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
+    """The kind that a flight was added to: that of the flight before it, if it is like that."""
     cabin = one.board.cabin if one.board else None
-    pace = cabin.guidance.period if cabin else None
-    return _types(one.model), _types(cabin), one.model.timing.until, pace
+    if last is not None and _pace(one) == _pace(last.first):
+        try:
+            last.loader.add(one.model, one.start, cabin)
+        except Unlike:
+            pass
+        else:
+            return last
+    key = structure(one.model), structure(cabin), _pace(one)
+    if key not in kinds:
+        width = LANES if cabin is None else GUIDED_LANES
+        kinds[key] = _Kind(Loader(one.model, one.start, cabin, width), one, [], [])
+    kinds[key].loader.add(one.model, one.start, cabin)
+    return kinds[key]
 
 
-def _types(tree: Any) -> Any:
-    if not isinstance(tree, tuple):
-        return None
-    return (type(tree).__name__, *(_types(branch) for branch in tree))
+def _pace(one: Ready) -> tuple[Any, ...]:
+    """What flights abreast have in common beside their types; without pilots, nothing."""
+    if one.board is None:
+        return ()
+    return one.model.timing.until, one.board.cabin.guidance.period, one.board.noise
 
 
-def _flown(flights: list[_Ready], threads: int) -> list[tuple[str, dict[str, float | None]]]:
-    models, starts = [one.model for one in flights], [one.start for one in flights]
-    boards = [one.board for one in flights if one.board]
-    if not boards:
-        return [_plain(one) for one in fly_many(models, starts, threads=threads)]
-    ticks = ticks_of(models[0].timing.until, boards[0].cabin.guidance.period)
-    noises = [
-        noise_table(one.scenario.seed, 0, ticks, board.noise)
-        for one, board in zip(flights, boards, strict=True)
-    ]
-    cabins = [board.cabin for board in boards]
-    flown = fly_guided_many(models, starts, cabins, noises, threads=threads)
-    return [_judged(one) for one in flown]
+def _fly_kind(kind: _Kind, threads: int, progress: Callable[[float], None], out: Rows) -> None:
+    """Fly all flights of one kind, and keep what they left."""
+    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    before = energies(laid.shape, laid.buffers, width, count)
+    board = kind.first.board
+    if board is None or laid.cabin is None or laid.aboard is None:
+        fly_buffers(laid.shape, laid.buffers, width, threads=threads, progress=progress)
+    else:
+        fly_groups(
+            laid.model, laid.start, laid.cabin, laid.buffers, laid.aboard, board.noise, kind.seeds,
+            width=width, threads=threads, progress=progress,
+        )  # fmt: skip
+    words, columns = _read(laid, before, width, count)
+    numbers = np.array(kind.numbers)
+    for number, word in zip(kind.numbers, words, strict=True):
+        out.outcomes[number] = word
+    for name, column in columns.items():
+        out.measures[name][numbers] = column
 
 
-def _plain(flown: Flown) -> tuple[str, dict[str, float | None]]:
-    return outcome_of(flown.record).word, measures_of(flown)
+def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+    """Outcomes and measures of all flights of one kind."""
+    shape, buffers = laid.shape, laid.buffers
+    work_row = rows(shape.model) + row_of(shape.motion, "work")
+    record = columns_of(shape.record, buffers, -rows(shape.record), width, count)
+    work = columns_of(shape.motion.work, buffers, work_row, width, count)
+    after = energies(shape, buffers, width, count)
+    columns = measure_columns(record, work, before, after)
+    if laid.cabin is None or laid.aboard is None:
+        return [one.word for one in outcomes_of(record)], columns
+    if not isinstance(laid.cabin.aboard.witness, RefereeMemory):
+        return [one.word for one in outcomes_of(record)], columns
+    seen = _aboard(laid.cabin, laid.aboard, width, count, "witness")
+    memory = _aboard(laid.cabin, laid.aboard, width, count, "pilot")
+    words = [one.word for one in recovery_outcomes(record, seen)]
+    return words, columns | recovery_columns(record, seen, memory)
 
 
-def _judged(guided: GuidedFlown) -> tuple[str, dict[str, float | None]]:
-    if not judged(guided):
-        return _plain(guided.flown)
-    return recovery_outcome(guided).word, measures_of(guided.flown) | recovery_measures(guided)
+def _aboard(cabin: Cabin, buffers: Buffer, width: int, count: int, name: str) -> Any:
+    """One part of what was aboard, in columns."""
+    row = rows(cabin.guidance) + row_of(cabin.aboard, name)
+    return columns_of(getattr(cabin.aboard, name), buffers, row, width, count)

@@ -10,7 +10,7 @@ import numpy as np
 
 from springback.kernels.layout import Buffer, Like, rows
 from springback.kernels.trees import rebuilt
-from springback.simulation.aboard import Cabin
+from springback.simulation.aboard import Cabin, Draw
 from springback.simulation.flight import loaded, shape_of, unloaded
 from springback.simulation.guided import (
     GUST_NOISE,
@@ -18,6 +18,8 @@ from springback.simulation.guided import (
     GuidedFlown,
     cabins_loaded,
     entries_for,
+    noise_table,
+    ticks_of,
 )
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -39,6 +41,45 @@ def noise_abreast(noises: Sequence[Buffer], group: int, width: int) -> Buffer:
     lanes = [noises[min(k, last)] for k in range(group * width, (group + 1) * width)]
     ticks, channels = lanes[0].shape
     return np.ascontiguousarray(np.stack(lanes, axis=2)).reshape(ticks, channels * width)
+
+
+def fly_groups(
+    model: Model,
+    start: State,
+    cabin: Cabin,
+    buffers: Buffer,
+    aboard: Buffer,
+    draws: tuple[Draw, ...],
+    seeds: Sequence[int],
+    *,
+    width: int = GUIDED_LANES,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> None:
+    """Fly groups that lie ready in buffers to their end, in place."""
+    duration = model.timing.until
+    ticks = ticks_of(duration, cabin.guidance.period)
+    shape = shape_of(model, start)
+    guide, lanes = entries_for(model, cabin).guide, (0,) * width
+    nothing = np.zeros((0, 1))
+
+    def fly_group(group: int) -> None:
+        mine = [seeds[min(k, len(seeds) - 1)] for k in range(group * width, (group + 1) * width)]
+        noise = noise_abreast([noise_table(seed, 0, ticks, draws) for seed in mine], 0, width)
+        sensing = Like((0.0,) * (noise.shape[1] // width - GUST_NOISE))
+        gusts, next_up = Like((0.0,) * GUST_NOISE), np.zeros(2, dtype=np.int64)
+        logged = np.zeros(1, dtype=np.int64)
+        while next_up[0] < ticks:
+            guide(
+                Like(shape), Like(cabin), buffers[group : group + 1], aboard[group], lanes, sensing,
+                gusts, noise, next_up, min(ticks, int(next_up[0]) + TICKS), duration, False,
+                nothing, logged, nothing,
+            )  # fmt: skip
+
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        for done, _ in enumerate(pool.map(fly_group, range(len(buffers))), start=1):
+            if progress is not None:
+                progress(done / len(buffers))
 
 
 def fly_guided_many(
