@@ -320,7 +320,8 @@ def _try_out(
             shown = checked_text(value)
             problem = _problem({**base, one.table: one.place(base.get(one.table, {}), value)}, one)
             if problem:
-                of = f" with {plan.robots[robot]}" if len(plan.robots) > 1 else ""
+                whose = len(plan.robots) > 1 and one.table == "vehicle"
+                of = f" with {plan.robots[robot]}" if whose else ""
                 blame(path, f"{one.column} = {shown}{of}: {problem}")
                 return
 

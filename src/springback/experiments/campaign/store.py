@@ -116,7 +116,7 @@ class Store:
             part = ledger.Part(first, last, name, size, digest, refused)
             ledger.append(self.folder / ledger.NAME, part)
         except Exception as error:
-            if not _is_disk(error):
+            if not is_disk(error):
                 raise
             raise Stopped(f"{name} cannot be written: {_reason(error)}") from error
         finally:
@@ -194,7 +194,7 @@ def empty_rows(design: Design) -> dict[str, Any]:
     return arrays({name: [] for name in names}, design)
 
 
-def _is_disk(error: BaseException) -> bool:
+def is_disk(error: BaseException) -> bool:
     """Whether the disk is at fault, not the program; DuckDB has errors of its own."""
     return isinstance(error, OSError) or type(error).__name__ in ("IOException", "FatalException")
 
@@ -240,7 +240,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
                 _begin(folder, design)
             yield Store(folder, design)
     except OSError as error:
-        if not _is_disk(error):
+        if not is_disk(error):
             raise
         raise Stopped(f"--out {folder}: cannot be written to: {_reason(error)}") from error
 
