@@ -130,13 +130,14 @@ def run_campaign(
     """
     design = plan if isinstance(plan, Design) else laid_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
+    wanted = _at_least_one("chunk", chunk, CHUNK)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
     with opened(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // (SHARES * crew))
-        size = _at_least_one("chunk", chunk, max(1, min(CHUNK, fair)))
+        size = wanted if chunk else max(1, min(wanted, fair))
         chunks = store.missing(size)
         watch, failed = _Watch(store), list[GivenUp]()
         tell = progress or _silent

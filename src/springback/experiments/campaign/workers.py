@@ -43,7 +43,7 @@ class _Worker:
         context = multiprocessing.get_context("spawn")
         self.line, theirs = context.Pipe()
         self.process: SpawnProcess = context.Process(
-            target=_serve, args=(theirs, text), daemon=True, name="springback worker"
+            target=SERVED, args=(theirs, text), daemon=True, name="springback worker"
         )
         with _single_threads():
             self.process.start()
@@ -77,7 +77,7 @@ def _single_threads() -> Iterator[None]:
                 os.environ[name] = value
 
 
-def _serve(line: Connection, text: str) -> None:
+def serve(line: Connection, text: str) -> None:
     """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
     threading.Thread(target=_leave_with_parent, daemon=True).start()
@@ -92,6 +92,10 @@ def _serve(line: Connection, text: str) -> None:
                 why = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
                 answer = GivenUp(chunk, why, traceback.format_exc())
             line.send(answer)
+
+
+#: What a worker runs.
+SERVED = serve
 
 
 def _leave_with_parent() -> None:
