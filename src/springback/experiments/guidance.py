@@ -137,7 +137,12 @@ def limits_of(believed: Believed, rate_limit: float) -> Limits:
 
 
 def reference_of(
-    settings: Any, believed: Believed, rate_limit: float, point: Any, make: Make = afresh
+    settings: Any,
+    believed: Believed,
+    rate_limit: float,
+    point: Any,
+    make: Make = afresh,
+    advises: bool = True,
 ) -> Any:
     """Numbers of a reference.
 
@@ -147,23 +152,32 @@ def reference_of(
         rate_limit: Of roll and pitch [rad/s].
         point: Where a cage touches.
         make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
     with _in_table("reference"):
         limits = make(limits_of, believed, rate_limit)
-        made = make(_made_reference, settings, limits, believed.airframe, point)
+        made = make(_made_reference, settings, limits, believed.airframe, point, advises)
         if isinstance(made, InputError):
             raise made
         return made
 
 
 @functools.lru_cache(maxsize=1024)  # some are optimised, and every scenario asks twice
-def _made_reference(settings: Any, limits: Limits, airframe: Airframe, point: Any) -> Any:
+def _made_reference(
+    settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
+) -> Any:
     """Numbers of the reference, or the problem with it: finding that out takes longest."""
+
+    def reaching(pitch: float) -> float:
+        return reach(airframe, point, pitch)
+
     try:
-        return settings.reference(limits, lambda pitch: reach(airframe, point, pitch))
+        if isinstance(settings, RunUpSettings):
+            return settings.run_up(limits, reaching, advises).reference
+        return settings.reference(limits, reaching)
     except InputError as problem_of_it:
         return problem_of_it
 
@@ -241,7 +255,9 @@ def estimate_at(state: State) -> Estimate:
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
 
 
-def cascade_of(scenario: Scenario, model: Model, start: State, make: Make = afresh) -> OwnPilot:
+def cascade_of(
+    scenario: Scenario, model: Model, start: State, make: Make = afresh, advises: bool = True
+) -> OwnPilot:
     """The pilot of the paper, and its memory at the start."""
     s, gravity, tick = scenario, scenario.world.gravity, make(_tick, scenario.clock)
     propulsion = propulsion_of(s, model.airframe)
@@ -257,7 +273,7 @@ def cascade_of(scenario: Scenario, model: Model, start: State, make: Make = afre
         highest=believed.rotors.most,
         lift=control.lift_share * most,
         estimator=estimator,
-        reference=reference_of(s.reference, believed, control.rate_limit, point, make),
+        reference=reference_of(s.reference, believed, control.rate_limit, point, make, advises),
         position=make(ControlSettings.position_law, control, believed.mass, gravity, most),
         attitude=make(ControlSettings.attitude_law, control),
         rate=make(ControlSettings.rate_law, control),
@@ -320,6 +336,7 @@ def board_of(
     relay: bool = False,
     biases: Sequence[float] | None = None,
     make: Make = afresh,
+    advises: bool = True,
 ) -> Board:
     """What is aboard before the first tick.
 
@@ -332,6 +349,7 @@ def board_of(
         relay: The pilot is in plain Python, and sits outside.
         biases: `turn_on_normals` of the seed and the number, if they are known already.
         make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
     """
     s, arms, period = scenario, len(model.airframe.arms), make(_tick, scenario.clock)
     devices = make(devices_of, s.sensors, s.estimator, period, s.vehicle)
@@ -339,7 +357,7 @@ def board_of(
     sensors = devices.told.switched_on(devices.sensors, drawn)
     if relay:
         pilot = OwnPilot(Relay(0.0), model.thrust)
-    flown_by = pilot or cascade_of(s, model, start, make)
+    flown_by = pilot or cascade_of(s, model, start, make, advises)
     air = make(_air_of, s.air, period)
     judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
     witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)
