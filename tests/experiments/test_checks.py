@@ -59,13 +59,13 @@ def test_who_is_out_of_reach_is_out_of_reach_however_turned(point: str) -> None:
 
 def test_a_positive_matrix_is_told_by_its_eigenvalues() -> None:
     luck, positive = np.random.default_rng(1), 0
-    for _ in range(300):
-        half = luck.standard_normal((3, 3))
-        matrix = half + half.T + luck.uniform(-1.0, 5.0) * np.eye(3)
+    for _ in range(2000):
+        half = luck.uniform(-0.5, 0.5, (3, 3))
+        matrix = half + half.T + np.diag(luck.uniform(0.0, 2.0, 3))
         wanted = bool(np.linalg.eigvalsh(matrix)[0] > 0.0)
         assert _is_positive(matrix) == wanted
         positive += wanted
-    assert 50 < positive < 250
+    assert 200 < positive < 1800
 
 
 @pytest.mark.parametrize(
