@@ -9,11 +9,12 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from pydantic_core import PydanticCustomError
 
 from springback.control.cascade import Cascade, cascade_memory
 from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
-from springback.control.parameters import ControlSettings
+from springback.control.parameters import ControlSettings, Schedule
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
@@ -157,12 +158,12 @@ def reference_of(
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
-    with _in_table("reference"):
-        limits = make(limits_of, believed, rate_limit)
-        made = make(_made_reference, settings, limits, believed.airframe, point, advises)
-        if isinstance(made, InputError):
+    limits = make(limits_of, believed, rate_limit)
+    made = make(_made_reference, settings, limits, believed.airframe, point, advises)
+    if isinstance(made, InputError):
+        with _in_table("reference"):
             raise made
-        return made
+    return made
 
 
 @functools.lru_cache(maxsize=1024)  # some are optimised, and every scenario asks twice
@@ -250,6 +251,14 @@ def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings
     return given.model_copy(update={"feed_forward": isinstance(reference, RunUpSettings)})
 
 
+def _schedule(control: ControlSettings, clock: float) -> Schedule:
+    try:  # contexts cost more than schedules
+        return control.schedule(clock)
+    except PydanticCustomError:
+        with _in_table("control"):
+            raise
+
+
 def estimate_at(state: State) -> Estimate:
     """The exact estimate of a state."""
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
@@ -264,8 +273,7 @@ def cascade_of(
     believed = make(believed_of, s.vehicle, propulsion, gravity)
     settings, estimator = make(_estimator, s.estimator, s.sensors, tick, gravity)
     control = make(_control_settings, s.control, s.reference)
-    with _in_table("control"):
-        schedule = make(ControlSettings.schedule, control, s.clock)
+    schedule = make(_schedule, control, s.clock)
     point, most = model.contact_point, believed.most_thrust
     pilot = Cascade(
         airframe=believed.airframe,
