@@ -166,19 +166,29 @@ def reference_of(
     return made
 
 
-@functools.lru_cache(maxsize=1024)  # some are optimised, and every scenario asks twice
 def _made_reference(
     settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
 ) -> Any:
-    """Numbers of the reference, or the problem with it: finding that out takes longest."""
+    """Numbers of the reference, or the problem with it."""
+    if isinstance(settings, RunUpSettings):
+        return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
+    return _found(settings, limits)
 
-    def reaching(pitch: float) -> float:
-        return reach(airframe, point, pitch)
 
+@functools.lru_cache(maxsize=4096)  # every scenario asks twice, and many vehicles reach as far
+def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
+    """Numbers of a run-up, or the problem with it: finding that out takes longest."""
     try:
-        if isinstance(settings, RunUpSettings):
-            return settings.run_up(limits, reaching, advises).reference
-        return settings.reference(limits, reaching)
+        return settings.run_up(limits, lambda pitch: ahead, advises).reference
+    except InputError as problem_of_it:
+        return problem_of_it
+
+
+@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
+def _found(settings: Any, limits: Limits) -> Any:
+    """Numbers of a reference that is no run-up, or the problem with it."""
+    try:
+        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups ask how far cages reach
     except InputError as problem_of_it:
         return problem_of_it
 
