@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -46,7 +47,7 @@ def shared(table: dict[str, Any], make: Kept) -> Ready | str:
 
 def assert_same(a: Ready | str, b: Ready | str) -> None:
     if isinstance(a, str) or isinstance(b, str):
-        assert a == b
+        assert brief(a) == brief(b)
         return
     assert a.seed == b.seed
     assert (a.board is None) == (b.board is None)
@@ -60,6 +61,13 @@ def assert_same(a: Ready | str, b: Ready | str) -> None:
         np.testing.assert_array_equal(
             np.array(leaves(one)).view(np.int64), np.array(leaves(other)).view(np.int64)
         )
+
+
+def brief(problem: Any) -> Any:
+    """A problem without the distance that a run-up would need, which takes long to find out."""
+    if not isinstance(problem, str):
+        return problem
+    return re.sub(r"needs (a distance of|more than).* the ([\d.]+ m it has)", r"needs \2", problem)
 
 
 def campaign(count: int) -> list[dict[str, Any]]:

@@ -9,11 +9,12 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from pydantic_core import PydanticCustomError
 
 from springback.control.cascade import Cascade, cascade_memory
 from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
-from springback.control.parameters import ControlSettings
+from springback.control.parameters import ControlSettings, Schedule
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
@@ -137,7 +138,12 @@ def limits_of(believed: Believed, rate_limit: float) -> Limits:
 
 
 def reference_of(
-    settings: Any, believed: Believed, rate_limit: float, point: Any, make: Make = afresh
+    settings: Any,
+    believed: Believed,
+    rate_limit: float,
+    point: Any,
+    make: Make = afresh,
+    advises: bool = True,
 ) -> Any:
     """Numbers of a reference.
 
@@ -147,23 +153,42 @@ def reference_of(
         rate_limit: Of roll and pitch [rad/s].
         point: Where a cage touches.
         make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
-    with _in_table("reference"):
-        limits = make(limits_of, believed, rate_limit)
-        made = make(_made_reference, settings, limits, believed.airframe, point)
-        if isinstance(made, InputError):
+    limits = make(limits_of, believed, rate_limit)
+    made = make(_made_reference, settings, limits, believed.airframe, point, advises)
+    if isinstance(made, InputError):
+        with _in_table("reference"):
             raise made
-        return made
+    return made
 
 
-@functools.lru_cache(maxsize=1024)  # some are optimised, and every scenario asks twice
-def _made_reference(settings: Any, limits: Limits, airframe: Airframe, point: Any) -> Any:
-    """Numbers of the reference, or the problem with it: finding that out takes longest."""
+def _made_reference(
+    settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
+) -> Any:
+    """Numbers of the reference, or the problem with it."""
+    if isinstance(settings, RunUpSettings):
+        return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
+    return _found(settings, limits)
+
+
+@functools.lru_cache(maxsize=4096)  # every scenario asks twice, and many vehicles reach as far
+def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
+    """Numbers of a run-up, or the problem with it: finding that out takes longest."""
     try:
-        return settings.reference(limits, lambda pitch: reach(airframe, point, pitch))
+        return settings.run_up(limits, lambda pitch: ahead, advises).reference
+    except InputError as problem_of_it:
+        return problem_of_it
+
+
+@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
+def _found(settings: Any, limits: Limits) -> Any:
+    """Numbers of a reference that is no run-up, or the problem with it."""
+    try:
+        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups ask how far cages reach
     except InputError as problem_of_it:
         return problem_of_it
 
@@ -236,20 +261,29 @@ def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings
     return given.model_copy(update={"feed_forward": isinstance(reference, RunUpSettings)})
 
 
+def _schedule(control: ControlSettings, clock: float) -> Schedule:
+    try:  # contexts cost more than schedules
+        return control.schedule(clock)
+    except PydanticCustomError:
+        with _in_table("control"):
+            raise
+
+
 def estimate_at(state: State) -> Estimate:
     """The exact estimate of a state."""
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
 
 
-def cascade_of(scenario: Scenario, model: Model, start: State, make: Make = afresh) -> OwnPilot:
+def cascade_of(
+    scenario: Scenario, model: Model, start: State, make: Make = afresh, advises: bool = True
+) -> OwnPilot:
     """The pilot of the paper, and its memory at the start."""
     s, gravity, tick = scenario, scenario.world.gravity, make(_tick, scenario.clock)
     propulsion = propulsion_of(s, model.airframe)
     believed = make(believed_of, s.vehicle, propulsion, gravity)
     settings, estimator = make(_estimator, s.estimator, s.sensors, tick, gravity)
     control = make(_control_settings, s.control, s.reference)
-    with _in_table("control"):
-        schedule = make(ControlSettings.schedule, control, s.clock)
+    schedule = make(_schedule, control, s.clock)
     point, most = model.contact_point, believed.most_thrust
     pilot = Cascade(
         airframe=believed.airframe,
@@ -257,7 +291,7 @@ def cascade_of(scenario: Scenario, model: Model, start: State, make: Make = afre
         highest=believed.rotors.most,
         lift=control.lift_share * most,
         estimator=estimator,
-        reference=reference_of(s.reference, believed, control.rate_limit, point, make),
+        reference=reference_of(s.reference, believed, control.rate_limit, point, make, advises),
         position=make(ControlSettings.position_law, control, believed.mass, gravity, most),
         attitude=make(ControlSettings.attitude_law, control),
         rate=make(ControlSettings.rate_law, control),
@@ -320,6 +354,7 @@ def board_of(
     relay: bool = False,
     biases: Sequence[float] | None = None,
     make: Make = afresh,
+    advises: bool = True,
 ) -> Board:
     """What is aboard before the first tick.
 
@@ -332,6 +367,7 @@ def board_of(
         relay: The pilot is in plain Python, and sits outside.
         biases: `turn_on_normals` of the seed and the number, if they are known already.
         make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
     """
     s, arms, period = scenario, len(model.airframe.arms), make(_tick, scenario.clock)
     devices = make(devices_of, s.sensors, s.estimator, period, s.vehicle)
@@ -339,7 +375,7 @@ def board_of(
     sensors = devices.told.switched_on(devices.sensors, drawn)
     if relay:
         pilot = OwnPilot(Relay(0.0), model.thrust)
-    flown_by = pilot or cascade_of(s, model, start, make)
+    flown_by = pilot or cascade_of(s, model, start, make, advises)
     air = make(_air_of, s.air, period)
     judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
     witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)

@@ -33,9 +33,6 @@ from springback.simulation.record import Model
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
 
-#: What is wrong with a table, in whichever way it shows.
-PROBLEMS = (ValidationError, PydanticCustomError, InputError)
-
 
 class Ready(NamedTuple):
     """A flight made ready; without a pilot it has no board."""
@@ -57,14 +54,19 @@ def made_ready(
         biases: `turn_on_normals` of its seed, if they are known already.
 
     Raises:
-        InputError: One line for each problem, as of `scenario_from`.
+        InputError: One line for each problem, as of `scenario_from`, but for the distance that a
+        run-up would need, which takes long to find out.
     """
     try:
         scenario = scenario_of(table, make)
         check_tables(scenario, make)
         return _ready(scenario, make, biases)
-    except PROBLEMS:
-        return _ready(scenario_from(table, False), afresh)
+    except PydanticCustomError as error:
+        if (error.context or {}).get("field") == "reference":
+            raise InputError(f"reference: {error.message()}") from None
+    except (ValidationError, InputError):
+        pass
+    return _ready(scenario_from(table, False), afresh)
 
 
 def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
@@ -76,7 +78,9 @@ def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None
         check_without_pilot(s)
         return Ready(s.seed, model, start, None)
     check_clock(s)
-    return Ready(s.seed, model, start, board_of(s, model, start, biases=biases, make=make))
+    return Ready(
+        s.seed, model, start, board_of(s, model, start, biases=biases, make=make, advises=False)
+    )
 
 
 # -- settings by tables ---------------------------------------------------------------------------
