@@ -60,6 +60,13 @@ def checked(
         raise problem(f"must be {kind} (got {value!r})")
     else:
         number = float(value)
+    if (
+        math.isfinite(number)
+        and (above is None or number > above)
+        and (least is None or number >= least)
+        and (most is None or number <= most)
+    ):
+        return number
     bounds = [
         ("finite", math.isfinite(number)),
         (f"more than {_shown(above, unit)}", above is None or number > above),
@@ -67,10 +74,8 @@ def checked(
         (f"at most {_shown(most, unit)}", most is None or number <= most),
     ]
     broken = [claim for claim, holds in bounds if not holds]
-    if broken:
-        given = repr(value) if isinstance(value, str) else _shown(number, unit)
-        raise problem(f"must be {broken[0]} (got {given})")
-    return number
+    given = repr(value) if isinstance(value, str) else _shown(number, unit)
+    raise problem(f"must be {broken[0]} (got {given})")
 
 
 def _shown(number: float | None, unit: str) -> str:

@@ -33,11 +33,11 @@ class Settings(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, given: Any) -> Any:
-        if isinstance(given, dict):
+        if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
-                if key not in cls.model_fields:
-                    near = difflib.get_close_matches(str(key), cls.model_fields, n=1, cutoff=0.5)
-                    known = "known keys: " + ", ".join(cls.model_fields)
+                if key not in fields:
+                    near = difflib.get_close_matches(str(key), fields, n=1, cutoff=0.5)
+                    known = "known keys: " + ", ".join(fields)
                     hint = f"did you mean {near[0]}?" if near else known
                     raise problem(f"unknown key; {hint}", str(key))
         return given

@@ -49,7 +49,7 @@ def at(position: Vec, velocity: Vec = STILL) -> Estimate:
 
 
 def begun() -> Journey:
-    return journey_at_start(ROUTE, at(HOME), HIT)
+    return journey_at_start(ROUTE, HIT)
 
 
 def travelled(route, journey: Journey, hit, here: Estimate, time: float, yaw: float) -> Journey:
@@ -126,9 +126,7 @@ def test_without_return_it_stays() -> None:
 
 def test_stages_come_first_where_a_response_has_them() -> None:
     route = RecoverySettings(response={"way": "staged"}).route(HOME)
-    journey = leaving(
-        route, struck(journey_at_start(route, at(HOME), HIT), 3.0), HIT, at(HOME), 3.01, 0.0
-    )
+    journey = leaving(route, struck(journey_at_start(route, HIT), 3.0), HIT, at(HOME), 3.01, 0.0)
     assert journey.leg == STAGES
     here = Vec(2.0, 0.2, 0.7)
     over = travelled(route, journey._replace(stage=OVER), HIT, at(here), 4.0, 0.0)

@@ -19,6 +19,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
+from springback.kept import Make, afresh
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, quantity, triple
 from springback.settings import Settings, problem
@@ -181,8 +182,12 @@ def _exponent_type(values: list[float]) -> type[Any]:
 Own = tuple[Any, SurfaceSettings]
 
 
+def _numbers(surface: SurfaceSettings, exponent: type[Any]) -> Surface:
+    return surface.surface(exponent)
+
+
 def obstacles(
-    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = ()
+    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), make: Make = afresh
 ) -> tuple[Obstacle, ...]:
     """The numbers of all obstacles; with none, a face that nothing can reach."""
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -193,5 +198,6 @@ def obstacles(
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
     return tuple(
-        Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
+        Obstacle(shape, make(_numbers, surface, exponent, place=k), ground)
+        for k, (shape, surface, ground) in enumerate(all_faces)
     )

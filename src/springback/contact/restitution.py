@@ -8,6 +8,7 @@ real surfaces.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -44,6 +45,7 @@ def restitution(dissipation: float, speed: float) -> float:
     return -math.expm1(-x) / h
 
 
+@functools.lru_cache(maxsize=256)  # a campaign asks for the same surfaces again and again
 def dissipation_for(target: float, speed: float) -> float:
     """The c_a [s/m] that gives a restitution at some speed [m/s].
 

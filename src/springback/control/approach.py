@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from springback.control.demands import (
     shortfalls,
 )
 from springback.control.polynomials import snap_spline
+from springback.control.septics import Courses, Row, septics, shares
 from springback.errors import InputError
 
 #: Knots that are free to move where the simplest run-up asks for too much.  Chosen: the hardest
@@ -33,8 +34,8 @@ BACKWARDS = 1e-4
 #: Longest way that is tried when one is too short [m], chosen.
 FARTHEST = 30.0
 
-#: Position, velocity, acceleration and jerk along the way [m, m/s, m/s², m/s³].
-Row = tuple[float, float, float, float]
+#: Shares that differ by less are alike: rounding.
+ALIKE = 1.0 + 1e-9
 REST: Row = (0.0, 0.0, 0.0, 0.0)
 
 
@@ -51,17 +52,22 @@ class Plan(NamedTuple):
     share: float  # largest of the limits' shares; infinite for a way that moves back
 
 
-def _plan(curve: Any, breaks: list[float], rows: list[Row], limits: Limits) -> Plan:
-    """A plan with what it asks for."""
-    t = np.linspace(0.0, breaks[-1], SAMPLES)
-    asked = level_demands(curve(t, 2), curve(t, 3), limits)
+def _plan(course: Courses, breaks: list[float], rows: list[Row], limits: Limits) -> Plan:
+    """A plan with what it asks for, from its only course."""
+    asked = level_demands(course.acceleration, course.jerk, limits)
     share = max(asked.uses(limits).values())
-    behind = float(curve(t, 1).min()) < -BACKWARDS * rows[-1][1]
+    behind = float(course.velocity.min()) < -BACKWARDS * rows[-1][1]
     return Plan(breaks, rows, asked, math.inf if behind else share)
 
 
 def approach(
-    distance: float, speed: float, a: float, steady: float, limits: Limits, who: str
+    distance: float,
+    speed: float,
+    a: float,
+    steady: float,
+    limits: Limits,
+    who: str,
+    advises: bool = True,
 ) -> tuple[list[float], list[Row]]:
     """Breaks and rows from rest to contact, within the limits.
 
@@ -72,9 +78,10 @@ def approach(
         steady: Time before contact in which the acceleration is a [s].
         limits: What the vehicle can do.
         who: Words for messages.
+        advises: Find out from which distance on there is a way, if there is none; it takes long.
 
     Raises:
-        InputError: If there is no such way, why, and from which distance on there is.
+        InputError: If there is no such way, and why.
     """
     at_contact = level_demands(a, 0.0, limits)
     if beyond := shortfalls(at_contact, limits, who):
@@ -89,16 +96,21 @@ def approach(
         return _gentlest(row, limits, room) if place > 0.0 else None
 
     plan = planned(distance)
-    if plan is None or plan.share > 1.0:
-        needed = _least_distance(planned, distance)
-        wanted = f"a distance of {needed:.3g} m, {needed - distance:.2g} m more than"
-        if needed == math.inf:
-            wanted = f"more than {max(FARTHEST, 2.0 * distance):.3g} m, if any will do, and not"
+    if plan is None or plan.share > ALIKE:
+        wanted = _advice(planned, distance) if advises else "more than"
         reason = _reason(plan, limits, f"within {distance:.3g} m it")
         raise InputError(f"{who} needs {wanted} the {distance:.3g} m it has; {reason}")
     if steady == 0.0:
         return [*plan.breaks], [*plan.rows]
     return [*plan.breaks, plan.breaks[-1] + steady], [*plan.rows, (distance, speed, a, 0.0)]
+
+
+def _advice(planned: Callable[[float], Plan | None], distance: float) -> str:
+    """How much more distance would do, in words."""
+    needed = _least_distance(planned, distance)
+    if needed == math.inf:
+        return f"more than {max(FARTHEST, 2.0 * distance):.3g} m, if any will do, and not"
+    return f"a distance of {needed:.3g} m, {needed - distance:.2g} m more than"
 
 
 def _reason(plan: Plan | None, limits: Limits, who: str) -> str:
@@ -117,7 +129,7 @@ def _least_distance(planned: Callable[[float], Plan | None], distance: float) ->
 
     def fits(length: float) -> bool:
         plan = planned(length)
-        return plan is not None and plan.share <= 1.0
+        return plan is not None and plan.share <= ALIKE
 
     low, high = distance, 1.6 * distance
     while not fits(high):
@@ -133,46 +145,45 @@ def _least_distance(planned: Callable[[float], Plan | None], distance: float) ->
 def _gentlest(end: Row, limits: Limits, room: float) -> Plan:
     """The simplest plan from rest to a row if it leaves room, else one with knots moved."""
     plan = _simplest(end, limits)
-    return plan if plan.share <= room else min(plan, _moved(end, plan, limits), key=_share)
+    return plan if plan.share <= room else _least([plan, _moved(end, plan, limits)])
 
 
 def _simplest(end: Row, limits: Limits) -> Plan:
     """The single polynomial of degree 7 that uses the limits least and never moves back.
 
     Durations from 0.02 to 8 d/v are tried, d = end[0] and v = end[1], wide around the 2 d/v of
-    constant acceleration.  If all move back, it is the one that moves back slowest.
+    constant acceleration; of several that use them alike, as where nothing is worse than the pitch
+    at the end, it is the shortest.  If all move back, it is the one that moves back slowest.
     """
-    fraction = np.linspace(0.0, 1.0, FEW)
-    best, least = math.nan, (math.inf, math.inf)
-    for duration in np.geomspace(0.02, 8.0, 150) * end[0] / end[1]:
-        curve, t = _septic(end, duration), fraction * duration
-        back = max(0.0, -float(curve(t, 1).min()) - BACKWARDS * end[1])
-        share = max(level_demands(curve(t, 2), curve(t, 3), limits).uses(limits).values())
-        if (back, share) < least:
-            best, least = float(duration), (back, share)
-    return _plan(_septic(end, best), [0.0, best], [REST, end], limits)
-
-
-def _septic(end: Row, duration: float) -> Any:
-    return scipy.interpolate.BPoly.from_derivatives([0.0, duration], [REST, end])
+    durations = np.geomspace(0.02, 8.0, 150) * end[0] / end[1]
+    first, last = np.zeros((4, 1)), np.array(end)[:, None]
+    courses = septics(first, last, durations, FEW)
+    back = np.maximum(0.0, -courses.velocity.min(axis=0) - BACKWARDS * end[1])
+    share = np.where(back == back.min(), shares(courses, limits), np.inf)
+    best = durations[np.argmax(share <= ALIKE * share.min())]
+    chosen = septics(first, last, np.array([best]), SAMPLES)
+    return _plan(chosen, [0.0, float(best)], [REST, end], limits)
 
 
 @functools.cache
-def _responses() -> tuple[Array, ...]:
-    """Derivatives 0 to 3 at all samples per place at the knots, and per final v and a.
+def _responses(samples: int) -> Array:
+    """Derivatives 0 to 3 at samples per place at the knots, and per final v and a.
 
-    The spline is linear in these, here over a unit of time, each of shape (FEW, KNOTS + 4).
+    The spline is linear in these, here over a unit of time; shape (4, samples, KNOTS + 4).
     """
     unit = np.eye(KNOTS + 4)
     points, ends = unit[: KNOTS + 2], np.zeros((2, 3, KNOTS + 4))
     ends[1, :2] = unit[KNOTS + 2 :]
     knots = np.linspace(0.0, 1.0, KNOTS + 2)
     spline = snap_spline(knots, points, ends)
-    return tuple(np.asarray(spline(np.linspace(0.0, 1.0, FEW), k)) for k in range(4))
+    return np.stack([spline(np.linspace(0.0, 1.0, samples), k) for k in range(4)])
 
 
-def _share(plan: Plan) -> float:
-    return plan.share
+def _least(plans: Iterable[Plan]) -> Plan:
+    """The plan that uses the limits least, and of several that use them alike the first."""
+    known = [*plans]
+    most = ALIKE * min(plan.share for plan in known)
+    return next(plan for plan in known if plan.share <= most)
 
 
 def _moved(end: Row, simplest: Plan, limits: Limits) -> Plan:
@@ -183,10 +194,10 @@ def _moved(end: Row, simplest: Plan, limits: Limits) -> Plan:
 
     def best(stretches: Array, centre: float) -> Plan:
         durations = [float(centre * stretch) for stretch in stretches]
-        return min((_shaped(end, T, limits) for T in durations), key=_share)
+        return _least(_shaped(end, T, limits) for T in durations)
 
     coarse = best(np.geomspace(0.5, 2.5, 10), simplest.breaks[-1])
-    return min(coarse, best(np.geomspace(0.92, 1.08, 4), coarse.breaks[-1]), key=_share)
+    return _least([coarse, best(np.geomspace(0.92, 1.08, 4), coarse.breaks[-1])])
 
 
 def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
@@ -196,8 +207,7 @@ def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
     on the right is that of the solution before, at first zero, which is on the safe side.
     """
     T, g = duration, limits.gravity
-    units = (1.0, 1.0 / T, 1.0 / T**2, 1.0 / T**3)
-    _, v, a, j = (response * unit for response, unit in zip(_responses(), units, strict=True))
+    _, v, a, j = _responses(FEW) / T ** np.arange(4.0)[:, None, None]
     fixed = np.zeros(KNOTS + 4)
     fixed[KNOTS + 1 :] = end[0], end[1] * T, end[2] * T**2
     free = slice(1, KNOTS + 1)
@@ -217,13 +227,16 @@ def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
             break
         plans.append(_as_plan(T, found[:-1], end, limits))
         square = np.square(a[:, free] @ found[:-1] + a @ fixed)
-    return min(plans, key=_share, default=Plan([0.0, T], [REST, end], NONE, math.inf))
+    return _least(plans) if plans else Plan([0.0, T], [REST, end], NONE, math.inf)
 
 
 def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> Plan:
     """The plan of a spline from rest with given places at inner knots [m]."""
-    knots = np.linspace(0.0, duration, KNOTS + 2)
-    points = np.concatenate([[0.0], places, [end[0]]])
-    curve = snap_spline(knots, points, np.array([REST[1:], end[1:]]))
-    inner: list[Any] = [tuple(float(curve(t, k)) for k in range(4)) for t in knots[1:-1]]
-    return _plan(curve, [float(t) for t in knots], [REST, *inner, end], limits)
+    T = duration
+    given = np.concatenate([[0.0], places, [end[0], end[1] * T, end[2] * T**2]])
+    units = T ** np.arange(4.0)[:, None]
+    at_knots = (_responses(KNOTS + 2) @ given / units)[:, 1:-1]
+    inner: list[Any] = [tuple(row) for row in at_knots.T.tolist()]
+    _, v, a, j = _responses(SAMPLES) @ given / units
+    breaks = np.linspace(0.0, T, KNOTS + 2).tolist()
+    return _plan(Courses(v, a, j), breaks, [REST, *inner, end], limits)

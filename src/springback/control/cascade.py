@@ -15,10 +15,11 @@ from springback.control.parameters import Schedule
 from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
+from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import Seldom, each, largest, pick
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import ZERO, Mat, Vec
 from springback.sensing.measurement import (
     Estimate,
     any_due,
@@ -83,7 +84,11 @@ class CascadeMemory(NamedTuple):
 
 
 def cascade_memory(
-    pilot: Cascade, estimator: Any, estimate: Estimate, thrust: tuple[float, ...]
+    pilot: Cascade,
+    estimator: Any,
+    estimate: Estimate,
+    thrust: tuple[float, ...],
+    make: Make = afresh,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust that the robot starts with.
 
@@ -92,15 +97,23 @@ def cascade_memory(
         estimator: Memory of its estimator.
         estimate: Of the start.
         thrust: Command to each rotor [N].
+        make: How parts are made.
     """
-    still = Vec(0.0, 0.0, 0.0)
-    at_start = AttitudeTarget(estimate.attitude, still, sum(thrust))
-    wanted = target(pilot.reference, 0.0)
+    at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
+    wanted = make(_first_target, pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    built = Seldom(0.0, _built(pilot.airframe, tuple(arm.length for arm in pilot.airframe.arms)))
-    autopilot = Autopilot(at_start, still, rate, still, thrust, built)
+    built = make(_first_built, pilot.airframe)
+    autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
+
+
+def _first_target(reference: Any) -> Target:
+    return target(reference, 0.0)
+
+
+def _first_built(airframe: Airframe) -> Seldom:
+    return Seldom(0.0, _built(airframe, tuple(arm.length for arm in airframe.arms)))
 
 
 @kernel

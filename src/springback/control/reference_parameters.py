@@ -160,8 +160,8 @@ class RunUpSettings(Settings):
     """Time after contact for which the acceleration goes on, the wall being unknown (chosen)."""
     begins: Moment = 0.0  # type: ignore[valid-type]
 
-    def run_up(self, limits: Limits, reach: Reach) -> RunUp:
-        """The run-up and what it asks of the vehicle.
+    def run_up(self, limits: Limits, reach: Reach, advises: bool = True) -> RunUp:
+        """The run-up and what it asks of the vehicle; see `springback.control.runup.run_up`.
 
         Raises:
             InputError: If a limit is exceeded, which one, and by how much.
@@ -175,7 +175,7 @@ class RunUpSettings(Settings):
             )
         return run_up(
             self.speed, self.pitch, Vec(x, y, z), Vec(there, y, z), limits,
-            self.steady, self.beyond, self.begins,
+            self.steady, self.beyond, self.begins, advises,
         )  # fmt: skip
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:

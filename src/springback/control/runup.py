@@ -17,10 +17,11 @@ import numpy as np
 import scipy  # its parts are loaded when first used
 
 from springback.contact.cage import support
-from springback.control.approach import FEW, KNOTS, Row, approach
-from springback.control.demands import ROOM, Limits, demands, level_demands
+from springback.control.approach import FEW, KNOTS, approach
+from springback.control.demands import ROOM, Limits, demands
 from springback.control.polynomials import as_reference, padded
 from springback.control.references import Polynomials
+from springback.control.septics import Row, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import Airframe, arm_direction
@@ -68,6 +69,7 @@ def run_up(
     steady: float = 0.1,
     beyond: float = 0.3,
     begins: float = 0.0,
+    advises: bool = True,
 ) -> RunUp:
     """A run-up from rest at ``start`` to contact of the main body's position with ``contact``.
 
@@ -85,6 +87,7 @@ def run_up(
             one time constant of an attitude loop.
         beyond: Time after contact for which the acceleration goes on [s], chosen.
         begins: [s].
+        advises: Say which distance would do where this one is too short; it takes long.
 
     Raises:
         InputError: Naming the limit that is exceeded and by how much: thrust, tilt, or the distance
@@ -98,7 +101,7 @@ def run_up(
             f"{who} must end level with its start, apart from it, moving, below 90 deg"
         )
     a = limits.gravity * math.tan(pitch)
-    breaks, rows = approach(distance, speed, a, steady, limits, who)
+    breaks, rows = approach(distance, speed, a, steady, limits, who, advises)
     touching = len(breaks)
     for duration, row in _afterwards(rows[-1], a, beyond, limits):
         breaks.append(breaks[-1] + duration)
@@ -132,14 +135,9 @@ def _braking(start: Row, limits: Limits) -> tuple[float, Row]:
     The velocity is the quintic from v and a to rest; its integral is v T/2 + a T²/10.
     """
     x, v, a, _ = start
-    fraction = np.linspace(0.0, 1.0, FEW)
-    best: tuple[float, float, Row] = (math.inf, math.nan, start)
-    for duration in np.geomspace(0.05, 20.0, 120):
-        end = (x + 0.5 * v * duration + 0.1 * a * duration**2, 0.0, 0.0, 0.0)
-        curve = scipy.interpolate.BPoly.from_derivatives([0.0, duration], [start, end])
-        t = fraction * duration
-        share = max(level_demands(curve(t, 2), curve(t, 3), limits).uses(limits).values())
-        best = min(best, (share, float(duration), end))
-        if share <= ROOM:
-            break
-    return best[1], best[2]
+    durations = np.geomspace(0.05, 20.0, 120)
+    places = x + 0.5 * v * durations + 0.1 * a * durations**2
+    last = np.concatenate([places[None], np.zeros((3, len(durations)))])
+    used = shares(septics(np.array(start)[:, None], last, durations, FEW), limits)
+    best = int(np.argmax(used <= ROOM)) if used.min() <= ROOM else int(np.argmin(used))
+    return float(durations[best]), (float(places[best]), 0.0, 0.0, 0.0)

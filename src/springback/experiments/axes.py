@@ -142,6 +142,20 @@ def parameter(name: str, scenario: Scenario) -> Parameter | None:
             f"{name}: cannot be given, a trial places the wall; what can is {dotted(SURFACE)}, "
             f"such as {dotted(SURFACE)}.friction"
         )
+    return number_at(name, path, scenario)
+
+
+def number_at(name: str, path: Path, scenario: Scenario) -> Parameter | None:
+    """The number at a path of a scenario; None if what is there is no single number.
+
+    Args:
+        name: That it goes by.
+        path: Keys and indices, at least one.
+        scenario: That has it.
+
+    Raises:
+        InputError: If there is nothing of this path.
+    """
     field, parent = _walked(path, name, scenario)
     unit, whole = _number_kind(field, inside=isinstance(path[-1], int))
     if unit is None and not whole:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from springback.kernels.vectors import Vec
-from springback.recovery.pilot import ResilientMemory
+import numpy as np
+
 from springback.recovery.referee import RefereeMemory
 from springback.simulation.guided import GuidedFlown
-from springback.simulation.measures import Outcome, outcome_of
+from springback.simulation.measures import Outcome, first_claimed, outcomes_of, told_of, where
+from springback.simulation.reading import Array, as_columns
 
+#: Vectors shorter than this have no direction.
+LEVEL = 1e-9
 #: Unit and meaning of every measure of a recovery; of several collisions in one flight those with
 #: "last" are of the last one.
 RECOVERY_MEASURES = {
@@ -46,46 +49,66 @@ def judged(guided: GuidedFlown) -> bool:
     return isinstance(guided.aboard.witness, RefereeMemory)
 
 
+def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
+    """The outcomes of flights that a referee has judged.
+
+    Args:
+        record: `Record` whose leaves are columns, one number for each flight.
+        seen: `RefereeMemory` of columns.
+    """
+    plain = outcomes_of(record)
+    final = np.array([one in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) for one in plain])
+    claims = [
+        (Outcome.RECOVERED, seen.recovered >= seen.runs),
+        (Outcome.NOT_DETECTED, seen.run.alarm < 0.0),
+    ]
+    after = first_claimed(claims, Outcome.NOT_SETTLED)
+    stands = (final | (seen.runs == 0.0)).tolist()
+    return [a if stays else b for a, b, stays in zip(plain, after, stands, strict=True)]
+
+
 def recovery_outcome(guided: GuidedFlown) -> Outcome:
     """The outcome of a flight that a referee has judged."""
-    plain, seen = outcome_of(guided.flown.record), guided.aboard.witness
-    if plain in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) or seen.runs == 0.0:
-        return plain
-    if seen.recovered >= seen.runs:
-        return Outcome.RECOVERED
-    return Outcome.NOT_DETECTED if seen.run.alarm < 0.0 else Outcome.NOT_SETTLED
+    record, seen = as_columns(guided.flown.record), as_columns(guided.aboard.witness)
+    return recovery_outcomes(record, seen)[0]
 
 
-def _known(time: float) -> float | None:
-    return time if time >= 0.0 else None
+def _known(time: Array) -> Array:
+    return where(time >= 0.0, time)
 
 
-def _since(time: float, touch: float) -> float | None:
-    return time - touch if time >= 0.0 and touch >= 0.0 else None
+def _since(time: Array, touch: Array) -> Array:
+    return where((time >= 0.0) & (touch >= 0.0), time - touch)
 
 
-def _between(a: Vec, b: Vec) -> float | None:
-    """Angle between the level parts of two vectors [rad]; None where one has none."""
-    if math.hypot(a.x, a.y) < 1e-9 or math.hypot(b.x, b.y) < 1e-9:
-        return None
-    return abs(math.atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y))
+def _between(a: Any, b: Any) -> Array:
+    """Angles between the level parts of vectors of columns [rad]; NaN where one has none."""
+    level = (a.x * a.x + a.y * a.y >= LEVEL**2) & (b.x * b.x + b.y * b.y >= LEVEL**2)
+    across, along = a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y
+    # By Python's own arc tangent: NumPy's may differ in the last bit with its place in an array.
+    angles = map(math.atan2, across.tolist(), along.tolist())
+    return where(level, np.abs(np.array(list(angles))))
 
 
-def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
-    """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
-    seen: RefereeMemory = guided.aboard.witness
-    memory: ResilientMemory = guided.aboard.pilot
-    record, run, hit, d = guided.flown.record, seen.run, memory.collision, memory.detection
+def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
+    """Every measure of many recoveries, in the order of `RECOVERY_MEASURES`; NaN for None.
+
+    Args:
+        record: `Record` whose leaves are columns, one number for each flight.
+        seen: `RefereeMemory` of columns.
+        memory: `ResilientMemory` of columns; only collision, detection and journey are read.
+    """
+    run, hit, d = seen.run, memory.collision, memory.detection
     first, log = record.touch_time, memory.journey.log
     # The record knows first touch exactly; the referee, of later runs, to a tick.
-    touch = first if seen.runs == 1.0 else run.touch
+    touch = np.where(seen.runs == 1.0, first, run.touch)
     happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
     gap = hit.position - run.alarm_place
-    values: dict[str, Any] = {
+    return {
         "runs": seen.runs,
         "recovered_runs": seen.recovered,
         "false_alarms": seen.false_alarms,
-        "alarm_time": run.alarm if noticed else None,
+        "alarm_time": where(noticed, run.alarm),
         "planned_time": _known(log.planned),
         "rested_time": _known(log.settled),
         "home_time": _known(log.home),
@@ -94,17 +117,23 @@ def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
         "acceleration_delay": _since(d.acceleration.first, first),
         "wrench_delay": _since(d.wrench.first, first),
         "recovery_time": _since(run.settled, touch),
-        "height_loss": run.place.z - run.lowest if happened else None,
+        "height_loss": where(happened, run.place.z - run.lowest),
         "lowest_height": seen.lowest,
-        "excursion": run.excursion if happened else None,
-        "path": run.path if happened else None,
-        "nose_up": run.nose_up if happened else None,
-        "nose_down": run.nose_down if happened else None,
-        "position_error": math.sqrt(gap @ gap) if noticed else None,
+        "excursion": where(happened, run.excursion),
+        "path": where(happened, run.path),
+        "nose_up": where(happened, run.nose_up),
+        "nose_down": where(happened, run.nose_down),
+        "position_error": where(noticed, np.sqrt(gap @ gap)),
         "direction_error": _between(hit.direction, record.inward),
         "arms_direction_error": _between(hit.by_arms, record.inward),
         "acceleration_direction_error": _between(hit.by_acceleration, record.inward),
         "wrench_direction_error": _between(hit.by_wrench, record.inward),
-        "intensity": hit.intensity if noticed else None,
+        "intensity": where(noticed, hit.intensity),
     }
-    return {name: None if value is None else float(value) for name, value in values.items()}
+
+
+def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
+    """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
+    aboard = guided.aboard
+    trees = guided.flown.record, aboard.witness, aboard.pilot
+    return told_of(recovery_columns(*(as_columns(tree) for tree in trees)))

@@ -40,25 +40,32 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
             raise InputError(
                 f"{word!r} is no override; write key=value, such as vehicle.arms.stiffness=6000"
             )
-        result = _with(result, parts, _value(text.strip()), word)
+        result = replaced(result, parts, _value(text.strip()), word)
     return dict(result)
 
 
-def _with(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
-    """``node`` with one value replaced, copied on the way."""
+def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
+    """``node`` with one value replaced, copied on the way; all that is beside the way is shared.
+
+    Args:
+        node: Raw tables, of which strings are names of presets.
+        parts: Keys and indices of the value.
+        value: In its place.
+        word: Who asks, for errors.
+    """
     head, *rest = parts
     if isinstance(node, str):  # a preset's name, about to be adjusted
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
             raise InputError(f"{word!r}: there is no entry {head}")
-        entry = _with(node[head], rest, value, word) if rest else value
+        entry = replaced(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
         raise InputError(f"{word!r}: {head!r} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = {"preset": value}
-    return {**node, head: _with(node.get(head, {}), rest, value, word) if rest else value}
+    return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
 
 
 def line_of(text: str, path: Sequence[Key]) -> int:

@@ -6,12 +6,13 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from springback.errors import InputError
+from springback.experiments.parquet import write_parquet
 from springback.experiments.result import Flight
 
 
@@ -65,35 +66,6 @@ def write_json(path: Path, data: Any) -> None:
     path.write_text(
         json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8"
     )
-
-
-def write_parquet(
-    path: Path, columns: Mapping[str, Any], units: Mapping[str, str], about: Mapping[str, str]
-) -> None:
-    """Columns as Parquet, with units and ``about`` in the file's metadata.
-
-    Args:
-        path: File to write.
-        columns: Arrays of equal length by name.
-        units: Unit of each column, kept as JSON under the key ``units``.
-        about: More metadata.
-    """
-    import duckdb
-
-    table = dict(columns)
-    metadata = {"units": json.dumps(dict(units)), **about}
-    with duckdb.connect() as connection:
-        connection.register("trajectory", table)
-        pairs = ", ".join(f"{_quoted(key)}: {_quoted(value)}" for key, value in metadata.items())
-        names = ", ".join(f'"{name}"' for name in table)
-        connection.execute(
-            f"COPY (SELECT {names} FROM trajectory) TO {_quoted(str(path))} "
-            f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
-        )
-
-
-def _quoted(text: str) -> str:
-    return "'" + text.replace("'", "''") + "'"
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:

@@ -22,6 +22,9 @@ from springback.experiments.comparison import Mark
 from springback.experiments.paper.printed import PAPER
 from springback.interfaces import canvas
 
+#: What a page is that says nothing else.
+REPRODUCTION = f"A reproduction of {PAPER}"
+
 
 @dataclass(frozen=True)
 class Words:
@@ -104,15 +107,21 @@ class Section:
     """Title of the part of the page that begins here, if one does."""
 
 
-def page(title: str, sections: Sequence[Section]) -> str:
-    """The HTML page of some sections; it refers to nothing outside itself."""
+def page(title: str, sections: Sequence[Section], lead: str = REPRODUCTION) -> str:
+    """The HTML page of some sections; it refers to nothing outside itself.
+
+    Args:
+        title: Of the page.
+        sections: In their order.
+        lead: What the page is, below its title.
+    """
     environment = Environment(
         loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
     )  # fmt: skip
     environment.filters["symbols"] = _symbols
     template = environment.get_template("report.html.j2")
-    return template.render(title=title, paper=PAPER, sections=sections)
+    return template.render(title=title, lead=lead, sections=sections)
 
 
 def _symbols(text: str) -> Markup:

@@ -53,6 +53,10 @@ class Vec(NamedTuple):
         return _cross(self, other)
 
 
+#: One object, so that flights which have nothing somewhere share it (`springback.kept`).
+ZERO = Vec(0.0, 0.0, 0.0)
+
+
 class Mat(NamedTuple):
     """A 3 x 3 matrix by its rows."""
 

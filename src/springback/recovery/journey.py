@@ -11,9 +11,10 @@ from typing import Any, NamedTuple
 
 from springback.control.references import Polynomials
 from springback.control.target import Target, target
+from springback.kept import Make, afresh
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import pick
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
 from springback.recovery.response import Plan, Staged, homeward, planned
 from springback.recovery.stages import OVER, TILTING
@@ -90,20 +91,25 @@ def _itinerary(reference: Itinerary, time: float) -> Target:
     return pick(reference.leg <= LOOK, cruise, calm)
 
 
-def journey_at_start(route: Route, start: Estimate, nothing: Collision) -> Journey:
+def journey_at_start(route: Route, nothing: Collision, make: Make = afresh) -> Journey:
     """Before the first run-up.
 
     Args:
         route: Settings.
-        start: Where the robot is.
         nothing: A collision that has not happened.
+        make: How parts are made.
     """
-    plan = planned(route.response, nothing, start.position, start, 0.0, 0.0)
-    home = homeward(start.position, route.home, route.speed, 0.0, 0.0)
+    away, homewards = make(_no_ways, route.response, route.speed, nothing)
     log = Log(NEVER, NEVER, NEVER, NEVER, 0.0)
-    return Journey(
-        CRUISE, 0.0, TILTING, 0.0, plan.reference, home.reference, 0.0, route.home, NEVER, log
-    )
+    return Journey(CRUISE, 0.0, TILTING, 0.0, away, homewards, 0.0, route.home, NEVER, log)
+
+
+def _no_ways(response: Any, speed: float, nothing: Collision) -> tuple[Any, Polynomials]:
+    """What stands for the ways that are not planned yet: nobody flies them, from here to here."""
+    here = Vec(0.0, 0.0, 0.0)
+    still = Estimate(here, Quat(1.0, 0.0, 0.0, 0.0), here, here)
+    plan = planned(response, nothing, here, still, 0.0, 0.0)
+    return plan.reference, homeward(here, here, speed, 0.0, 0.0).reference
 
 
 @generic

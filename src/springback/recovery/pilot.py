@@ -19,6 +19,7 @@ from springback.control.cascade import (
     steered,
 )
 from springback.control.target import Target
+from springback.kept import Make, afresh
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, Like, got, put, read, row_of, rows, write
 from springback.kernels.trees import pick
@@ -91,23 +92,26 @@ class ResilientMemory(NamedTuple):
     journey: Journey
 
 
-def resilient_memory(pilot: Resilient, flight: CascadeMemory) -> ResilientMemory:
+def resilient_memory(
+    pilot: Resilient, flight: CascadeMemory, make: Make = afresh
+) -> ResilientMemory:
     """Memory of a pilot before tick 0.
 
     Args:
         pilot: Settings.
         flight: Memory of the cascade, from `springback.control.cascade.cascade_memory`.
+        make: How parts are made.
     """
     start, airframe = flight.estimate, pilot.cascade.airframe
-    nothing = no_collision(airframe)
+    nothing = make(no_collision, airframe)
     return ResilientMemory(
         flight,
-        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust),
+        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust, make),
         NOT_DETECTED,
-        no_impression(airframe),
+        make(no_impression, airframe),
         nothing,
         History(start.velocity, start.velocity),
-        journey_at_start(pilot.route, start, nothing),
+        journey_at_start(pilot.route, nothing, make),
     )
 
 

@@ -19,9 +19,10 @@ from typing import NamedTuple
 from springback.control.mixing import wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
+from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import each, pick
-from springback.kernels.vectors import Mat, Vec, rotation
+from springback.kernels.vectors import ZERO, Mat, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Airframe
 
@@ -65,14 +66,21 @@ class ExternalWrench(NamedTuple):
 
 
 def no_wrench(
-    observer: Observer, airframe: Airframe, start: Estimate, thrust: tuple[float, ...]
+    observer: Observer,
+    airframe: Airframe,
+    start: Estimate,
+    thrust: tuple[float, ...],
+    make: Make = afresh,
 ) -> ExternalWrench:
     """Memory of an observer that starts with a motion and nothing pushing."""
-    none = Vec(0.0, 0.0, 0.0)
-    inertia = inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
+    none, inertia = ZERO, make(_whole_inertia, airframe)
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
     blow = Blow(none, none, none, start.velocity, spin, none, none)
     return ExternalWrench(none, none, none, thrust, momentum, spin, blow)
+
+
+def _whole_inertia(airframe: Airframe) -> Mat:
+    return inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
 
 
 @kernel

@@ -20,6 +20,7 @@ from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import pick
 from springback.kernels.vectors import (
+    ZERO,
     Quat,
     Vec,
     norm,
@@ -80,7 +81,7 @@ def complementary_memory(complementary: Complementary, estimate: Estimate) -> Co
         position=estimate.position,
         velocity=estimate.velocity,
         attitude=estimate.attitude,
-        gyroscope_bias=Vec(0.0, 0.0, 0.0),
+        gyroscope_bias=ZERO,
         angular_velocity=estimate.angular_velocity,
         heading_error=0.0,
         waiting=0.0,

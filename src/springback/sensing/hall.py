@@ -310,6 +310,8 @@ def _read_hall_sensors(
         sensors, arms = got(device, g, w, i), got(memory, g, w, i)
         changed = largest(each(_renewed, (arms,), (sensors,)))
         renewed += 1 if _delivering(sensors, tick) & (changed > 0.5) else 0
+    for i in range(w * once if tick < 0.5 else 0):
+        put(column(got(memory, g, w, i), "length"), seen.arm_length, g, w, i)
     for i in range(w if renewed > 0 else 0):
         sensors, arms = got(device, g, w, i), got(memory, g, w, i)
         if _delivering(sensors, tick):

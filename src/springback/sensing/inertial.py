@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import rounded
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Quat, Vec, normalised, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, normalised, rotation
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Inertial, Truth, due
 from springback.sensing.memory import Nothing
@@ -260,15 +260,16 @@ def inertial_at_start(device: Any, start: State, gravity: float) -> Any:
 
 @inertial_at_start.register
 def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
-    zero = Vec(0.0, 0.0, 0.0)
-    still = Truth(start, start, 1.0, gravity)  # nothing changes, so any duration will do
-    silent = ChannelMemory(zero, zero)
-    inner = []
-    for channel, true in (
-        (device.accelerometer, mean_specific_force(still, device.offset)),
-        (device.gyroscope, start.angular_velocity),
-    ):
-        at_once = channel._replace(smoothing=1.0)
-        inner.append(converted(at_once, true, zero, zero, silent))
-    a, g = inner
+    omega = start.angular_velocity
+    force = gravity * rotation(start.attitude).z  # of standing still, Rᵀ g e_Z ...
+    if any(omega):
+        force = force + (omega ^ (omega ^ device.offset))  # ... and of spinning steadily
+    a, g = _settled(device.accelerometer, force), _settled(device.gyroscope, omega)
     return InertialMemory(a, g, told(device.accelerometer, a), told(device.gyroscope, g))
+
+
+def _settled(channel: Channel, true: Vec) -> ChannelMemory:
+    """A channel that has long felt the same, without noise."""
+    raw = true + channel.bias
+    inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
+    return ChannelMemory(inside, ZERO)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import Seldom
-from springback.kernels.vectors import Quat, Vec, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, rotation
 from springback.sensing.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
 
@@ -130,16 +131,19 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
     r, since = rotation(estimate.attitude), exposed_before(kalman, 0.0)
     position = estimate.position + r @ kalman.offset
     velocity = estimate.velocity + r @ (estimate.angular_velocity ^ kalman.offset)
-    zero = Vec(0.0, 0.0, 0.0)
     track = Track(
-        nominal=Nominal(position, velocity, estimate.attitude, zero, zero),
+        nominal=Nominal(position, velocity, estimate.attitude, ZERO, ZERO),
         angular_velocity=estimate.angular_velocity,
-        acceleration=zero,
+        acceleration=ZERO,
         window=empty_window(estimate.attitude),
         kept=tuple(
             Kept(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays
         ),
         waiting=0.0,
     )
-    known = Known(uncorrelated(*deviations), Surprise(0.0, 0.0))
-    return KalmanMemory(track, Seldom(0.0, known))
+    return KalmanMemory(track, _first_known(deviations))
+
+
+@functools.lru_cache(maxsize=64)  # the same for every flight of a campaign
+def _first_known(deviations: Deviations) -> Seldom:
+    return Seldom(0.0, Known(uncorrelated(*deviations), Surprise(0.0, 0.0)))

@@ -212,7 +212,7 @@ def _capture_at_times(
     for i in range(w * once):
         camera, period = got(device, g, w, i), got(cabin.guidance.period, g, w, i)
         exposing += 1 if _exposing(camera, tick) else 0
-        delivering += 1 if _delivering(camera, tick) else 0
+        delivering += 1 if _delivering(camera, tick) | (tick < 0.5) else 0
         put(0.0, pose.fresh, g, w, i)
         put((tick - got(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
     for i in range(w * once if exposing > 0 else 0):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from statistics import NormalDist
 from typing import Annotated, Any
 
@@ -23,6 +24,8 @@ from springback.vehicle.parameters import Vehicle
 STANDARD_GRAVITY = 9.80665
 #: Quantile of a probability of zero or one, in place of infinity: chance 1e-350.
 NEVER = -40.0
+#: Normal numbers by which a flight's sensors are biased: three axes of accelerometer and gyroscope.
+BIASES = 6
 
 Rate = quantity("Hz", above=0.0)
 Delay = quantity("s", least=0.0)
@@ -280,12 +283,29 @@ class SensorSettings(Settings):
         Raises:
             The problem, if a rate or a delay does not fit the clock.
         """
-        a = generator.standard_normal(6).tolist()
-        biases = Vec(a[0], a[1], a[2]), Vec(a[3], a[4], a[5])
+        normals = generator.standard_normal(BIASES).tolist()
+        return self.switched_on(self.devices(tick, vehicle), normals)
+
+    def devices(self, tick: float, vehicle: Vehicle) -> Sensors:
+        """The numbers that are the same in every flight: biases are zero; see `sensors`."""
+        still = Vec(0.0, 0.0, 0.0)
         with inside("motion_capture"):
             motion_capture: Any = self.motion_capture.device(tick)
         with inside("imu"):
-            inertial: Any = self.imu.device(tick, biases)
+            inertial: Any = self.imu.device(tick, (still, still))
         with inside("hall"):
             arm_length: Any = self.hall.device(tick, vehicle)
         return Sensors(motion_capture, inertial, arm_length, 1.0 if self.reveal else 0.0)
+
+    def switched_on(self, devices: Sensors, normals: Sequence[float]) -> Sensors:
+        """The devices with the biases of one flight, by standard normal numbers for each axis."""
+        if self.imu.perfect:
+            return devices
+        a, unit, imu = normals, devices.inertial, self.imu
+        biased = InertialUnit(
+            unit.offset,
+            unit.every,
+            unit.accelerometer._replace(bias=imu.accelerometer.bias * Vec(a[0], a[1], a[2])),
+            unit.gyroscope._replace(bias=imu.gyroscope.bias * Vec(a[3], a[4], a[5])),
+        )
+        return Sensors(devices.motion_capture, biased, devices.arm_length, devices.reveal)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, got, put, read, rows
 from springback.kernels.vectors import Quat, Vec
@@ -64,19 +65,28 @@ def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
     )
 
 
-def sensors_at_start(sensors: Sensors, start: State, gravity: float) -> SensorsMemory:
+def sensors_at_start(
+    sensors: Sensors, start: State, gravity: float, make: Make = afresh
+) -> SensorsMemory:
     """Memory of all sensors before tick 0; plain Python.
 
     Args:
         sensors: Settings.
         start: State at tick 0.
         gravity: g along −Z [m/s²].
+        make: How parts are made.
     """
     return SensorsMemory(
         motion_capture_at_start(sensors.motion_capture, start),
         inertial_at_start(sensors.inertial, start, gravity),
-        arms_at_start(sensors.arm_length, start),
+        make(_arms_at_start, sensors.arm_length, start.arm_length),
     )
+
+
+def _arms_at_start(device: Any, lengths: tuple[float, ...]) -> Any:
+    """Memory of arm-length sensors, which see nothing but the lengths [m]."""
+    zero, level = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
+    return arms_at_start(device, State(zero, level, zero, zero, lengths, (0.0,) * len(lengths)))
 
 
 @kernel

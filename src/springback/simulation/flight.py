@@ -103,13 +103,13 @@ def loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width
         lanes[group, :model_rows, lane] = leaves(model)
         lanes[group, model_rows : model_rows + motion_rows, lane] = leaves(states[flight]) + work
         lanes[group, record_row:, lane] = record
-        lanes[group, record_row + phase, lane] = _first_phase(model, states[flight])
+        lanes[group, record_row + phase, lane] = first_phase(model, states[flight])
         if k >= len(states):
             lanes[group, record_row + status, lane] = FLYING + 1.0
     return buffers
 
 
-def _first_phase(model: Model, state: State) -> float:
+def first_phase(model: Model, state: State) -> float:
     """An impact is taken to be on where arms start away from their free length, or moving."""
     for arm, length, rate in zip(
         model.airframe.arms, state.arm_length, state.arm_rate, strict=True

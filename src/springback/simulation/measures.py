@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import math
 from enum import Enum
+from typing import Any
+
+import numpy as np
 
 from springback.simulation.flight import Flown
+from springback.simulation.reading import Array, as_columns
 from springback.simulation.record import NOT_FINITE, Record
 
 
@@ -30,15 +34,27 @@ class Outcome(Enum):
 
 def outcome_of(record: Record) -> Outcome:
     """The outcome of a flight; where several apply, the worst."""
-    if record.status == NOT_FINITE:
-        return Outcome.NOT_FINITE
-    if record.ground_time >= 0.0:
-        return Outcome.HIT_GROUND
-    if record.bottomed_time >= 0.0:
-        return Outcome.ARM_BOTTOMED
-    if record.touching > 0.0:
-        return Outcome.IN_CONTACT
-    return Outcome.SEPARATED if record.contacts > 0.0 else Outcome.NO_CONTACT
+    return outcomes_of(as_columns(record))[0]
+
+
+def outcomes_of(record: Any) -> list[Outcome]:
+    """The outcomes of many flights, from a `Record` whose leaves are columns."""
+    claims = [
+        (Outcome.NOT_FINITE, record.status == NOT_FINITE),
+        (Outcome.HIT_GROUND, record.ground_time >= 0.0),
+        (Outcome.ARM_BOTTOMED, record.bottomed_time >= 0.0),
+        (Outcome.IN_CONTACT, record.touching > 0.0),
+        (Outcome.SEPARATED, record.contacts > 0.0),
+    ]
+    return first_claimed(claims, Outcome.NO_CONTACT)
+
+
+def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list[Outcome]:
+    """Of every flight, the first outcome whose claim holds."""
+    said = [otherwise, *(outcome for outcome, _ in claims)]
+    numbers = range(1, len(said))
+    chosen = np.select([claim for _, claim in claims], list(numbers), 0)
+    return [said[k] for k in chosen.tolist()]
 
 
 #: Unit and meaning of every measure.
@@ -89,41 +105,63 @@ MEASURES = {
 }  # fmt: skip
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None
+def told_of(columns: dict[str, Array]) -> dict[str, float | None]:
+    """Measures of a single flight by name; None where they are NaN."""
+    values = {name: float(column[0]) for name, column in columns.items()}
+    return {name: None if math.isnan(value) else value for name, value in values.items()}
 
 
-def _ratio(speed: float, touch_speed: float, happened: bool) -> float | None:
-    return abs(speed) / abs(touch_speed) if happened and touch_speed else None
+def where(happened: Any, value: Array) -> Array:
+    """A value where something happened, else NaN."""
+    return np.where(happened, value, np.nan)
 
 
-def measures_of(flown: Flown) -> dict[str, float | None]:
-    """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
-    m, work, before, after = flown.record, flown.motion.work, flown.before, flown.after
+def _time(value: Array) -> Array:
+    return where(value >= 0.0, value)
+
+
+def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return where(happened & (touch_speed != 0.0), np.abs(speed) / np.abs(touch_speed))
+
+
+def _largest(first: Array, *others: Array) -> Array:
+    for other in others:
+        first = np.maximum(first, other)
+    return first
+
+
+def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
+    """Every measure of many flights, in the order of `MEASURES`; NaN for what did not happen.
+
+    Args:
+        record: A `Record` whose leaves are columns, one number for each flight, as are all others'.
+        work: `Work` since the start.
+        before: `Energy` at the start.
+        after: `Energy` at the end.
+    """
+    m, w = record, work
     ground_level = before.gravity
-    start = before.total - ground_level
-    end = after.total - ground_level
-    losses = work.arm + work.stop + work.contact + work.friction + work.settling + work.air
-    fallen = abs(after.gravity - ground_level)
-    kinetic = max(before.kinetic, after.kinetic)
-    scale = max(kinetic, losses, abs(work.thrust), abs(work.air), fallen)
+    start, end = before.total - ground_level, after.total - ground_level
+    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
+    fallen, kinetic = np.abs(after.gravity - ground_level), _largest(before.kinetic, after.kinetic)
+    scale = _largest(kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen)
+    touched = m.touch_time >= 0.0
     left, back = m.separation_time >= 0.0, m.return_time >= 0.0
-
-    def time(value: float) -> float | None:
-        return value if value >= 0.0 else None
-
-    values: dict[str, float | None] = {
+    with np.errstate(divide="ignore", invalid="ignore"):
+        residual = np.where(scale > 0.0, (end - start - w.thrust + losses) / scale, 0.0)
+    values: dict[str, Any] = {
         "restitution_at_separation": _ratio(m.separation_speed, m.touch_speed, left),
         "restitution_at_return": _ratio(m.return_speed, m.touch_speed, back),
         "restitution_of_mass_centre": _ratio(
             m.separation_mass_centre_speed, m.touch_mass_centre_speed, left
         ),
-        "touch_time": time(m.touch_time),
-        "touch_speed": m.touch_speed if m.touch_time >= 0.0 else None,
-        "separation_time": time(m.separation_time),
-        "return_time": time(m.return_time),
-        "contact_time": m.separation_time - m.touch_time if left else None,
-        "time_to_return": m.return_time - m.touch_time if back else None,
+        "touch_time": _time(m.touch_time),
+        "touch_speed": where(touched, m.touch_speed),
+        "separation_time": _time(m.separation_time),
+        "return_time": _time(m.return_time),
+        "contact_time": where(left, m.separation_time - m.touch_time),
+        "time_to_return": where(back, m.return_time - m.touch_time),
         "contact_duration": m.contact_duration,
         "peak_acceleration": m.peak_acceleration,
         "peak_acceleration_time": m.peak_acceleration_time,
@@ -134,13 +172,13 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
         "arm_stroke": m.peak_compression,
         "arm_extension": m.peak_extension,
         "travel": m.travel,
-        "impulse_x": work.impulse.x,
-        "impulse_y": work.impulse.y,
-        "impulse_z": work.impulse.z,
+        "impulse_x": w.impulse.x,
+        "impulse_y": w.impulse.y,
+        "impulse_z": w.impulse.z,
         "contacts": m.contacts,
         "impacts": m.impacts,
-        "bottomed_time": time(m.bottomed_time),
-        "ground_time": time(m.ground_time),
+        "bottomed_time": _time(m.bottomed_time),
+        "ground_time": _time(m.ground_time),
         "end_time": m.time,
         "steps": m.steps,
         "energy_start": start,
@@ -150,13 +188,19 @@ def measures_of(flown: Flown) -> dict[str, float | None]:
         "energy_springs": after.springs,
         "energy_stops": after.stops,
         "energy_contact": after.contact,
-        "work_thrust": work.thrust,
-        "loss_arm": work.arm,
-        "loss_stop": work.stop,
-        "loss_contact": work.contact,
-        "loss_friction": work.friction,
-        "loss_settling": work.settling,
-        "loss_air": work.air,
-        "ledger_residual": (end - start - work.thrust + losses) / scale if scale > 0.0 else 0.0,
+        "work_thrust": w.thrust,
+        "loss_arm": w.arm,
+        "loss_stop": w.stop,
+        "loss_contact": w.contact,
+        "loss_friction": w.friction,
+        "loss_settling": w.settling,
+        "loss_air": w.air,
+        "ledger_residual": residual,
     }
-    return {name: None if value is None else _finite(value) for name, value in values.items()}
+    return {name: where(np.isfinite(value), value) for name, value in values.items()}
+
+
+def measures_of(flown: Flown) -> dict[str, float | None]:
+    """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
+    trees = flown.record, flown.motion.work, flown.before, flown.after
+    return told_of(measure_columns(*(as_columns(tree) for tree in trees)))

@@ -1,0 +1,211 @@
+"""Flights by the thousand: outcomes and measures of many scenarios, flown abreast.
+
+Making a flight ready and reading what it left would take longer than flying it, were each made
+ready alone.  Here flights share what their tables share, are laid into the buffers by what differs,
+and are read column by column; every number is that of the flight flown alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.experiments.guidance import turn_on_normals
+from springback.experiments.recovery_measures import (
+    RECOVERY_MEASURES,
+    recovery_columns,
+    recovery_outcomes,
+)
+from springback.experiments.shared_tables import Ready, made_ready
+from springback.kept import Kept
+from springback.kernels.layout import Buffer, row_of, rows, structure
+from springback.recovery.referee import RefereeMemory
+from springback.simulation.aboard import Cabin
+from springback.simulation.abreast import GUIDED_LANES, fly_groups
+from springback.simulation.flight import LANES, fly_buffers
+from springback.simulation.loading import Laid, Loader, Unlike
+from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.reading import Array, columns_of, energies
+
+#: Outcome of a flight that was not flown, because its scenario cannot be.
+REFUSED = "refused"
+#: Flights that are made ready together (chosen: their buffers then take some 100 MB).
+BLOCK = 4096
+#: Tables by which flights are put in order, that those which share much follow one another.
+ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
+
+
+class Rows(NamedTuple):
+    """What is kept of many flights, in their order."""
+
+    outcomes: list[str]
+    """Words of `springback.simulation.measures.Outcome`, or `REFUSED`."""
+    measures: dict[str, Array]
+    """Of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN for what did not happen."""
+    problems: list[str]
+    """Why a flight was refused; empty for those that were not."""
+
+
+class _Kind(NamedTuple):
+    """Flights that fly abreast, as they are collected."""
+
+    loader: Loader
+    first: Ready
+    numbers: list[int]
+    seeds: list[int]
+
+
+def fly_scenarios(
+    tables: Sequence[Mapping[str, Any]],
+    *,
+    threads: int = 1,
+    progress: Callable[[float], None] | None = None,
+) -> Rows:
+    """Fly many scenarios; each flight's numbers depend on its own tables alone.
+
+    It is fast where flights share tables: the very objects, at any depth.
+
+    Args:
+        tables: Whole scenarios, as plain tables.
+        threads: That fly at a time.
+        progress: Called now and then with the share done.
+    """
+    count, make = len(tables), Kept()
+    out = Rows(
+        [REFUSED] * count,
+        {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
+        [""] * count,
+    )
+    order = _ordered(tables)
+    for first in range(0, count, BLOCK):
+        block = order[first : first + BLOCK]
+
+        def share(x: float, first: int = first, size: int = len(block)) -> None:
+            if progress is not None:
+                progress((first + x * size) / count)
+
+        _fly_block(tables, block, make, threads, share, out)
+        share(1.0)
+    return out
+
+
+def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Flights that share tables one after another."""
+    known: dict[Hashable, int] = {}
+
+    def number(value: Any) -> int:
+        return known.setdefault(value if isinstance(value, str) else id(value), len(known))
+
+    keys = [tuple(number(table.get(name)) for name in ORDER) for table in tables]
+    return sorted(range(len(tables)), key=keys.__getitem__)
+
+
+def _fly_block(
+    tables: Sequence[Mapping[str, Any]],
+    block: list[int],
+    make: Kept,
+    threads: int,
+    progress: Callable[[float], None],
+    out: Rows,
+) -> None:
+    """Make some flights ready, fly them kind by kind, and read what they left."""
+    kinds: dict[Any, _Kind] = {}
+    last: _Kind | None = None
+    for number, biases in zip(block, _biases([tables[k] for k in block]), strict=True):
+        try:
+            one = made_ready(tables[number], make, biases)
+        except InputError as error:
+            out.problems[number] = "; ".join(error.problems)
+            continue
+        last = _sorted_in(one, last, kinds)
+        last.numbers.append(number)
+        last.seeds.append(one.seed)
+    done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
+    for kind in kinds.values():
+
+        def share(x: float, done: int = done, size: int = len(kind.numbers)) -> None:
+            progress((done + x * size) / all_ready)
+
+        _fly_kind(kind, threads, share, out)
+        done += len(kind.numbers)
+
+
+def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
+    """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
+    seeds = [table.get("seed", 0) for table in tables]
+    valid = [type(seed) is int and seed >= 0 for seed in seeds]
+    drawn = iter(turn_on_normals([seed for seed, holds in zip(seeds, valid, strict=True) if holds]))
+    return [next(drawn) if holds else None for holds in valid]
+
+
+def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
+    """The kind that a flight was added to: that of the flight before it, if it is like that."""
+    cabin = one.board.cabin if one.board else None
+    if last is not None and _pace(one) == _pace(last.first):
+        try:
+            last.loader.add(one.model, one.start, cabin)
+        except Unlike:
+            pass
+        else:
+            return last
+    key = structure(one.model), structure(cabin), _pace(one)
+    if key not in kinds:
+        width = LANES if cabin is None else GUIDED_LANES
+        kinds[key] = _Kind(Loader(one.model, one.start, cabin, width), one, [], [])
+    kinds[key].loader.add(one.model, one.start, cabin)
+    return kinds[key]
+
+
+def _pace(one: Ready) -> tuple[Any, ...]:
+    """What flights abreast have in common beside their types; without pilots, nothing."""
+    if one.board is None:
+        return ()
+    return one.model.timing.until, one.board.cabin.guidance.period, one.board.noise
+
+
+def _fly_kind(kind: _Kind, threads: int, progress: Callable[[float], None], out: Rows) -> None:
+    """Fly all flights of one kind, and keep what they left."""
+    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    before = energies(laid.shape, laid.buffers, width, count)
+    board = kind.first.board
+    if board is None or laid.cabin is None or laid.aboard is None:
+        fly_buffers(laid.shape, laid.buffers, width, threads=threads, progress=progress)
+    else:
+        fly_groups(
+            laid.model, laid.start, laid.cabin, laid.buffers, laid.aboard, board.noise, kind.seeds,
+            width=width, threads=threads, progress=progress,
+        )  # fmt: skip
+    words, columns = _read(laid, before, width, count)
+    numbers = np.array(kind.numbers)
+    for number, word in zip(kind.numbers, words, strict=True):
+        out.outcomes[number] = word
+    for name, column in columns.items():
+        out.measures[name][numbers] = column
+
+
+def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+    """Outcomes and measures of all flights of one kind."""
+    shape, buffers = laid.shape, laid.buffers
+    work_row = rows(shape.model) + row_of(shape.motion, "work")
+    record = columns_of(shape.record, buffers, -rows(shape.record), width, count)
+    work = columns_of(shape.motion.work, buffers, work_row, width, count)
+    after = energies(shape, buffers, width, count)
+    columns = measure_columns(record, work, before, after)
+    if laid.cabin is None or laid.aboard is None:
+        return [one.word for one in outcomes_of(record)], columns
+    if not isinstance(laid.cabin.aboard.witness, RefereeMemory):
+        return [one.word for one in outcomes_of(record)], columns
+    seen = _aboard(laid.cabin, laid.aboard, width, count, "witness")
+    memory = _aboard(laid.cabin, laid.aboard, width, count, "pilot")
+    words = [one.word for one in recovery_outcomes(record, seen)]
+    return words, columns | recovery_columns(record, seen, memory)
+
+
+def _aboard(cabin: Cabin, buffers: Buffer, width: int, count: int, name: str) -> Any:
+    """One part of what was aboard, in columns."""
+    row = rows(cabin.guidance) + row_of(cabin.aboard, name)
+    return columns_of(getattr(cabin.aboard, name), buffers, row, width, count)

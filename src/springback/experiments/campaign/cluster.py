@@ -1,0 +1,159 @@
+"""Flying on a Dask cluster: chunks go to its workers, rows come back to the one who writes.
+
+Dask flies the chunk of a worker that dies again on another, three times; the rows are the same
+wherever they fly, given the same versions, which is checked.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+import uuid
+from collections import deque
+from collections.abc import Generator, Iterable
+from typing import Any
+
+from springback.errors import InputError
+from springback.experiments.campaign.flying import Chunk, Flown, flown
+from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import versions
+from springback.experiments.campaign.workers import GivenUp, Remark
+from springback.experiments.extras import needs
+
+#: Seconds to wait for a scheduler to answer, and between looks at who is there (chosen).
+PATIENCE, LOOK = 20.0, 1.0
+#: Chunks handed out ahead for each thread of the cluster (chosen): none waits for the next, and
+#: few rows wait for the writer.
+AHEAD = 2
+_one_at_a_time = threading.Lock()
+
+
+def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], Flown]:
+    """Fly a stretch on a worker; with the versions there.  Threads of a worker take turns."""
+    with _one_at_a_time:
+        return versions(), flown(text, chunk)
+
+
+def fly_on_cluster(
+    text: str, chunks: Iterable[Chunk], address: str, remark: Remark
+) -> Generator[Flown | GivenUp]:
+    """Fly chunks on a cluster; results come in the order in which they are ready.
+
+    Args:
+        text: The plan, as `springback.experiments.campaign.plan.Plan.canonical` has it.
+        chunks: To be flown.
+        address: Of the scheduler.
+        remark: Told of workers that come and go.
+
+    Raises:
+        InputError: If there is no scheduler, or its workers have other versions.
+        Stopped: If the scheduler is lost.
+    """
+    distributed = needs("distributed", "cluster")
+    client = _client(distributed, address)
+    try:
+        crew = _Crew(client, remark)
+        _check_versions(client, address)
+        waiting, flying = deque(chunks), dict[Any, Chunk]()
+        stem = f"springback-{uuid.uuid4().hex[:8]}"
+        while waiting or flying:
+            while waiting and len(flying) < AHEAD * max(1, crew.threads):
+                chunk = waiting.popleft()
+                key = f"{stem}-{chunk[0]}"
+                flying[client.submit(flown_there, text, chunk, key=key, pure=False)] = chunk
+            for future in _ended(distributed, client, list(flying)):
+                yield _answer(distributed, future, flying.pop(future))
+            crew.look()
+    finally:
+        client.close(timeout=2.0)
+
+
+def _client(distributed: Any, address: str) -> Any:
+    try:
+        return distributed.Client(address, timeout=PATIENCE, set_as_default=False)
+    except (OSError, TimeoutError, ValueError) as error:
+        said = str(error).partition("\n")[0] or type(error).__name__
+        raise InputError(f"--scheduler {address}: cannot be reached ({said})") from None
+
+
+class _Crew:
+    """Who is there to fly."""
+
+    def __init__(self, client: Any, remark: Remark) -> None:
+        self.client, self.remark = client, remark
+        self.known: dict[str, int] = client.nthreads()
+        self.looked = time.monotonic()
+        if not self.known:
+            remark("the scheduler has no workers yet; waiting for some")
+
+    @property
+    def threads(self) -> int:
+        return sum(self.known.values())
+
+    def look(self) -> None:
+        """See who left, now and then."""
+        if time.monotonic() - self.looked < LOOK:
+            return
+        self.looked = time.monotonic()
+        try:
+            now: dict[str, int] = self.client.nthreads()
+        except (OSError, TimeoutError):
+            raise Stopped("the connection to the scheduler is lost") from None
+        for lost in self.known.keys() - now.keys():
+            self.remark(f"worker {lost} is gone; what it was flying is flown again by another")
+        if self.known and not now:
+            self.remark("no worker is left; waiting for one")
+        self.known = now
+
+
+def _ended(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
+    """Futures that have ended, perhaps none yet."""
+    if client.status not in ("running", "connecting"):
+        raise Stopped("the connection to the scheduler is lost")
+    try:
+        with client.as_current():
+            some = distributed.wait(futures, timeout=LOOK, return_when="FIRST_COMPLETED")
+        return list(some.done)
+    except (TimeoutError, distributed.TimeoutError):
+        return []
+    except (distributed.CancelledError, OSError):
+        raise Stopped("the connection to the scheduler is lost") from None
+
+
+def _answer(distributed: Any, future: Any, chunk: Chunk) -> Flown | GivenUp:
+    """What came of a chunk."""
+    if future.status == "finished":
+        theirs, rows = future.result()
+        if told := _differing(theirs):
+            raise Stopped(f"a worker that joined has other versions: {told}")
+        return Flown(*rows)
+    if future.status != "error":
+        raise Stopped(f"the cluster dropped flights {chunk[0]} to {chunk[1] - 1}")
+    error = future.exception()
+    if isinstance(error, distributed.KilledWorker):
+        return GivenUp(chunk, "worker after worker was lost over them")
+    return GivenUp(chunk, f"{type(error).__name__}: {str(error).partition(chr(10))[0]}")
+
+
+def _check_versions(client: Any, address: str) -> None:
+    """Refuse workers whose rows could differ from ours."""
+    try:
+        theirs: dict[str, Any] = client.run(versions)
+    except Exception as error:  # whatever a worker without springback raises
+        said = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
+        raise InputError(f"--scheduler {address}: a worker cannot fly ({said})") from None
+    for worker, found in theirs.items():
+        if told := _differing(found):
+            raise InputError(f"--scheduler {address}: worker {worker} has other versions: {told}")
+
+
+def _differing(theirs: dict[str, str]) -> str:
+    """Versions there that are not those here, in words; of Python only major and minor count."""
+    ours = versions()
+    told = []
+    for name, here in ours.items():
+        there = theirs.get(name, "none")
+        length = 2 if name == "python" else None
+        if there.split(".")[:length] != here.split(".")[:length]:
+            told.append(f"{name} {there} there, {here} here")
+    return ", ".join(told)

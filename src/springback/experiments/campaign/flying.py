@@ -1,0 +1,36 @@
+"""Flying a stretch of a campaign: from the plan and two numbers to rows, anywhere."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.experiments.bulk import fly_scenarios
+from springback.experiments.campaign.design import Design, design_of
+
+Chunk = tuple[int, int]
+"""First flight, and the one after the last."""
+
+
+class Flown(NamedTuple):
+    """A stretch of flights, flown."""
+
+    chunk: Chunk
+    columns: dict[str, Any]
+
+
+def flown(text: str, chunk: Chunk) -> Flown:
+    """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
+
+    Args:
+        text: The plan, as `springback.experiments.campaign.plan.Plan.canonical` has it.
+        chunk: Which flights.
+    """
+    return Flown(chunk, rows(design_of(text), chunk))
+
+
+def rows(design: Design, chunk: Chunk) -> dict[str, Any]:
+    """Rows of a stretch of flights, column by column."""
+    dealt = design.dealt(*chunk)
+    ended = fly_scenarios(dealt.tables, threads=1)
+    tail = {"outcome": ended.outcomes, "problem": ended.problems}
+    return {**dealt.columns, **tail, **ended.measures}

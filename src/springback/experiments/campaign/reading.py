@@ -1,0 +1,274 @@
+"""Asking a campaign: rows by SQL, and any of its flights flown again."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from springback.errors import InputError
+from springback.experiments.campaign import ledger
+from springback.experiments.campaign.columns import known_columns
+from springback.experiments.campaign.design import Design, laid_out
+from springback.experiments.campaign.plan import Source, read_plan
+from springback.experiments.campaign.store import PLAN, about, empty_rows, rows_of, written
+from springback.experiments.parquet import quoted, write_parquet
+from springback.experiments.result import Flight, fly
+from springback.version import __version__
+
+if TYPE_CHECKING:
+    import pandas
+
+Numbers = npt.NDArray[np.float64]
+KEPT = "kept"
+
+
+class Answer(NamedTuple):
+    """What a query found."""
+
+    columns: list[str]
+    rows: list[tuple[Any, ...]]
+
+    def as_dicts(self) -> list[dict[str, Any]]:
+        """Rows by name of column."""
+        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+
+
+class Reflown(NamedTuple):
+    """A flight of a campaign, flown again alone with its trajectory."""
+
+    flight: Flight
+    differences: tuple[str, ...]
+    """Columns that are not what the row says, bit for bit; none if it is the same flight."""
+
+
+class Campaign:
+    """A campaign in a folder, finished or not."""
+
+    def __init__(self, folder: str | Path) -> None:
+        """Of a folder that a campaign was flown into.
+
+        Raises:
+            InputError: If there is none, or parts of it are not there.
+        """
+        self.folder = Path(folder)
+        self.about = about(self.folder)
+        self.parts = ledger.read(self.folder / ledger.NAME)
+        for part in self.parts:
+            path = self.folder / part.file
+            if not path.is_file() or path.stat().st_size != part.bytes:
+                raise InputError(
+                    f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
+                    "campaign by --resume to fly it again"
+                )
+
+    @functools.cached_property
+    def design(self) -> Design:
+        """What was flown."""
+        plan, _ = read_plan(self.folder / PLAN)
+        return laid_out(plan, tried=False)
+
+    @property
+    def done(self) -> int:
+        """Number of flights that are there."""
+        return ledger.held(self.parts)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all are."""
+        return self.done == int(self.about["flights"])
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of all columns, SI."""
+        known = {name: unit for name, (unit, _) in known_columns().items()}
+        return known | dict(self.about["units"])
+
+    @contextmanager
+    def connected(self) -> Iterator[Any]:
+        """A DuckDB connection that has all rows as the view ``flights``."""
+        import duckdb
+
+        with duckdb.connect() as connection:
+            if self.parts:
+                files = ", ".join(quoted(str(self.folder / part.file)) for part in self.parts)
+                source = f"SELECT * FROM read_parquet([{files}])"
+            else:
+                connection.register("given", empty_rows(self.design))
+                source = rows_of(self.design)
+            connection.execute(f"CREATE VIEW flights AS {source}")
+            yield connection
+
+    def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
+        """Ask in SQL; the table is ``flights``.
+
+        Args:
+            sql: One statement.
+            parameters: For its question marks.
+
+        Raises:
+            InputError: If it cannot be understood.
+        """
+        with self.connected() as connection, in_words():
+            found = connection.execute(sql, list(parameters))
+            names = [column[0] for column in found.description]
+            return Answer(names, found.fetchall())
+
+    def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
+        """What a query finds, as arrays of floats by column; NaN for what is not there."""
+        with self.connected() as connection, in_words():
+            found = connection.execute(sql, list(parameters)).fetchnumpy()
+        return {
+            name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
+            for name, values in found.items()
+        }
+
+    def save(self, sql: str, path: Path) -> int:
+        """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
+
+        Args:
+            sql: One statement.
+            path: Of the file.
+
+        Raises:
+            InputError: If it cannot be understood, or the file not be written.
+        """
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_name(f".{path.name}.draft")
+        try:
+            with self.connected() as connection, in_words():
+                copy = f"COPY ({sql}) TO {quoted(str(draft))} (FORMAT parquet, COMPRESSION zstd)"
+                count = int(connection.execute(copy).fetchone()[0])
+            draft.replace(path)
+        finally:
+            draft.unlink(missing_ok=True)
+        return count
+
+    def to_dataframe(self, sql: str = "SELECT * FROM flights ORDER BY flight") -> pandas.DataFrame:
+        """Rows as a pandas DataFrame; units in ``attrs``."""
+        from springback.experiments.extras import needs
+
+        needs("pandas", "dataframe")
+        with self.connected() as connection, in_words():
+            frame: pandas.DataFrame = connection.execute(sql).df()
+        frame.attrs["units"] = self.units
+        return frame
+
+    def row(self, number: int) -> dict[str, Any]:
+        """The row of a flight.
+
+        Raises:
+            InputError: If it is not there.
+        """
+        flights = self.about["flights"]
+        if not 0 <= number < flights:
+            raise InputError(f"flight {number}: must be from 0 to {flights - 1}")
+        found = self.query("SELECT * FROM flights WHERE flight = ?", [number]).as_dicts()
+        if not found:
+            raise InputError(f"flight {number}: is not flown yet; go on by --resume")
+        return found[0]
+
+    def refly(self, number: int, *, trajectory: bool = True) -> Reflown:
+        """Fly one flight again, alone, and compare it with its row.
+
+        Args:
+            number: Of the flight.
+            trajectory: Keep the trajectory.
+
+        Raises:
+            InputError: If it is not there, or could not be flown in the first place.
+        """
+        row = self.row(number)
+        if row["outcome"] == "refused":
+            raise InputError(f"flight {number}: could not be flown: {row['problem']}")
+        dealt = self.design.dealt(number, number + 1)
+        flight = fly(dealt.tables[0], trajectory=trajectory)
+        now = {name: values[0] for name, values in dealt.columns.items()}
+        now |= {"outcome": flight.outcome.word, **flight.measures}
+        skipped = ("success", "problem")
+        different = (
+            f"{name}: {row[name]!r} in the row, {now.get(name)!r} now"
+            for name in row
+            if name not in skipped and not _same(row[name], now.get(name))
+        )
+        return Reflown(flight, tuple(different))
+
+    def keep(self, remark: Callable[[str], None]) -> None:
+        """Keep the trajectories that the plan asks for, the first so many it holds for."""
+        wanted = self.design.plan.keep
+        if wanted is None:
+            return
+        sql = f"SELECT flight FROM flights WHERE ({wanted.where}) AND outcome <> 'refused' "
+        for (number,) in self.query(f"{sql} ORDER BY flight LIMIT {wanted.most}").rows:
+            stem = self.folder / KEPT / f"flight-{number:010d}"
+            summary = stem.with_name(f"{stem.name}.json")
+            if not summary.exists():
+                summary.parent.mkdir(exist_ok=True)
+                again = self.refly(number)
+                for line in again.differences:
+                    remark(f"flight {number}, kept, is not the one of its row: {line}")
+                _write_kept(again.flight, stem)
+                data = {"flight": number, **again.flight.summary()}
+                written(summary, json.dumps(data, indent=2, ensure_ascii=False).encode() + b"\n")
+
+
+def _write_kept(flight: Flight, stem: Path) -> None:
+    """Trajectory and diary; each is there whole before the summary that names them is."""
+    about = {"springback": __version__, "frames": "world NWU, body FLU"}
+    for word, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
+        if columns:
+            path = stem.with_name(f"{stem.name}-{word}.parquet")
+            draft = path.with_name(f".{path.name}.draft")
+            write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
+            draft.replace(path)
+
+
+def _same(row: Any, now: Any) -> bool:
+    """Whether both are the same number to the last bit, or both are none."""
+    if isinstance(row, float) and isinstance(now, int | float):
+        return float(row).hex() == float(now).hex()
+    return bool(row == now)
+
+
+@contextmanager
+def in_words(whose: str = "SQL") -> Iterator[None]:
+    """Tell what DuckDB does not understand in one line."""
+    import duckdb
+
+    try:
+        yield
+    except duckdb.Error as error:
+        said = str(error)
+        for rest in ("\nLINE ", "\n\n", " You might need", "\n\tCandidate functions"):
+            said = said.partition(rest)[0]
+        raise InputError(f"{whose}: {' '.join(said.split())}") from None
+
+
+def check_conditions(design: Design, source: Source | None = None) -> None:
+    """Refuse conditions of a plan that SQL does not understand, before anything is flown.
+
+    Args:
+        design: Of the plan.
+        source: Where the plan stands.
+
+    Raises:
+        InputError: That names the entry.
+    """
+    import duckdb
+
+    kept = design.plan.keep.where if design.plan.keep else "true"
+    statements = {
+        "success": f"CREATE TABLE flights AS {rows_of(design)}",
+        "keep.where": f"SELECT flight FROM flights WHERE ({kept})",
+    }
+    with duckdb.connect() as connection:
+        connection.register("given", empty_rows(design))
+        for entry, statement in statements.items():
+            with in_words((source or Source()).blamed(entry.split("."), "").rstrip(": ")):
+                connection.execute(statement)

@@ -1,0 +1,193 @@
+"""Running a campaign: chunks out, parts in, and what happened told as it goes."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import time
+from collections import deque
+from collections.abc import Callable, Generator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from springback.errors import InputError
+from springback.experiments.campaign.design import Design, laid_out
+from springback.experiments.campaign.flying import Flown
+from springback.experiments.campaign.plan import Plan
+from springback.experiments.campaign.reading import Campaign, check_conditions
+from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import Store, changed_versions, opened
+from springback.experiments.campaign.workers import GivenUp, Remark, fly_locally
+
+#: Flights of a chunk (chosen): seconds of work, and some 1.5 MB of rows.
+CHUNK = 2000
+#: Fewest chunks for each worker, where there are not enough flights for full ones (chosen).
+SHARES = 4
+#: The rate is that of so many last parts (chosen).
+RECENT = 40
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a campaign has come."""
+
+    done: int
+    """Flights that are kept, from before as well."""
+    flights: int
+    parts: int
+    refused: int
+    given_up: int
+    rate: float
+    """Flights per second, lately; 0 while unknown."""
+
+    @property
+    def left(self) -> float | None:
+        """Time left [s]; None while unknown."""
+        return (self.flights - self.done - self.given_up) / self.rate if self.rate > 0.0 else None
+
+    def sentence(self) -> str:
+        """In one line."""
+        share = 100.0 * self.done / self.flights
+        parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {self.parts} parts"]
+        if self.rate > 0.0:
+            parts.append(f"{self.rate:.0f} flights/s")
+        if self.left:
+            parts.append(f"{in_time(self.left)} left")
+        if self.refused:
+            parts.append(f"{self.refused} refused")
+        return ", ".join(parts)
+
+
+def in_time(seconds: float) -> str:
+    """A time as one says it."""
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    if hours:
+        return f"{hours} h {minutes:02d} min"
+    return f"{minutes} min {rest:02d} s" if minutes else f"{rest} s"
+
+
+@dataclass
+class _Watch:
+    """Counts what comes in."""
+
+    store: Store
+    given_up: int = 0
+    warm: bool = False
+    """Whether the first part, which may have waited for a compiler, is left out of the rate."""
+    came: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
+
+    def now(self) -> Progress:
+        done = self.store.done
+        self.came.append((time.monotonic(), done))
+        if len(self.came) == 3 and not self.warm:
+            self.came.popleft()
+            self.warm = True
+        (then, before), (last, _) = self.came[0], self.came[-1]
+        rate = (done - before) / (last - then) if last > then else 0.0
+        parts = self.store.parts
+        refused = sum(part.refused for part in parts)
+        return Progress(
+            done, self.store.design.flights, len(parts), refused, self.given_up, rate
+        )  # fmt: skip
+
+
+def run_campaign(
+    plan: Plan | Design,
+    folder: str | Path,
+    *,
+    resume: bool = False,
+    workers: int | None = None,
+    chunk: int | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[Progress], None] | None = None,
+    remark: Remark | None = None,
+) -> Campaign:
+    """Fly a campaign into a folder, or what is left of it.
+
+    The rows depend on the plan alone, bit for bit, and on none of the other arguments.  A script
+    that calls this must do so under ``if __name__ == "__main__"``, as its workers read it, too.
+
+    Args:
+        plan: What to fly.
+        folder: For plan, parts and ledger; is made if it is not there.
+        resume: Whether a campaign in the folder may be gone on with.
+        workers: Processes; by default as many as there are cores.
+        chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
+            all workers have some.
+        scheduler: Address of a Dask scheduler to fly on, in place of processes.
+        progress: Told how far it is, after each part.
+        remark: Told of what went wrong and was mended, in one line each.
+
+    Returns:
+        The campaign, to be asked questions of.
+
+    Raises:
+        InputError: If the plan or the folder cannot be used.
+        Stopped: If the disk is full, workers keep dying, the cluster is lost; all parts that were
+            kept stay, and ``resume`` goes on from them.
+    """
+    design = plan if isinstance(plan, Design) else laid_out(plan)
+    crew = _at_least_one("workers", workers, os.cpu_count() or 1)
+    wanted = _at_least_one("chunk", chunk, CHUNK)
+    folder, say = Path(folder), remark or _silent
+    check_conditions(design)
+    with opened(folder, design, resume=resume) as store:
+        for line in [*changed_versions(folder), *store.checked_parts()]:
+            say(line)
+        fair = -(-(design.flights - store.done) // (SHARES * crew))
+        size = wanted if chunk else max(1, min(wanted, fair))
+        chunks = store.missing(size)
+        watch, failed = _Watch(store), list[GivenUp]()
+        tell = progress or _silent
+        tell(watch.now())
+        with contextlib.closing(_flights(design, chunks, crew, scheduler, say)) as coming:
+            for one in coming:
+                if isinstance(one, Flown):
+                    store.add(*one.chunk, one.columns)
+                else:
+                    failed.append(one)
+                    watch.given_up += one.chunk[1] - one.chunk[0]
+                    say(f"flights {one.chunk[0]} to {one.chunk[1] - 1} are given up: {one.why}")
+                    _note(folder, one)
+                tell(watch.now())
+        if failed:
+            raise Stopped(
+                f"{watch.given_up} flights were given up: {failed[0].why}; {store.done} of "
+                f"{design.flights} are kept, and --resume tries the others again"
+            )
+        campaign = Campaign(folder)
+        campaign.keep(say)
+    return campaign
+
+
+def _flights(
+    design: Design, chunks: list[tuple[int, int]], crew: int, scheduler: str | None, say: Remark
+) -> Generator[Flown | GivenUp]:
+    text = design.plan.canonical()
+    if not chunks:
+        return
+    if scheduler is None:
+        yield from fly_locally(text, chunks, crew, say)
+    else:
+        from springback.experiments.campaign.cluster import fly_on_cluster
+
+        yield from fly_on_cluster(text, chunks, scheduler, say)
+
+
+def _at_least_one(name: str, given: int | None, default: int) -> int:
+    if given is not None and given < 1:
+        raise InputError(f"--{name}: must be at least 1 (got {given})")
+    return given or default
+
+
+def _silent(_: Any) -> None:
+    """Nobody wants to know."""
+
+
+def _note(folder: Path, one: GivenUp) -> None:
+    """Keep what Python said of a chunk that failed."""
+    if one.details:
+        with (folder / "problems.log").open("a", encoding="utf-8") as file:
+            file.write(f"flights {one.chunk[0]} to {one.chunk[1] - 1}\n{one.details}\n")

@@ -1,0 +1,83 @@
+"""Presets by name, and tables laid over them."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import Any
+
+from springback.contact.library import SURFACES
+from springback.errors import InputError
+from springback.vehicle.library import VEHICLES
+
+
+def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
+    """A preset by name.
+
+    Raises:
+        InputError: With the nearest known name.
+    """
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
+    hint = f"did you mean {near[0]}?" if near else ""
+    raise InputError(
+        " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
+    )
+
+
+def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
+    """``base`` with the values of ``over``, table by table."""
+    result = dict(base)
+    for key, value in over.items():
+        inner = result.get(key)
+        if isinstance(value, Mapping) and isinstance(inner, Mapping):
+            result[key] = merged(inner, value)
+        else:
+            result[key] = value
+    return result
+
+
+def vehicle_table(given: Any) -> Any:
+    """A raw vehicle, its preset replaced by what it stands for."""
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("vehicle", str(table["preset"]), {k: v.vehicle for k, v in VEHICLES.items()})
+    own = {key: value for key, value in table.items() if key != "preset"}
+    return merged(base.model_dump(), own)
+
+
+def surface_table(given: Any) -> Any:
+    """A raw surface, its preset replaced by what it stands for."""
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
+    own = {key: value for key, value in table.items() if key != "preset"}
+    if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
+        base.pop("restitution", None)
+        base.pop("restitution_speed", None)
+    if "restitution" in own and "restitution_speed" not in own:
+        base.pop("restitution_speed", None)
+    return merged(base, own)
+
+
+def obstacle_table(entry: Any) -> Any:
+    """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
+    if not isinstance(entry, Mapping):
+        return entry
+    own = {key: surface_table(entry[key]) for key in ("surface", "backing") if key in entry}
+    return {**entry, **own}
+
+
+def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A raw scenario with every preset replaced by what it stands for."""
+    result = dict(given)
+    if "vehicle" in result:
+        result["vehicle"] = vehicle_table(result["vehicle"])
+    world = result.get("world")
+    if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
+        entries = [obstacle_table(entry) for entry in world["obstacles"]]
+        result["world"] = {**world, "obstacles": entries}
+    return result

@@ -1,0 +1,90 @@
+"""The tables of a scenario: the world, the start, what is true of it, and how finely to step."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import model_validator
+
+from springback.contact.parameters import ObstacleSettings
+from springback.quantities import Angle, Duration, quantity, triple
+from springback.settings import Settings, problem
+
+
+class WorldSettings(Settings):
+    """What is there to hit, and gravity."""
+
+    gravity: quantity("m/s^2", least=0.0) = 9.81  # type: ignore[valid-type]
+    obstacles: tuple[ObstacleSettings, ...] = ()
+
+
+class Start(Settings):
+    """State at time 0.  Euler angles are ZYX; positive pitch is nose down."""
+
+    position: triple("m") = (0.0, 0.0, 1.0)  # type: ignore[valid-type]
+    velocity: triple("m/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    roll: Angle = 0.0
+    pitch: Angle = 0.0
+    yaw: Angle = 0.0
+    angular_velocity: triple("rad/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+
+
+class ModelSettings(Settings):
+    """Which of the models of the paper, and beyond."""
+
+    contact_point: Literal["ring", "paper"] = "ring"
+    """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
+    arms: Literal["hybrid", "always-free"] = "hybrid"
+    """`hybrid`: one rigid body in free flight (assumption 5).  `always-free`: arms always slide."""
+    slider: triple("") | None = None  # type: ignore[valid-type]
+    """World axis of a slider that guides the vehicle, as on the testbed; none: free flight."""
+
+
+class Payload(Settings):
+    """What the vehicle carries in truth, unknown to who flies it."""
+
+    mass: quantity("kg", least=0.0) = 0.0  # type: ignore[valid-type]
+    inertia: triple("kg m^2") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Its own moments about its centre of mass, body axes; a point mass has none."""
+    position: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Of its centre of mass in body axes; only the main body's centre of mass is possible."""
+
+    @model_validator(mode="after")
+    def _possible(self) -> Payload:
+        if any(self.position):
+            raise problem(
+                "must be [0, 0, 0] m: the equations have the main body's centre of mass in the "
+                f"plane of arms and rotors, where a payload aside would move it out (got "
+                f"{list(self.position)} m)",
+                "position",
+            )
+        if min(self.inertia) < 0.0:
+            raise problem(
+                f"must be at least 0 kg m^2 each (got {list(self.inertia)} kg m^2)", "inertia"
+            )
+        return self
+
+
+class ModelError(Settings):
+    """True over believed numbers of the whole vehicle; `vehicle` is what is believed of it."""
+
+    mass: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    """Of the mass; the difference is in the main body, the arms are as believed."""
+    inertia: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    """Of the inertia about the main body with the arms at their free length."""
+
+
+class SimulationSettings(Settings):
+    """Duration and steps.  The defaults come from studies/convergence.py."""
+
+    duration: Duration = 0.5
+    free_step: Duration = 1e-3
+    impact_step: Duration = 1e-4
+    settle_step: Duration | None = None
+    """While arms settle and nothing touches; by default as fine as their damping needs."""
+    arm_tolerance: quantity("m", above=0.0) = 1e-5  # type: ignore[valid-type]
+    """An arm has settled within this distance of its free length ..."""
+    rate_tolerance: quantity("m/s", above=0.0) = 1e-3  # type: ignore[valid-type]
+    """... moving slower than this."""
+    dwell: Duration = 0.02
+    """Contacts closer together than this are one impact."""

@@ -1,0 +1,190 @@
+"""Flights laid into buffers, fast: only what differs from the first of their kind is laid anew.
+
+Flights that were made ready together share most branches of their trees, the very objects.  So a
+tree is compared with that of the first flight branch by branch, and only the leaves that are not
+shared are written.  `springback.simulation.flight.loaded` and
+`springback.simulation.guided.cabins_loaded` say the same slowly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import chain
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.kernels.layout import Buffer, row_of, rows
+from springback.kernels.trees import function_of
+from springback.simulation.aboard import Cabin
+from springback.simulation.flight import first_phase, loaded, shape_of
+from springback.simulation.guided import cabins_loaded
+from springback.simulation.lanes import Shape, empty_groups
+from springback.simulation.record import FLYING, Model
+from springback.vehicle.state import State
+
+
+class Unlike(Exception):  # it says what is so, and nobody meets it
+    """A flight is of another kind than the first."""
+
+
+class Comparison:
+    """Compares trees with a first one of their type, by a function that is generated for it.
+
+    A loop over branches would take three times as long.
+    """
+
+    def __init__(self, tree: tuple[Any, ...], first: int = 0) -> None:
+        """With a tree whose leaves lie from some row on."""
+        self._rows: list[range] = []
+        self._row, self._names = first, 0
+        self._scope: dict[str, Any] = {"Unlike": Unlike}
+        self._lines: list[str] = []
+        self._compare(tree, "tree", "like", "")
+        differing: Callable[..., None] = function_of(
+            "tree, like, found, values", self._lines, self._scope
+        )
+        self._tree, self._differing = tree, differing
+
+    def gather(self, tree: tuple[Any, ...], found: list[int], values: list[float]) -> None:
+        """What is not that of the first tree.
+
+        Args:
+            tree: Of another flight.
+            found: Gets the numbers of the parts that differ.
+            values: Gets their leaves.
+
+        Raises:
+            Unlike: If the trees are of different types.
+        """
+        if tree is not self._tree:
+            self._differing(tree, self._tree, found, values)
+
+    def rows(self, found: Sequence[int]) -> list[int]:
+        """Rows of the leaves of some parts."""
+        return [row for number in found for row in self._rows[number]]
+
+    def _compare(self, tree: tuple[Any, ...], mine: str, first: str, indent: str) -> None:
+        """Lines that compare one branch, which is known not to be the first's very object."""
+        kind = type(tree)
+        self._scope[f"{kind.__name__}_{id(kind)}"] = kind
+        wrong = f"{mine}.__class__ is not {kind.__name__}_{id(kind)}"
+        wrong += f" or len({mine}) != {len(tree)}" if kind is tuple else ""
+        self._lines.append(f"{indent}if {wrong}: raise Unlike")
+        if not any(isinstance(branch, tuple) for branch in tree):
+            self._take(mine, len(tree), indent)
+            return
+        names = [(f"a{self._names + k}", f"b{self._names + k}") for k in range(len(tree))]
+        self._names += len(tree)
+        self._lines.append(f"{indent}{', '.join(a for a, _ in names)}, = {mine}")
+        self._lines.append(f"{indent}{', '.join(b for _, b in names)}, = {first}")
+        for branch, (a, b) in zip(tree, names, strict=True):
+            self._lines.append(f"{indent}if {a} is not {b}:")
+            if isinstance(branch, tuple):
+                self._compare(branch, a, b, indent + "    ")
+            else:
+                self._lines.append(f"{indent}    if isinstance({a}, tuple): raise Unlike")
+                self._take(f"({a},)", 1, indent + "    ")
+
+    def _take(self, values: str, count: int, indent: str) -> None:
+        """Lines that take the leaves of one part."""
+        self._lines.append(f"{indent}found.append({len(self._rows)}); values += {values}")
+        self._rows.append(range(self._row, self._row + count))
+        self._row += count
+
+
+class Differences:
+    """What differs from the first flight's column, flight by flight, for one kind of buffer."""
+
+    def __init__(self, column: Buffer) -> None:
+        """Of flights that are like the one of this column, shape (rows,), but for what is added."""
+        self._column = column
+        self._patterns: dict[tuple[int, ...], int] = {}
+        self._of: list[int] = []
+        self._values: list[list[float]] = []
+
+    def add(self, found: list[int], values: list[float]) -> None:
+        """One more flight: parts that are not those of the first, and their leaves."""
+        pattern = tuple(found)
+        self._of.append(self._patterns.setdefault(pattern, len(self._patterns)))
+        self._values.append(values)
+
+    def buffers(
+        self, out: Buffer, width: int, rows_of: Callable[[Sequence[int]], list[int]]
+    ) -> None:
+        """Lay all flights into buffers of shape (groups, rows x width); spare lanes as the last."""
+        count, lanes = len(self._of), out.reshape(len(out), -1, width)
+        lanes[:] = self._column[None, :, None]
+        flights = np.minimum(np.arange(len(out) * width), count - 1)
+        of = np.array(self._of)[flights]
+        for pattern, number in self._patterns.items():
+            mine, places = np.flatnonzero(of == number), rows_of(pattern)
+            values = chain.from_iterable(self._values[k] for k in flights[mine].tolist())
+            shape = len(mine), len(places)
+            new = np.fromiter(values, np.float64, shape[0] * shape[1]).reshape(shape)
+            group, lane = np.divmod(mine, width)
+            lanes[group[:, None], np.array(places, dtype=np.intp), lane[:, None]] = new
+
+
+class Laid(NamedTuple):
+    """Flights of one kind in their buffers."""
+
+    shape: Shape
+    model: Model
+    start: State
+    cabin: Cabin | None
+    buffers: Buffer
+    aboard: Buffer | None
+    """None without pilots."""
+
+
+class Loader:
+    """Takes flights of one kind, and lays them into buffers."""
+
+    def __init__(self, model: Model, start: State, cabin: Cabin | None, width: int) -> None:
+        """Of the first flight, which is to be added like all others."""
+        self.model, self.start, self.cabin, self.width = model, start, cabin, width
+        self.count = 0
+        self._shape = shape_of(model, start)
+        column = loaded(self._shape, [model], [start], width).reshape(-1, width)[:, 0]
+        record = len(column) - rows(self._shape.record)
+        self._status = record + row_of(self._shape.record, "status")
+        self._phase = record + row_of(self._shape.record, "phase")
+        self._phases: list[float] = []
+        self._flights, self._both = Differences(column), Comparison((model, start))
+        if cabin is not None:
+            self._cabins = Differences(cabins_loaded([cabin], 1)[0])
+            self._aboard = Comparison(cabin)
+
+    def add(self, model: Model, start: State, cabin: Cabin | None) -> None:
+        """One more flight.
+
+        Raises:
+            Unlike: If it is of another kind; nothing is added then.
+        """
+        found: tuple[list[int], list[int]] = [], []
+        values: tuple[list[float], list[float]] = [], []
+        self._both.gather((model, start), found[0], values[0])
+        if (cabin is None) != (self.cabin is None):
+            raise Unlike
+        if cabin is not None:
+            self._aboard.gather(cabin, found[1], values[1])
+            self._cabins.add(found[1], values[1])
+        self._flights.add(found[0], values[0])
+        self._phases.append(first_phase(model, start))
+        self.count += 1
+
+    def laid(self) -> Laid:
+        """All flights in their buffers; spare lanes repeat the last flight, already ended."""
+        width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
+        self._flights.buffers(buffers, width, self._both.rows)
+        groups, spare = len(buffers), -self.count % width
+        lanes = buffers.reshape(groups, -1, width)
+        phases = np.array([*self._phases, *self._phases[-1:] * spare])
+        lanes[:, self._phase] = phases.reshape(groups, width)
+        lanes[-1, self._status, width - spare :] = FLYING + 1.0
+        aboard = None
+        if self.cabin is not None:
+            aboard = np.zeros((groups, rows(self.cabin) * width))
+            self._cabins.buffers(aboard, width, self._aboard.rows)
+        return Laid(self._shape, self.model, self.start, self.cabin, buffers, aboard)

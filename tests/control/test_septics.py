@@ -1,0 +1,80 @@
+"""Many polynomials of degree 7 at once: SciPy's, and demands as of one."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import scipy
+
+from springback.control import approach
+from springback.control.approach import ALIKE, _simplest
+from springback.control.demands import Limits, level_demands
+from springback.control.runup import run_up
+from springback.control.septics import Courses, septics, shares
+from springback.errors import InputError
+from springback.kernels.vectors import Vec
+
+LIMITS = Limits(1.15, 9.81, 28.0, 2.0)
+
+
+def some_courses() -> tuple[np.ndarray, np.ndarray, np.ndarray, Courses]:
+    luck = np.random.default_rng(0)
+    first, last = luck.standard_normal((2, 4, 9))
+    durations = luck.uniform(0.1, 5.0, 9)
+    return first, last, durations, septics(first, last, durations, 31)
+
+
+def test_they_are_scipys_polynomials() -> None:
+    first, last, durations, courses = some_courses()
+    for k, duration in enumerate(durations):
+        curve = scipy.interpolate.BPoly.from_derivatives([0.0, duration], [first[:, k], last[:, k]])
+        t = np.linspace(0.0, duration, 31)
+        for order, found in enumerate(courses, start=1):
+            wanted = curve(t, order)
+            assert found[:, k] == pytest.approx(wanted, abs=1e-9 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("limits", [LIMITS, LIMITS._replace(least_thrust=20.0)])
+def test_shares_are_those_of_single_courses(limits: Limits) -> None:
+    *_, courses = some_courses()
+    for k, found in enumerate(shares(courses, limits)):
+        asked = level_demands(courses.acceleration[:, k], courses.jerk[:, k], limits)
+        assert found == pytest.approx(max(asked.uses(limits).values()), rel=1e-12)
+
+
+def test_of_durations_that_are_alike_the_shortest_is_taken() -> None:
+    """Where nothing asks for more than the pitch at the end, rounding must not choose."""
+    ties = 0
+    for pitch in np.radians(np.linspace(-30.0, 45.0, 16)):
+        for speed in (1.0, 1.5, 2.0, 2.5):
+            end = (2.4, speed, 9.81 * math.tan(pitch), 0.0)
+            plan = _simplest(end, LIMITS)
+            durations = np.geomspace(0.02, 8.0, 150) * end[0] / end[1]
+            courses = septics(np.zeros((4, 1)), np.array(end)[:, None], durations, approach.FEW)
+            stays = courses.velocity.min(axis=0) >= -approach.BACKWARDS * end[1]
+            share = shares(courses, LIMITS)
+            alike = durations[stays & (share <= ALIKE * share[stays].min())]
+            assert plan.breaks[-1] == alike.min()
+            ties += len(alike) > 1
+    assert ties > 10
+
+
+def test_advice_is_looked_for_only_where_it_is_wanted(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[float] = []
+
+    def least(planned: object, distance: float) -> float:
+        asked.append(distance)
+        return 2.0 * distance
+
+    monkeypatch.setattr(approach, "_least_distance", least)
+    ends = Vec(0.0, 0.0, 1.0), Vec(2.4, 0.0, 1.0)
+    with pytest.raises(
+        InputError, match=r"needs more than the 2.4 m it has; within 2.4 m it needs"
+    ):
+        run_up(8.0, 0.0, *ends, LIMITS, advises=False)
+    assert not asked
+    with pytest.raises(InputError, match=r"needs a distance of 4.8 m, 2.4 m more than the 2.4 m"):
+        run_up(8.0, 0.0, *ends, LIMITS)
+    assert asked == [2.4]

@@ -1,0 +1,211 @@
+"""The folder of a campaign: nothing lost, nothing doubled, nothing half-written."""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+import multiprocessing
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.experiments.campaign.made_up import filled, rows
+from tests.experiments.campaign.plans import plan
+
+from springback.errors import InputError
+from springback.experiments.campaign import ledger, store
+from springback.experiments.campaign.design import laid_out
+from springback.experiments.campaign.ledger import Part, missing
+from springback.experiments.campaign.reading import Campaign
+from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import opened
+
+
+def names(folder: Path) -> set[str]:
+    return {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
+
+
+def test_rows_come_back_as_they_were_with_units(tmp_path: Path) -> None:
+    design = filled(tmp_path / "a")
+    campaign = Campaign(tmp_path / "a")
+    told = campaign.query("FROM flights ORDER BY flight").as_dicts()
+    want = rows(design, 0, 30)
+    assert (campaign.done, campaign.complete, len(told)) == (30, False, 30)
+    for k, row in enumerate(told):
+        refused = want["outcome"][k] == "refused"
+        assert row["success"] == (None if refused else want["outcome"][k] != "hit_ground")
+        for name, values in want.items():
+            value = values[k]
+            assert row[name] == (None if isinstance(value, float) and math.isnan(value) else value)
+    import duckdb
+
+    sql = "SELECT decode(value) FROM parquet_kv_metadata(?) WHERE decode(key) = 'units'"
+    path = str(tmp_path / "a/parts/part-0000000000.parquet")
+    units = json.loads(duckdb.execute(sql, [path]).fetchall()[0][0])
+    assert (units["speed"], units["pitch"], units["peak_acceleration"]) == ("m/s", "rad", "m/s^2")
+
+
+def test_missing_stretches_are_cut_into_chunks() -> None:
+    parts = [Part(0, 10, "a", 1, ""), Part(25, 30, "b", 1, "")]
+    assert missing(parts, 40, 6) == [(10, 16), (16, 22), (22, 25), (30, 36), (36, 40)]
+    assert missing([], 5, 10) == [(0, 5)]
+    assert missing([Part(0, 5, "a", 1, "")], 5, 2) == []
+
+
+@pytest.mark.parametrize("cut", [1, 20, 100])
+def test_a_torn_last_line_of_the_ledger_does_not_count(tmp_path: Path, cut: int) -> None:
+    design = filled(tmp_path)
+    path = tmp_path / ledger.NAME
+    path.write_bytes(path.read_bytes()[:-cut])
+    assert [part.first for part in ledger.read(path)] == [0, 10]
+    with opened(tmp_path, design, resume=True) as again:
+        [said] = again.checked_parts()
+        assert "part-0000000020.parquet is not in the ledger" in said
+        assert again.missing(100) == [(20, 60)]
+        again.add(20, 40, rows(design, 20, 40))
+    assert [(part.first, part.last) for part in ledger.read(path)] == [(0, 10), (10, 20), (20, 40)]
+    assert "aside/part-0000000020.parquet.0" in names(tmp_path)
+
+
+@pytest.mark.parametrize("harm", ["cut", "flipped", "gone"])
+def test_a_damaged_part_is_set_aside_and_flown_again(tmp_path: Path, harm: str) -> None:
+    design = filled(tmp_path)
+    path = tmp_path / "parts/part-0000000010.parquet"
+    data = bytearray(path.read_bytes())
+    if harm == "gone":
+        path.unlink()
+    else:
+        data[200] ^= 1
+        path.write_bytes(data[:-1] if harm == "cut" else data)
+    if harm != "flipped":  # what a look at the folder can see
+        with pytest.raises(InputError, match=r"part-0000000010.*--resume"):
+            Campaign(tmp_path)
+    with opened(tmp_path, design, resume=True) as again:
+        [said] = again.checked_parts()
+        assert ("missing" if harm == "gone" else "damaged; it is now aside/part") in said
+        assert again.missing(100) == [(10, 20), (30, 60)]
+    assert Campaign(tmp_path).done == 20
+    with opened(tmp_path, design, resume=True) as again:
+        assert again.checked_parts() == []
+        again.add(10, 20, rows(design, 10, 20))
+    campaign = Campaign(tmp_path)
+    assert campaign.query("SELECT count(DISTINCT flight), count(*) FROM flights").rows == [(30, 30)]
+
+
+def full_disk(*_: Any, **__: Any) -> None:
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+@pytest.mark.parametrize("where", ["rows", "rename", "ledger"])
+def test_a_full_disk_stops_and_leaves_nothing_torn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    design = filled(tmp_path, parts=2)
+    before = names(tmp_path)
+    with opened(tmp_path, design, resume=True) as again, monkeypatch.context() as patch:
+        if where == "rows":
+            patch.setattr(store, "write_rows", full_disk)
+        elif where == "rename":
+            patch.setattr(os, "replace", full_disk)
+        else:
+            real = os.fsync
+            patch.setattr(ledger.os, "fsync", lambda fd: full_disk() if is_ledger(fd) else real(fd))
+        with pytest.raises(Stopped, match="no space is left on the disk"):
+            again.add(20, 30, rows(design, 20, 30))
+        assert again.done == 20
+    assert Campaign(tmp_path).done == 20
+    left = names(tmp_path) - before - {".lock"}
+    assert left <= ({"parts/part-0000000020.parquet"} if where == "ledger" else set())
+    with opened(tmp_path, design, resume=True) as again:
+        again.checked_parts()
+        again.add(20, 30, rows(design, 20, 30))
+    assert Campaign(tmp_path).query("SELECT count(*) FROM flights").rows == [(30,)]
+
+
+def is_ledger(fd: int) -> bool:
+    return os.readlink(f"/proc/self/fd/{fd}").endswith(ledger.NAME)
+
+
+def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
+    """/dev/full says what a full disk says."""
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no /dev/full")
+    design = laid_out(plan(samples=30))
+    with pytest.raises(OSError) as caught:
+        ledger.append(Path("/dev/full"), Part(0, 1, "a", 1, ""))
+    assert caught.value.errno == errno.ENOSPC
+    with pytest.raises(Exception, match="No space left") as told:
+        store.write_rows(Path("/dev/full"), rows(design, 0, 30), design)
+    assert store.is_disk(told.value)
+
+
+def hold(folder: Path, ready: Any, done: Any) -> None:
+    with opened(folder, laid_out(plan()), resume=True):
+        ready.set()
+        done.wait(60)
+
+
+def test_a_second_process_is_told_who_is_at_work_and_the_lock_dies_with_it(tmp_path: Path) -> None:
+    context = multiprocessing.get_context("spawn")
+    ready, done = context.Event(), context.Event()
+    other = context.Process(target=hold, args=(tmp_path, ready, done), daemon=True)
+    other.start()
+    assert ready.wait(60)
+    design = laid_out(plan())
+    with pytest.raises(InputError, match=rf"in use by process {other.pid} on .* since "):  # noqa: SIM117
+        with opened(tmp_path, design, resume=True):
+            pass
+    other.kill()
+    other.join()
+    with opened(tmp_path, design, resume=True) as mine:
+        assert mine.missing(100) == [(0, 24)]
+
+
+def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
+    design = filled(tmp_path)
+
+    def refused(resume: bool, told: str, **given: Any) -> None:
+        other = laid_out(plan(**{"samples": 30, **given}))
+        with pytest.raises(InputError, match=told), opened(tmp_path, other, resume=resume):
+            pass
+
+    refused(False, "holds a campaign with 30 flights; go on with it by --resume")
+    refused(True, "its seed is 3, not 4", seed=4)
+    refused(True, "its plan differs in repeats, samples", samples=31, repeats=2)
+    about = json.loads((tmp_path / store.ABOUT).read_text())
+    about["versions"]["springback"] = "0.0.9"
+    (tmp_path / store.ABOUT).write_text(json.dumps(about))
+    refused(True, "its springback's version is 0.0.9, not ")
+    about["versions"] |= {"springback": store.__version__, "numba": "0.1"}
+    (tmp_path / store.ABOUT).write_text(json.dumps(about))
+    with opened(tmp_path, design, resume=True):
+        [told] = store.changed_versions(tmp_path)
+    assert told.startswith("numba was 0.1 and is ")
+
+
+def test_a_folder_with_other_things_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    design = laid_out(plan())
+    with (
+        pytest.raises(InputError, match="holds no campaign"),
+        opened(tmp_path, design, resume=True),
+    ):
+        pass
+    assert names(tmp_path) == {"thesis.tex"}
+    with pytest.raises(InputError, match="is a file"):  # noqa: SIM117
+        with opened(tmp_path / "thesis.tex", design, resume=False):
+            pass
+
+
+def test_a_campaign_that_died_before_it_began_can_be_gone_on_with(tmp_path: Path) -> None:
+    (tmp_path / ".lock").touch()
+    (tmp_path / store.PLAN).write_text("{")
+    design = laid_out(plan())
+    with opened(tmp_path, design, resume=True) as begun:
+        assert begun.done == 0
+    about = json.loads((tmp_path / store.ABOUT).read_text())
+    assert about["plan_sha256"] == design.plan.digest()
+    assert about["versions"].keys() == {"springback", "python", "numpy", "scipy", "numba"}
+    assert {"host", "cpu", "started", "seed", "flights"} <= about.keys()

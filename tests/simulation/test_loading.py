@@ -1,0 +1,104 @@
+"""Flights laid into buffers by what differs: the same as laid leaf by leaf."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from springback.dynamics.gusts import Calm
+from springback.experiments.guidance import board_of
+from springback.experiments.scenario import scenario_from
+from springback.kernels.vectors import Vec
+from springback.simulation.aboard import Cabin
+from springback.simulation.flight import loaded, shape_of
+from springback.simulation.guided import cabins_loaded
+from springback.simulation.loading import Loader, Unlike
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+Flight = tuple[Model, State, Cabin]
+
+
+def flight(**tables: Any) -> Flight:
+    given = {"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}}
+    scenario = scenario_from(given | tables)
+    model, start = scenario.flight_model(), scenario.start_state()
+    return model, start, board_of(scenario, model, start).cabin
+
+
+def mixed() -> list[Flight]:
+    """Flights of one kind that differ in many ways, and in none."""
+    wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
+    first = flight(world={"obstacles": [wall]})
+    model, start, cabin = first
+    pressed = start._replace(arm_length=(0.18, *start.arm_length[1:]))
+    return [
+        first,
+        first,
+        flight(world={"obstacles": [wall | {"distance": 2.0}]}, seed=3),
+        (model, pressed, cabin),
+        flight(world={"obstacles": [wall]}, start={"position": [0.2, 0, 1], "yaw": 0.1}),
+        flight(world={"obstacles": [wall]}, control={"stiffness": 7.0}, model_error={"mass": 1.1}),
+        (model, start._replace(velocity=Vec(-0.0, 0.0, 0.0)), cabin),
+        flight(world={"obstacles": [wall]}, vehicle={"preset": "arq", "arms": {"stiffness": 3e3}}),
+        first,
+    ]
+
+
+@pytest.mark.parametrize("width", [1, 4, 8])
+def test_laid_by_differences_is_laid_leaf_by_leaf(width: int) -> None:
+    flights = mixed()
+    models, starts, cabins = (list(column) for column in zip(*flights, strict=True))
+    loader = Loader(*flights[0], width)
+    for one in flights:
+        loader.add(*one)
+    laid = loader.laid()
+    shape = shape_of(models[0], starts[0])
+    wanted, aboard = loaded(shape, models, starts, width), cabins_loaded(cabins, width)
+    assert laid.aboard is not None
+    # By their bits: −0 is not 0 here.
+    np.testing.assert_array_equal(laid.buffers.view(np.int64), wanted.view(np.int64))
+    np.testing.assert_array_equal(laid.aboard.view(np.int64), aboard.view(np.int64))
+
+
+def test_flights_without_pilots_are_laid_too() -> None:
+    flights = [(model, start) for model, start, _ in mixed()]
+    loader = Loader(*flights[0], None, 8)
+    for model, start in flights:
+        loader.add(model, start, None)
+    laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
+    assert laid.aboard is None
+    np.testing.assert_array_equal(laid.buffers, loaded(laid.shape, models, starts, 8))
+
+
+def test_flights_of_another_kind_are_told_apart() -> None:
+    """By one type, somewhere, or by a count; and nothing of them is added."""
+    first, gusty = (
+        flight(),
+        flight(air={"wind": [1, 0, 0], "body_drag": 0.02, "gusts": {"wind_at_6_m": 5}}),
+    )
+    loader = Loader(*first, 8)
+    loader.add(*first)
+    model, start, cabin = first
+    assert isinstance(cabin.guidance.weather, Calm)
+    arms = model.airframe._replace(arms=model.airframe.arms[:3])
+    others: list[tuple[Any, Any, Any]] = [
+        gusty,
+        (model, start, gusty[2]),
+        (model, start, None),
+        (
+            model,
+            start,
+            cabin._replace(aboard=cabin.aboard._replace(weather=gusty[2].aboard.weather)),
+        ),
+        (model, start, flight(recovery={"response": {"way": "staged"}})[2]),
+        (model._replace(airframe=arms), start, cabin),
+    ]
+    for other in others:
+        with pytest.raises(Unlike):
+            loader.add(*other)
+    assert loader.count == 1
+    wanted = cabins_loaded([cabin], 8)
+    np.testing.assert_array_equal(loader.laid().aboard, wanted)
