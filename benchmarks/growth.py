@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from benchmarks.rivals.contenders import STEP, Contender
 from benchmarks.rivals.report import machine, spread
@@ -141,22 +142,28 @@ def _panel(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> Axes:
     ticks = [row[varied] for row in rows]
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
+    memory.minorticks_off()
     axes.set_xlabel(LABELS[varied])
-    _from_nought(axes, rows, "ms per flight-second", log=varied == "flights")
-    _from_nought(memory, rows, "MiB", log=False)
+    _from_nought(axes, rows, "ms per flight-second", 1.15, log=varied == "flights")
+    _from_nought(memory, rows, "MiB", 2.0)  # so that the two do not hide each other
     return memory
 
 
-def _from_nought(axes: Axes, rows: Sequence[Mapping[str, Any]], key: str, log: bool) -> None:
+def _from_nought(
+    axes: Axes, rows: Sequence[Mapping[str, Any]], key: str, room: float, log: bool = False
+) -> None:
+    """The axis begins at nought and leaves room above, unless it is logarithmic."""
     highest = max(row[key]["highest"] for row in rows)
     if log:
         lowest = min(row[key]["lowest"] for row in rows)
         axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.yaxis.set_minor_formatter(NullFormatter())
         axes.set_ylim(
             10.0 ** math.floor(math.log10(lowest)), 10.0 ** math.ceil(math.log10(highest))
         )
     else:
-        axes.set_ylim(0.0, 1.25 * highest)
+        axes.set_ylim(0.0, room * highest)
 
 
 @styled
@@ -176,7 +183,7 @@ def growth_figure(report: Mapping[str, Any]) -> Figure:
         else:
             memory.set_ylabel("Memory [MiB] (orange)")
     figure.supxlabel(
-        f"{report['machine']['processor']}; medians of {report['rounds']} rounds, "
+        f"{report['machine']['processor']}; medians of rounds ({report['rounds']}), "
         "bars from lowest to highest", fontsize=7, color=INK,
     )  # fmt: skip
     return figure

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from benchmarks.closed_loop import vehicle_for_rotorpy
 from benchmarks.rivals import impacts
+from benchmarks.rivals.vehicle import quad
 
 #: What everybody flies with a pilot: hover, then a set-point 1 m ahead.
 STEP = {"start": [0.0, 0.0, 1.0], "target": [1.0, 0.0, 1.0], "step_at": 1.0, "duration": 6.0}
@@ -34,10 +34,9 @@ class Contender(NamedTuple):
     """What could not be made the same as for springback, or what it does besides."""
 
 
-def _tries(flights: tuple[int, ...], threads: int, alone: bool = True) -> tuple[Try, ...]:
-    """All numbers of flights in one process, and in one process on each core."""
-    processes = sorted({1, threads} if alone else {threads})
-    return tuple((p, n) for n in flights for p in processes if n >= p)
+def _tries(flights: tuple[int, ...], threads: int) -> tuple[Try, ...]:
+    """All numbers of flights in one process, and the same in a process on each core."""
+    return tuple((p, p * n) for n in flights for p in sorted({1, threads}))
 
 
 def _ours(threads: int) -> list[Contender]:
@@ -62,7 +61,7 @@ def _ours(threads: int) -> list[Contender]:
 
 
 def _rotorpy(threads: int) -> list[Contender]:
-    told = {"vehicle": vehicle_for_rotorpy(), "task": STEP}
+    told = {"vehicle": quad(), "task": STEP}
     made = [
         Contender(
             name=f"RotorPy, one by one, {rate} Hz",
@@ -102,7 +101,7 @@ def _crazyflow(threads: int) -> list[Contender]:
             kind="flight",
             program="crazyflow_flights",
             environment="crazyflow",
-            tries=_tries((64, 1024, 8192), threads),
+            tries=_tries((64, 1024, 4096), threads),
             told={"look": look, "task": STEP},
             rates="dynamics and attitude 500 Hz, position 100 Hz, its defaults",
             differs="its own Crazyflie and gains, explicit Euler, no sensors, the controller takes "

@@ -181,6 +181,20 @@ def _accuracy(found: Mapping[str, Any]) -> list[str]:
     return [*lines, ""]
 
 
+def _sweeps(contenders: Mapping[str, Any]) -> list[str]:
+    """What every number of flights and processes gave, once, before the rounds."""
+    lines = ["## Numbers of flights tried", "", "| | flight-seconds per second, once each |"]
+    lines.append("|:---|:---|")
+    for name, row in contenders.items():
+        said = []
+        for tried in row["sweep"]:
+            shared = f" in {tried['processes']} processes" if tried["processes"] > 1 else ""
+            rate = _figure(horizon(row["kind"]) * tried["rate"])
+            said.append(f"{tried['flights']}{shared}: {rate}")
+        lines.append(f"| {name} | {'; '.join(said)} |")
+    return [*lines, ""]
+
+
 def _conditions(report: Mapping[str, Any]) -> list[str]:
     lines = ["## What differs", "", "| | rates | differs from ours | versions |"]
     lines.append("|:---|:---|:---|:---|")
@@ -204,8 +218,8 @@ def markdown(report: Mapping[str, Any]) -> str:
         lines += ["A quick run, to see that all works: **its figures mean nothing.**", ""]
     lines += [f"- {key}: {value}" for key, value in report["machine"].items()]
     lines += [
-        f"- medians of {report['rounds']} rounds in which all take part one after another, each "
-        "in fresh processes; lowest and highest in brackets",
+        f"- rounds: {report['rounds']}; in each all take part one after another, in fresh "
+        "processes; medians, with the lowest and highest in brackets",
         "- rivals: compiled and warm, set up before the clock runs; the fastest of the numbers of "
         "flights and processes tried; memory of all processes together",
         "",
@@ -227,4 +241,4 @@ def markdown(report: Mapping[str, Any]) -> str:
         lines.append(
             f"- {name}: installing took {_duration(made['seconds'])}, {_figure(made['MiB'])} MiB"
         )
-    return "\n".join([*lines, "", *_conditions(report)])
+    return "\n".join([*lines, "", *_sweeps(report["contenders"]), *_conditions(report)])
