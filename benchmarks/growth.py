@@ -2,8 +2,8 @@
 
 Run-ups, impacts and recoveries of ARQ, many abreast, with more flights, longer flights, more arms
 and more obstacles, one thing at a time.  Every point is a fresh process, so that its memory is its
-own; all is compiled before.  Points of a round follow one another in an
-order of their own, so that a change of the machine's mood meets all of them.
+own; what has to be compiled is compiled before, by others.  Points of a round follow one another in
+an order of their own, so that a change of the machine's mood meets all of them.
 """
 
 from __future__ import annotations
