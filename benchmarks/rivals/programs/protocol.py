@@ -125,7 +125,8 @@ def many(told: dict[str, Any], work: Work, first: bool = True) -> tuple[list[dic
     Args:
         told: ``tries`` are numbers of processes and of flights, all together.
         work: Flies; told the job and the places of the flights, says the largest miss [m].
-        first: Do it once before the clock runs: whatever compiles has then compiled.
+        first: Do it once before the clock runs, as whatever compiles has then compiled; else
+            every process flies one flight before.
 
     Returns:
         Seconds of each try, and the largest miss of all.
@@ -138,8 +139,8 @@ def many(told: dict[str, Any], work: Work, first: bool = True) -> tuple[list[dic
         run = functools.partial(crew.each, tasks) if crew else lambda: [work(tasks[0])]  # noqa: B023
         if first:
             run()
-        elif crew:  # imports only
-            crew.each([(told, [])] * processes)
+        elif crew:  # whatever is imported late has then been
+            crew.each([(told, places[:1])] * processes)
         seconds, misses = timed(run)
         if crew:
             crew.close()
