@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tests.experiments.campaign.plans import plan
 
 from springback.experiments.campaign.design import Design, laid_out
 from springback.experiments.campaign.store import opened
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import MEASURES
-from tests.experiments.campaign.plans import plan
 
 
 def rows(design: Design, first: int, last: int) -> dict[str, Any]:
@@ -29,7 +29,9 @@ def rows(design: Design, first: int, last: int) -> dict[str, Any]:
     ]
     columns["problem"] = ["too weak" if w == "refused" else "" for w in columns["outcome"]]
     for j, name in enumerate(MEASURES | RECOVERY_MEASURES):
-        values = np.array([d[j % 32] + 1e-9 * k for d, k in zip(drawn, range(first, last), strict=True)])
+        values = np.array(
+            [d[j % 32] + 1e-9 * k for d, k in zip(drawn, range(first, last), strict=True)]
+        )
         values[np.array(columns["outcome"]) == "refused"] = np.nan
         columns[name] = values if name in MEASURES else values * np.nan
     return columns

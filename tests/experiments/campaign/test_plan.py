@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.stats
+from tests.experiments.campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
 
 from springback.errors import InputError
 from springback.experiments.campaign import sampling
@@ -19,7 +20,6 @@ from springback.experiments.campaign.plan import Plan, Source, plan_from, read_p
 from springback.experiments.campaign.sampling import POINTS, grid_point, seeds
 from springback.experiments.scenario import scenario_from
 from springback.experiments.trials import HOME, Luck, Scatter, trial_tables
-from tests.experiments.campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
 
 METHODS = ("random", "latin-hypercube", "sobol")
 
@@ -133,6 +133,16 @@ def test_values_arrive_in_the_scenario() -> None:
         )
 
 
+def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
+    vary = [{"field": "wall angle", "values": [0.1]}, {"field": "friction", "values": [0.77]}, SURFACE]
+    design = laid_out(plan(method="grid", samples=None, robots=[], vary=vary))
+    assert list(design.units) == ["wall_angle", "friction", "surface"]
+    walls = [scenario_from(one).world.obstacles[0] for one in design.dealt(0, 2).tables]
+    assert [wall.surface.friction for wall in walls] == [0.77, 0.77]
+    assert walls[0].surface.stiffness != walls[1].surface.stiffness
+    assert [wall.normal[1] for wall in walls] == [-math.sin(0.1)] * 2
+
+
 def test_scatter_is_that_of_trials() -> None:
     """The tables of a trial whose luck is what a row says."""
     base = trial_tables("arq", 0.0, 2.0, Luck(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
@@ -151,7 +161,10 @@ def test_scatter_is_that_of_trials() -> None:
         row["scatter_wall_yaw"], row["scatter_mass_factor"], row["scatter_inertia_factor"],
         tuple(row[f"scatter_{name}_factor"] for name in gains), row["seed"],
     )  # fmt: skip
-    ours, theirs = scenario_from(dealt.tables[1]), scenario_from(trial_tables("arq", 0.0, 2.0, luck))
+    ours, theirs = (
+        scenario_from(dealt.tables[1]),
+        scenario_from(trial_tables("arq", 0.0, 2.0, luck)),
+    )
     assert ours.start == theirs.start
     assert ours.control == theirs.control
     assert ours.model_error == theirs.model_error
@@ -275,7 +288,9 @@ def test_a_plan_file_names_its_scenario_and_takes_overrides(tmp_path: Path) -> N
         ({"repeats": 10**8}, "too many"),
     ],
 )  # fmt: skip
-def test_a_plan_that_cannot_be_flown_is_refused_in_one_line(given: dict[str, Any], told: str) -> None:
+def test_a_plan_that_cannot_be_flown_is_refused_in_one_line(
+    given: dict[str, Any], told: str
+) -> None:
     with pytest.raises(InputError, match=told) as caught:
         laid_out(plan(**given))
     assert len(caught.value.problems) == 1

@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.experiments.campaign.made_up import filled, rows
+from tests.experiments.campaign.plans import plan
 
 from springback.errors import InputError
 from springback.experiments.campaign import ledger, store
@@ -19,8 +21,6 @@ from springback.experiments.campaign.ledger import Part, missing
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import opened
-from tests.experiments.campaign.made_up import filled, rows
-from tests.experiments.campaign.plans import plan
 
 
 def names(folder: Path) -> set[str]:
@@ -133,7 +133,7 @@ def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
     design = laid_out(plan(samples=30))
-    with pytest.raises(OSError) as caught:
+    with pytest.raises(OSError, match="No space left") as caught:
         ledger.append(Path("/dev/full"), Part(0, 1, "a", 1, ""))
     assert caught.value.errno == errno.ENOSPC
     with pytest.raises(Exception, match="No space left") as told:
@@ -188,7 +188,10 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
 def test_a_folder_with_other_things_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     design = laid_out(plan())
-    with pytest.raises(InputError, match="holds no campaign"), opened(tmp_path, design, resume=True):
+    with (
+        pytest.raises(InputError, match="holds no campaign"),
+        opened(tmp_path, design, resume=True),
+    ):
         pass
     assert names(tmp_path) == {"thesis.tex"}
     with pytest.raises(InputError, match="is a file"):  # noqa: SIM117

@@ -69,7 +69,9 @@ class Design:
     bases: tuple[Tables, ...]
     """Of each robot, the scenario where nothing is varied."""
     dimensions: tuple[Dimension, ...]
-    """In the order in which they are put into the scenario."""
+    """In the order of the plan, scatter last."""
+    placing: tuple[int, ...]
+    """Numbers of dimensions, in the order in which they are put into the scenario."""
     samples: int
 
     @property
@@ -115,8 +117,9 @@ class Design:
         """A robot's scenario with values; tables made before for the same values are used again."""
         tables = dict(self.bases[robot])
         steps: dict[str, list[tuple[Dimension, Any]]] = {}
-        for one, value in zip(self.dimensions, drawn, strict=True):
-            steps.setdefault(one.table, []).append((one, value))
+        for k in self.placing:
+            one = self.dimensions[k]
+            steps.setdefault(one.table, []).append((one, drawn[k]))
         for name, changes in steps.items():
             table = tables.get(name, {})
             own = robot if any(one.own for one, _ in changes) else -1
@@ -220,17 +223,20 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     if plan.method == "grid":
         for one in fields:
             samples *= max(1, one.dimension.law.levels)
-    design = Design(plan, _named(plan), bases, (*_in_order(fields), *luck), samples)
+    design = Design(
+        plan, _named(plan), bases, (*dimensions, *luck), _in_order(fields, len(luck)), samples
+    )
     if samples > MOST_SAMPLES or design.flights > MOST_FLIGHTS:
         what = f"{design.flights} flights of {samples} samples are too many; at most {MOST_FLIGHTS}"
         raise InputError(where.blamed((), f"{what} of {MOST_SAMPLES}"))
     return design
 
 
-def _in_order(fields: Sequence[Found]) -> list[Dimension]:
-    """Whole tables before what is in them, and changes of a wall after the wall's own fields."""
-    order = sorted(fields, key=lambda one: (one.goal.relative, len(one.goal.path)))
-    return [one.dimension for one in order]
+def _in_order(fields: Sequence[Found], luck: int) -> tuple[int, ...]:
+    """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
+    goals = [one.goal for one in fields]
+    order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
+    return (*order, *range(len(goals), len(goals) + luck))
 
 
 # -- robots ---------------------------------------------------------------------------------------
