@@ -122,8 +122,8 @@ class Design:
             steps.setdefault(one.table, []).append((one, drawn[k]))
         for name, changes in steps.items():
             table = tables.get(name, {})
-            own = robot if any(one.own for one, _ in changes) else -1
-            key = (name, id(table), own, *(value for _, value in changes))
+            # Robots whose own values differ have tables of their own.
+            key = (name, id(table), *(value for _, value in changes))
             if key not in known:
                 for one, value in changes:
                     table = one.place(table, one.placed(value, robot))
