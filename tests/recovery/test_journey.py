@@ -18,8 +18,9 @@ from springback.recovery.journey import (
     Journey,
     journey_at_start,
     leaving,
+    passes,
     struck,
-    travelled,
+    turned,
 )
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.stages import OVER
@@ -49,6 +50,13 @@ def at(position: Vec, velocity: Vec = STILL) -> Estimate:
 
 def begun() -> Journey:
     return journey_at_start(ROUTE, HIT)
+
+
+def travelled(route, journey: Journey, hit, here: Estimate, time: float, yaw: float) -> Journey:
+    """A tick without an alarm."""
+    passed = passes(route, journey, here, time)
+    journey = journey._replace(near=passed.near)
+    return turned(route, journey, hit, here, time, yaw) if passed.turns else journey
 
 
 def rested(journey: Journey, place: Vec, begins: float, ends: float, route=ROUTE) -> Journey:

@@ -13,8 +13,8 @@ from springback.experiments.run_ups import run_up_scenario
 from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves, rebuilt
 from springback.recovery.journey import CRUISE, HOVER, LOOK, RECOVER, RETURN
-from springback.simulation.aboard import piloted
 from springback.simulation.measures import Outcome
+from springback.simulation.ticks import decided
 
 GROUND = {"type": "ground", "surface": "wall"}
 
@@ -78,13 +78,14 @@ def test_the_truth_is_poison_and_nothing_changes() -> None:
     tables["start"] = {"position": [2.35, 0.0, 1.0], "velocity": [3.0, 0.0, 0.0]}
     scenario = scenario_from(tables)
     own = cascade_of(scenario, scenario.flight_model(), scenario.start_state())
-    law, absurd = piloted.dispatch(type(own.settings)), []
+    absurd: list[Any] = []
 
     def poisoned(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
         if not absurd:
             absurd.append(rebuilt(measurement.exact, [1e6] * len(leaves(measurement.exact))))
         seen = measurement._replace(exact=absurd[0])
-        said = law(own.settings, time, seen, own.memory if memory is None else memory)
+        thought = own.memory if memory is None else memory
+        said = decided(own.settings, 1e-3, round(1e3 * time), seen, thought, 4)
         legs.append(said.memory.journey.leg)
         return said.thrust, said.memory
 

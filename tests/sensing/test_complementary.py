@@ -20,6 +20,7 @@ from springback.sensing.complementary import (
 )
 
 TICK = 1e-3
+BANDWIDTH = 20.0  # [1/s]
 FILTER = Complementary(
     tick=TICK,
     interval=TICK,
@@ -28,7 +29,7 @@ FILTER = Complementary(
     heading_weight=0.1,
     bias_weight=0.1,
     largest_bias=0.05,
-    bandwidth=20.0,
+    decay=math.exp(-BANDWIDTH * TICK),
 )
 
 
@@ -165,7 +166,7 @@ def test_an_accelerometer_bias_leaves_the_error_of_the_closed_form():
     bias, period = 0.3, 5e-3
     flown = at_rest(3.0, force=[bias, 0.0, 0.0])
     result = run(FILTER._replace(accelerometer_weight=0.0), started(flown), flown)
-    z = math.exp(-FILTER.bandwidth * period)
+    z = math.exp(-BANDWIDTH * period)
     missed = bias * period**2 / (1.0 - z) ** 2
     assert result.position[3000] == pytest.approx([missed * z * z, 0.0, 0.0], rel=1e-9, abs=1e-15)
 
@@ -177,5 +178,5 @@ def test_a_wrong_velocity_fades_as_fast_as_told():
     memory = memory._replace(velocity=memory.velocity._replace(x=1.0))
     result = run(FILTER, memory, flown)
     t = TICK * np.arange(1, 1001)
-    expected = (1.0 + FILTER.bandwidth * t) * np.exp(-FILTER.bandwidth * t)
+    expected = (1.0 + BANDWIDTH * t) * np.exp(-BANDWIDTH * t)
     assert np.abs(result.velocity[1:, 0] - expected).max() < 0.02

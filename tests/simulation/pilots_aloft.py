@@ -11,7 +11,7 @@ from springback.experiments.guidance import board_of
 from springback.experiments.scenario import scenario_from
 from springback.kernels.layout import Buffer
 from springback.kernels.trees import leaves
-from springback.simulation.aboard import Cabin
+from springback.simulation.aboard import Cabin, Draw
 from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -36,6 +36,15 @@ class Ready(NamedTuple):
     noise: Buffer
 
 
+class Lane(NamedTuple):
+    """A flight for `fly_guided_many`, and the same for `fly_guided`."""
+
+    alone: Ready
+    draws: tuple[Draw, ...]
+    seed: int
+    flight: int
+
+
 def tables(duration: float, estimator: str = "perfect", **others: Any) -> dict[str, Any]:
     """A guided flight as plain tables."""
     return {
@@ -48,11 +57,17 @@ def tables(duration: float, estimator: str = "perfect", **others: Any) -> dict[s
 
 def ready(given: Mapping[str, Any], flight: int = 0) -> Ready:
     """A flight of a campaign, made ready."""
+    return lane(given, flight).alone
+
+
+def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
+    """A flight of a campaign, made ready to fly in company."""
     scenario = scenario_from(given)
     model, start = scenario.flight_model(), scenario.start_state()
     board = board_of(scenario, model, start, flight=flight)
     ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
-    return Ready(model, start, board.cabin, noise_table(scenario.seed, flight, ticks, board.noise))
+    noise = noise_table(scenario.seed, flight, ticks, board.noise)
+    return Lane(Ready(model, start, board.cabin, noise), board.noise, scenario.seed, flight)
 
 
 def same(a: GuidedFlown, b: GuidedFlown) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import springback
-from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Ready, ready, same, tables
+from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided
@@ -54,23 +54,24 @@ def test_allocation_knows_the_arms_as_they_are_read() -> None:
 # -- many flights ---------------------------------------------------------------------------------
 
 
-def fleet() -> list[Ready]:
+def fleet() -> list[Lane]:
     """Six flights that reach the wall one after the other, each with its own luck; two never."""
     speeds = (2.0, 1.0, 3.0, 0.0, 1.5, -0.5)
     return [
-        ready(tables(0.2, world=WALL, air=GUSTY, start={**AT_WALL, "velocity": (v, 0.0, 0.0)}), k)
+        lane(tables(0.2, world=WALL, air=GUSTY, start={**AT_WALL, "velocity": (v, 0.0, 0.0)}), k)
         for k, v in enumerate(speeds)
     ]
 
 
 @pytest.fixture(scope="module")
 def alone() -> list[GuidedFlown]:
-    return [fly_guided(*flight, trace=False) for flight in fleet()]
+    return [fly_guided(*flight.alone, trace=False) for flight in fleet()]
 
 
-def abreast(flights: list[Ready], **options: int) -> list[GuidedFlown]:
-    models, starts, cabins, noises = (list(part) for part in zip(*flights, strict=True))
-    return fly_guided_many(models, starts, cabins, noises, **options)
+def abreast(flights: list[Lane], **options: int) -> list[GuidedFlown]:
+    alone, draws, seeds, numbers = (list(part) for part in zip(*flights, strict=True))
+    models, starts, cabins, _ = (list(part) for part in zip(*alone, strict=True))
+    return fly_guided_many(models, starts, cabins, draws[0], seeds, flights=numbers, **options)
 
 
 @pytest.mark.parametrize("options", [{"width": 1}, {"width": 4, "threads": 1}, {"width": 4}])
@@ -91,7 +92,7 @@ def test_the_order_does_not_matter(alone: list[GuidedFlown]) -> None:
 
 
 def test_flights_abreast_have_one_clock() -> None:
-    one, other = ready(tables(0.1)), ready(tables(0.2))
+    one, other = lane(tables(0.1)), lane(tables(0.2))
     with pytest.raises(ValueError, match="one duration"):
         abreast([one, other], width=4)
 

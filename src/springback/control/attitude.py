@@ -10,6 +10,7 @@ import math
 from typing import Any, NamedTuple
 
 from springback.control.target import AttitudeTarget
+from springback.kernels.angles import angle_of, sine_cosine
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import (
     Quat,
@@ -105,8 +106,8 @@ def weighted(error: Quat, yaw_weight: float) -> Quat:
     a = 1.0 if is_half_turn else error.w / size
     b = 0.0 if is_half_turn else error.z / size
     swing = quaternion_product(error, Quat(a, 0.0, 0.0, -b))
-    part = yaw_weight * math.atan2(b, a)
-    return quaternion_product(swing, Quat(math.cos(part), 0.0, 0.0, math.sin(part)))
+    part = sine_cosine(yaw_weight * angle_of(b, a))
+    return quaternion_product(swing, Quat(part.cosine, 0.0, 0.0, part.sine))
 
 
 @correction.register(Reduced)

@@ -10,17 +10,24 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.control.attitude import rate_setpoint
-from springback.control.mixing import Mixer, mixed, mixer, wrench_of
+from springback.control.mixing import Mixer, fits, mixer, squeezed, unlimited, wrench_of
 from springback.control.parameters import Schedule
 from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
+from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import Seldom, each, largest, pick
 from springback.kernels.vectors import ZERO, Mat, Vec
-from springback.sensing.measurement import Estimate, Measurement, due, estimated
-from springback.simulation.aboard import Piloted, piloted, told
+from springback.sensing.measurement import (
+    Estimate,
+    any_due,
+    believe,
+    due,
+)
+from springback.simulation.aboard import told
+from springback.simulation.ticks import decide
 from springback.vehicle.state import Airframe
 
 
@@ -137,12 +144,11 @@ def steered(
         at: Where the robot believes to be.
         before: The loop's last word.
     """
-    if due(tick, pilot.schedule.position):
-        wanted = target(reference, time)
-        ahead = _anticipated(pilot.position, reference, wanted, time)
-        aimed = aim(pilot.position, ahead, at, before.position)
-        return Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
-    return before
+    wanted = target(reference, time)
+    ahead = _anticipated(pilot.position, reference, wanted, time)
+    aimed = aim(pilot.position, ahead, at, before.position)
+    now = Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
+    return pick(due(tick, pilot.schedule.position), now, before)
 
 
 @kernel
@@ -152,25 +158,9 @@ def _heard(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTar
 
 
 @kernel
-def _pointed(pilot: Cascade, tick: float, aim: AttitudeTarget, at: Estimate, before: Vec) -> Vec:
-    """The attitude loop, at its ticks."""
-    if due(tick, pilot.schedule.attitude):
-        return rate_setpoint(pilot.attitude, aim, at.attitude)
-    return before
-
-
-@kernel
 def _built(airframe: Airframe, lengths: tuple[float, ...]) -> Built:
     """What follows from some arm lengths."""
     return Built(inertia_at(airframe, lengths), mixer(airframe, lengths))
-
-
-@kernel
-def _rebuilt(airframe: Airframe, lengths: tuple[float, ...], last: Built) -> Seldom:
-    """What follows from the arm lengths, made anew where one of them has changed."""
-    if largest(each(_apart, (lengths, last.mixer.lengths), ())) > 0.0:
-        return Seldom(1.0, _built(airframe, lengths))
-    return Seldom(0.0, last)
 
 
 @kernel
@@ -179,66 +169,110 @@ def _apart(a: float, b: float) -> float:
 
 
 @kernel
-def _turned(
-    pilot: Cascade,
-    tick: float,
-    aim: AttitudeTarget,
-    setpoint: Vec,
-    lengths: tuple[float, ...],
-    at: Estimate,
-    before: Autopilot,
-) -> Autopilot:
-    """The rate loop and the mixer, at their ticks."""
-    if due(tick, pilot.schedule.rate):
-        built = _rebuilt(pilot.airframe, lengths, before.built.tree)
-        inertia, mixer = built.tree.inertia, built.tree.mixer
-        asked = turn(pilot.rate, inertia, setpoint, at.angular_velocity, before.unmet, before.rate)
-        wrench = Wrench(aim.thrust, asked.moment)
-        thrust = mixed(mixer, pilot.lowest, pilot.highest, wrench, pilot.lift)
-        unmet = asked.moment - wrench_of(pilot.airframe, lengths, thrust).moment
-        return Autopilot(aim, setpoint, asked.memory, unmet, thrust, built)
-    same = Seldom(0.0, before.built.tree)
-    return Autopilot(aim, setpoint, before.rate, before.unmet, before.thrust, same)
+def hear(memory: Like, g: Buffer, w: int, once: int) -> None:
+    """The last word of the position loops reaches the autopilots, where it has come by now."""
+    for i in range(w * once):
+        offboard, last = got(memory.offboard, g, w, i), got(memory.autopilot.aim, g, w, i)
+        put(_heard(got(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
 
 
 @kernel
-def flown(
-    pilot: Cascade,
+def fly_on(
+    pilot: Like, memory: Like, lengths: Like, command: Like, g: Buffer, w: int, once: int,
     tick: float,
-    lengths: tuple[float, ...],
-    at: Estimate,
-    offboard: Offboard,
-    memory: CascadeMemory,
-) -> Autopilot:
-    """The autopilot at a tick: the last word that has reached it, attitude loop, rate loop, mixer.
+) -> None:  # fmt: skip
+    """The autopilots of all lanes: the last word that has come, attitude, rate loop and mixer.
 
     Args:
-        pilot: Settings.
+        pilot: Where the settings lie, a `Cascade`.
+        memory: Where its memory lies, a `CascadeMemory`; changed.
+        lengths: Where the measured lengths of the arms lie.
+        command: Where the command to the rotors goes.
+        g: Buffer of what is aboard.
+        w: Lanes.
+        once: As for `springback.simulation.ticks.look`.
         tick: Number of the tick.
-        lengths: Of the arms, as measured [m].
-        at: Where the robot believes to be.
-        offboard: The position loop after this tick.
-        memory: Of the whole pilot before it.
     """
-    before = memory.autopilot
-    earlier = _heard(tick, memory.offboard, before.aim)  # before it is overtaken by the next word
-    aim = _heard(tick, offboard, earlier)
-    setpoint = _pointed(pilot, tick, aim, at, before.setpoint)
-    return _turned(pilot, tick, aim, setpoint, lengths, at, before)
+    hear(memory, g, w, once)
+    own = memory.autopilot
+    if any_due(pilot.schedule.attitude, g, w, once, tick):
+        for i in range(w * once):
+            law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
+            setpoint = rate_setpoint(law, got(own.aim, g, w, i), at)
+            now = due(tick, got(pilot.schedule.attitude, g, w, i))
+            put(pick(now, setpoint, got(own.setpoint, g, w, i)), own.setpoint, g, w, i)
+    if any_due(pilot.schedule.rate, g, w, once, tick):
+        _rebuild(pilot, own.built.tree, lengths, g, w, once, tick)
+        _turn(pilot, memory, lengths, g, w, once, tick)
+    for i in range(w * once):
+        put(got(own.thrust, g, w, i), command, g, w, i)
+        put(got(memory.tick, g, w, i) + 1.0, memory.tick, g, w, i)
 
 
-@piloted.register(Cascade)
 @kernel
-def _cascaded(
-    pilot: Cascade, time: float, measurement: Measurement, memory: CascadeMemory
-) -> Piloted:
-    tick, m = memory.tick, memory
-    believed = estimated(pilot.estimator, tick, measurement, m.estimator)
-    at = believed.estimate
-    offboard = steered(pilot, pilot.reference, tick, time, at, m.offboard)
-    autopilot = flown(pilot, tick, measurement.arm_length, at, offboard, m)
-    after = CascadeMemory(tick + 1.0, believed.memory, at, offboard, autopilot)
-    return Piloted(autopilot.thrust, after)
+def _rebuild(
+    pilot: Like, built: Like, lengths: Like, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """What follows from the lengths of the arms, made anew where one of them has changed."""
+    changed = 0
+    for i in range(w * once):
+        now, last = got(lengths, g, w, i), got(built.mixer.lengths, g, w, i)
+        changed += 1 if largest(each(_apart, (now, last), ())) > 0.0 else 0
+    for i in range(w if changed > 0 else 0):
+        now, last = got(lengths, g, w, i), got(built.mixer.lengths, g, w, i)
+        if largest(each(_apart, (now, last), ())) > 0.0 and due(
+            tick, got(pilot.schedule.rate, g, w, i)
+        ):
+            put(_built(got(pilot.airframe, g, w, i), now), built, g, w, i)
+
+
+@kernel
+def _turn(
+    pilot: Like, memory: Like, lengths: Like, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """Rate loop and mixer; ``unmet`` first holds the moment that is asked for."""
+    own, built, tight = memory.autopilot, memory.autopilot.built.tree, 0
+    for i in range(w * once):
+        omega = got(memory.estimate.angular_velocity, g, w, i)
+        setpoint, unmet = got(own.setpoint, g, w, i), got(own.unmet, g, w, i)
+        before, law = got(own.rate, g, w, i), got(pilot.rate, g, w, i)
+        asked = turn(law, got(built.inertia, g, w, i), setpoint, omega, unmet, before)
+        wrench = Wrench(got(own.aim.thrust, g, w, i), asked.moment)
+        wanted = unlimited(got(built.mixer, g, w, i), wrench)
+        lowest, highest = got(pilot.lowest, g, w, i), got(pilot.highest, g, w, i)
+        now = due(tick, got(pilot.schedule.rate, g, w, i))
+        tight += 0 if fits(wanted, lowest, highest) else 1
+        put(pick(now, asked.memory, before), own.rate, g, w, i)
+        put(pick(now, asked.moment, unmet), own.unmet, g, w, i)
+        put(pick(now, wanted, got(own.thrust, g, w, i)), own.thrust, g, w, i)
+    for i in range(w if tight > 0 else 0):
+        wanted, lift = got(own.thrust, g, w, i), got(pilot.lift, g, w, i)
+        lowest, highest = got(pilot.lowest, g, w, i), got(pilot.highest, g, w, i)
+        if due(tick, got(pilot.schedule.rate, g, w, i)) and not fits(wanted, lowest, highest):
+            wrench = Wrench(got(own.aim.thrust, g, w, i), got(own.unmet, g, w, i))
+            thrust = squeezed(got(built.mixer, g, w, i), lowest, highest, wrench, lift)
+            put(thrust, own.thrust, g, w, i)
+    for i in range(w * once):
+        asked, thrust = got(own.unmet, g, w, i), got(own.thrust, g, w, i)
+        given = wrench_of(got(pilot.airframe, g, w, i), got(lengths, g, w, i), thrust)
+        now = due(tick, got(pilot.schedule.rate, g, w, i))
+        put(pick(now, asked - given.moment, asked), own.unmet, g, w, i)
+
+
+@decide.register(Cascade)
+@kernel
+def _decide(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+    """`piloted`, step by step for all lanes."""
+    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+    believe(pilot.estimator, seen, memory.estimator, memory.estimate, memory.tick, g, w, once)
+    if any_due(pilot.schedule.position, g, w, once, tick):
+        hear(memory, g, w, once)  # before it is overtaken by the next word
+        for i in range(w * once):
+            time, at = tick * got(cabin.guidance.period, g, w, i), got(memory.estimate, g, w, i)
+            settings, before = got(pilot, g, w, i), got(memory.offboard, g, w, i)
+            offboard = steered(settings, settings.reference, tick, time, at, before)
+            put(offboard, memory.offboard, g, w, i)
+    fly_on(pilot, memory, seen.arm_length, cabin.aboard.command, g, w, once, tick)
 
 
 class CascadeWords(NamedTuple):

@@ -256,8 +256,29 @@ def mixed(
         wrench: Thrust and moment asked for.
         lift: Collective thrust to which roll and pitch may raise a smaller one [N].
     """
-    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
-    asked = each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
-    if (least(asked) >= lowest) & (largest(asked) <= highest):
+    asked = unlimited(mixer, wrench)
+    if fits(asked, lowest, highest):
         return asked
+    return squeezed(mixer, lowest, highest, wrench, lift)
+
+
+@kernel
+def unlimited(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
+    """Rotor thrusts that meet a wrench, whatever the rotors can do [N]."""
+    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
+    return each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
+
+
+@kernel
+def fits(thrusts: tuple[float, ...], lowest: float, highest: float) -> bool:
+    """Whether all rotors can do what is asked of them."""
+    return (least(thrusts) >= lowest) & (largest(thrusts) <= highest)
+
+
+@kernel
+def squeezed(
+    mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
+) -> tuple[float, ...]:
+    """`mixed` where not all that is asked for fits."""
+    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
     return _squeezed(rotors, wrench.thrust, lowest, highest, lift)

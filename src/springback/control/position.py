@@ -11,6 +11,7 @@ import math
 from typing import NamedTuple
 
 from springback.control.target import AttitudeTarget, Target
+from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import (
     Mat,
@@ -144,7 +145,8 @@ def heading(axis: Vec, yaw: float) -> Heading:
     b_2 = b_3 × x_C / ‖·‖, b_1 = b_2 × b_3 with x_C = (cos ψ, sin ψ, 0).  Source: Mellinger and
     Kumar, ICRA 2011, differential flatness.  Where b_3 lies along x_C, b_2 is y_C.
     """
-    x_c = Vec(math.cos(yaw), math.sin(yaw), 0.0)
+    ahead = sine_cosine(yaw)
+    x_c = Vec(ahead.cosine, ahead.sine, 0.0)
     y_c = Vec(-x_c.y, x_c.x, 0.0)
     raw = axis ^ x_c
     square = raw @ raw

@@ -7,12 +7,12 @@ its last.  Another reference is a NamedTuple of floats and a function registered
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 from springback.control.target import Target, target
+from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import along, pick
+from springback.kernels.trees import along, folded, pick
 from springback.kernels.vectors import Vec
 
 
@@ -86,13 +86,36 @@ def _hold(reference: Hold, time: float) -> Target:
     return resting(reference.position, reference.yaw)
 
 
+@kernel
+def _come(current: Any, later: Any, time: float) -> Any:
+    """The later one, where its time has come."""
+    return pick(time >= later.begins, later, current)
+
+
+class Taylor(NamedTuple):
+    """A polynomial and its derivatives, each over the factorial of its order."""
+
+    value: Vec
+    first: Vec
+    second: Vec
+    third: Vec
+
+
+@kernel
+def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
+    """One more step of Horner's scheme."""
+    s = so_far
+    return Taylor(
+        along(coefficient, s.value, t), along(s.value, s.first, t), along(s.first, s.second, t),
+        along(s.second, s.third, t),
+    )  # fmt: skip
+
+
 @target.register(Steps)
 @kernel
 def _steps(reference: Steps, time: float) -> Target:
     """The last set-point whose time has come."""
-    current = reference.points[0]
-    for point in reference.points:
-        current = pick(time >= point.begins, point, current)
+    current = folded(_come, reference.points[0], reference.points, (time,))
     return resting(current.position, current.yaw)
 
 
@@ -137,7 +160,8 @@ def _circle(reference: Circle, time: float) -> Target:
     s = progress(started * (time - reference.begins), reference.ramp)
     angle = reference.phase + w * s.value
     first, second, third = w * s.rate * started, w * s.second, w * s.third  # of the angle
-    out = Vec(math.cos(angle), math.sin(angle), 0.0)
+    on_circle = sine_cosine(angle)
+    out = Vec(on_circle.cosine, on_circle.sine, 0.0)
     on = Vec(-out.y, out.x, 0.0)
     return Target(
         reference.centre + r * out,
@@ -155,20 +179,14 @@ def _polynomials(reference: Polynomials, time: float) -> Target:
     """Horner's scheme for the value and three derivatives at once; at rest outside its time."""
     elapsed = time - reference.begins
     begun, ended = elapsed >= 0.0, elapsed > reference.duration
-    moving = 0.0 if ended else pick(begun, 1.0, 0.0)
-    inside = reference.duration if ended else pick(begun, elapsed, 0.0)
-    segment = reference.segments[0]
-    for later in reference.segments:
-        segment = pick(inside >= later.begins, later, segment)
-    t = inside - segment.begins
-    p = v = a = j = Vec(0.0, 0.0, 0.0)  # p, ṗ, p̈/2 and p⃛/6
-    for coefficient in segment.coefficients:
-        j = along(a, j, t)
-        a = along(v, a, t)
-        v = along(p, v, t)
-        p = along(coefficient, p, t)
-    v, a, j = moving * v, (2.0 * moving) * a, (6.0 * moving) * j
-    return Target(p, v, a, j, reference.yaw, 0.0)
+    moving = pick(ended, 0.0, pick(begun, 1.0, 0.0))
+    inside = pick(ended, reference.duration, pick(begun, elapsed, 0.0))
+    segment = folded(_come, reference.segments[0], reference.segments, (inside,))
+    none = Vec(0.0, 0.0, 0.0)
+    start = Taylor(none, none, none, none)
+    at = folded(_horner, start, segment.coefficients, (inside - segment.begins,))
+    v, a, j = moving * at.first, (2.0 * moving) * at.second, (6.0 * moving) * at.third
+    return Target(at.value, v, a, j, reference.yaw, 0.0)
 
 
 @target.register(Then)

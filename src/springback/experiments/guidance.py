@@ -36,8 +36,9 @@ from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
 from springback.simulation.aboard import Cabin, Draw, Guidance, NoWitness, Relay
-from springback.simulation.guided import GUST_NOISE, NOBODY, cabin_of
+from springback.simulation.guided import NOBODY, cabin_of
 from springback.simulation.record import Model
+from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors
 from springback.vehicle.state import Airframe, State

@@ -14,9 +14,7 @@ from springback.experiments.guidance import Board, board_of
 from springback.experiments.recovery_measures import recovery_measures, recovery_outcome
 from springback.experiments.run_ups import WALL_DISTANCE, run_up_scenario
 from springback.experiments.scenario import Scenario, merged, scenario_from
-from springback.simulation.aboard import Draw
 from springback.simulation.abreast import fly_guided_many
-from springback.simulation.guided import noise_table, ticks_of
 from springback.simulation.measures import Outcome, measures_of
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -187,30 +185,14 @@ def fly_ready(
     """
     if not flights:
         return []
-    period = flights[0].board.cabin.guidance.period
-    ticks = ticks_of(flights[0].model.timing.until, period)
-    noises = _Noises([(one.scenario.seed, one.board.noise) for one in flights], ticks)
     flown = fly_guided_many(
         [one.model for one in flights], [one.start for one in flights],
-        [one.board.cabin for one in flights], noises, progress=progress,
+        [one.board.cabin for one in flights], flights[0].board.noise,
+        [one.scenario.seed for one in flights], progress=progress,
     )  # fmt: skip
     return [
         (recovery_outcome(one), measures_of(one.flown) | recovery_measures(one)) for one in flown
     ]
-
-
-class _Noises(Sequence[Any]):
-    """Noise of many flights, drawn when asked for."""
-
-    def __init__(self, seeds: list[tuple[int, tuple[Draw, ...]]], ticks: int) -> None:
-        self._seeds, self._ticks = seeds, ticks
-
-    def __len__(self) -> int:
-        return len(self._seeds)
-
-    def __getitem__(self, k: Any) -> Any:
-        seed, channels = self._seeds[k]
-        return noise_table(seed, 0, self._ticks, channels)
 
 
 class Condition(NamedTuple):
@@ -287,7 +269,7 @@ def kind_of(one: Ready) -> Any:
     """Flights of one kind can fly abreast."""
     return (
         _types(one.model), _types(one.board.cabin), one.model.timing.until,
-        one.board.cabin.guidance.period,
+        one.board.cabin.guidance.period, one.board.noise,
     )  # fmt: skip
 
 

@@ -113,8 +113,17 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
     """A kernel that is chosen by the type of its first argument, in Python and when compiled.
 
     Other types join with ``function.register(Type)``, exactly as for `functools.singledispatch`.
+    What is like a tree (`springback.kernels.layout.Like`) counts for the tree.
     """
-    chosen = functools.singledispatch(function)
+    by_class = functools.singledispatch(function)
+
+    @functools.wraps(function)
+    def choosing(*arguments: Any) -> Any:
+        cls = getattr(arguments[0], "instance_class", None) or type(arguments[0])
+        return by_class.dispatch(cls)(*arguments)
+
+    chosen: Any = choosing
+    chosen.register, chosen.dispatch = by_class.register, by_class.dispatch
 
     @compiled(chosen)
     def by_type(*arguments: Any) -> Any:

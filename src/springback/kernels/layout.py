@@ -2,7 +2,8 @@
 
 A buffer holds many flights abreast: leaf k of the tree of one lane lies at ``(row + k) * width +
 lane``.  What lies there is told by a `Like`, which has the type of a tree and none of its numbers:
-it costs nothing to hand from function to function.
+it costs nothing to hand from function to function.  It also knows the row at which its tree begins,
+so that `got` and `put` reach any branch by its name.
 """
 
 from __future__ import annotations
@@ -44,51 +45,58 @@ def structure(tree: Any) -> Any:
 class Like:
     """Like a tree, but without numbers: its parts are reached by name, and are likes again."""
 
-    __slots__ = ("_parts", "_type", "tree")
+    __slots__ = ("_parts", "_row", "_tree", "_type")  # underscored: fields may be named so
 
-    def __init__(self, tree: Any) -> None:
-        """Take the shape of a tree."""
-        self.tree = tree
+    def __init__(self, tree: Any, row: int = 0) -> None:
+        """Take the shape of a tree that begins at some row of a buffer."""
+        self._tree = tree
+        self._row = row
         self._parts: dict[str, Like] = {}
         self._type: Any = None
+
+    @property
+    def instance_class(self) -> type:
+        """Class of the tree, by which a generic function is chosen."""
+        return type(self._tree)
 
     @property
     def _numba_type_(self) -> Any:
         """What the compiler asks for."""
         if self._type is None:
-            self._type = _like_type(structure(self.tree), self.tree)
+            self._type = _like_type(structure(self._tree), self._row, self._tree)
         return self._type
 
     def __getattr__(self, name: str) -> Like:
         if name not in self._parts:
-            self._parts[name] = Like(getattr(self.tree, name))
+            first = self._row + row_of(self._tree, name)
+            self._parts[name] = Like(getattr(self._tree, name), first)
         return self._parts[name]
 
 
 _LIKE_TYPES: dict[Any, Any] = {}
 
 
-def _like_type(nested: Any, tree: Any) -> Any:
+def _like_type(nested: Any, row: int, tree: Any) -> Any:
     """Compiler type of a structure; the compiler takes long to find the type of a large tree."""
-    if nested not in _LIKE_TYPES:
-        _LIKE_TYPES[nested] = LikeType(_typeof(tree))
-    return _LIKE_TYPES[nested]
+    if (nested, row) not in _LIKE_TYPES:
+        _LIKE_TYPES[nested, row] = LikeType(_typeof(tree), row)
+    return _LIKE_TYPES[nested, row]
 
 
 def rows(like: Any) -> int:
     """Number of floats in a tree, or in a `Like`."""
-    return len(leaves(like.tree if isinstance(like, Like) else like))
+    return len(leaves(like._tree if isinstance(like, Like) else like))
 
 
 def row_of(like: Any, field: str) -> int:
     """Number of floats in a tree, or a `Like`, before one of its fields."""
-    tree = like.tree if isinstance(like, Like) else like
+    tree = like._tree if isinstance(like, Like) else like
     return sum(len(leaves(branch)) for branch in tree[: tree._fields.index(field)])
 
 
 def read(like: Like, buffer: Buffer, row: int, width: int, lane: int) -> Any:
     """The tree that lies in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
-    return rebuilt(like.tree, [buffer[(row + k) * width + lane] for k in range(rows(like))])
+    return rebuilt(like._tree, [buffer[(row + k) * width + lane] for k in range(rows(like))])
 
 
 def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
@@ -97,16 +105,32 @@ def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
         buffer[(row + k) * width + lane] = leaf
 
 
+def got(like: Like, buffer: Buffer, width: int, lane: int) -> Any:
+    """The tree in the column ``lane`` of ``width``, at the place that ``like`` knows."""
+    return read(like, buffer, like._row, width, lane)
+
+
+def put(tree: Any, like: Like, buffer: Buffer, width: int, lane: int) -> None:
+    """Lay a tree into the column ``lane`` of ``width``, at the place that ``like`` knows."""
+    write(tree, buffer, like._row, width, lane)
+
+
 # -- the same for the compiler --------------------------------------------------------------------
 
 
 class LikeType(types.Opaque):
     """Compiler type of a `Like`."""
 
-    def __init__(self, tree: Any) -> None:
-        """Of a tree's type."""
+    def __init__(self, tree: Any, row: int = 0) -> None:
+        """Of a tree's type, at a row."""
         self.tree = tree
-        super().__init__(name=f"Like({tree})")
+        self.row = row
+        super().__init__(name=f"Like({row}, {tree})")
+
+    @property
+    def instance_class(self) -> Any:
+        """The NamedTuple class of the tree, by which a generic function is chosen."""
+        return getattr(self.tree, "instance_class", object)
 
 
 _numba.register_model(LikeType)(_numba.models.OpaqueModel)
@@ -123,7 +147,11 @@ class _LikeParts(_AttributeTemplate):  # type: ignore[misc]
 
     def generic_resolve(self, typ: LikeType, attr: str) -> Any:
         fields = getattr(typ.tree, "fields", ())
-        return LikeType(typ.tree.types[fields.index(attr)]) if attr in fields else None
+        if attr not in fields:
+            return None
+        place = fields.index(attr)
+        first = typ.row + sum(leaf_count(typ.tree.types[k]) for k in range(place))
+        return LikeType(typ.tree.types[place], first)
 
 
 @_numba.lower_getattr_generic(LikeType)  # type: ignore[untyped-decorator]
@@ -148,26 +176,44 @@ def _row_of(like: Any, field: Any) -> Any:
     return function_of("like, field", [f"return {before}"], {})
 
 
+#: Unsigned, so that the compiler need not ask whether an index counts from the end.
+_PLACE = ("step = whole(width)", "start = whole(row) * step + whole(lane)")
+
+
 @compiled(read)
 def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     tree = like.tree
     scope: dict[str, Any] = {}
-    texts = [f"buffer[start + {k} * width]" for k in range(leaf_count(tree))]
-    lines = ["start = row * width + lane", f"return {construct(tree, texts, scope)}"]
+    texts = [f"buffer[start + whole({k}) * step]" for k in range(leaf_count(tree))]
+    lines = [*_PLACE, f"return {construct(tree, texts, scope)}"]
+    scope["whole"] = np.uint64
     return function_of("like, buffer, row, width, lane", lines, scope)
+
+
+@compiled(got)
+def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+    text = f"return read(like, buffer, {like.row}, width, lane)"
+    return function_of("like, buffer, width, lane", [text], {"read": read})
+
+
+@compiled(put)
+def _put(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+    text = f"write(tree, buffer, {like.row}, width, lane)"
+    return function_of("tree, like, buffer, width, lane", [text, "return None"], {"write": write})
 
 
 @compiled(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = ["start = row * width + lane"]
+    lines = [*_PLACE]
     _lay(tree, "tree", 0, lines, "")
-    return function_of("tree, buffer, row, width, lane", [*lines, "return None"], {})
+    scope = {"whole": np.uint64}
+    return function_of("tree, buffer, row, width, lane", [*lines, "return None"], scope)
 
 
 def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str) -> int:
     """Lines that lay a tree into a buffer from its leaf ``first`` on; the number of the next."""
     if not isinstance(tree, types.BaseTuple):
-        lines.append(f"{indent}buffer[start + {first} * width] = {stem}")
+        lines.append(f"{indent}buffer[start + whole({first}) * step] = {stem}")
         return first + 1
     for k, branch in enumerate(branches(tree)):
         if k == 1 and is_named(tree, Seldom):

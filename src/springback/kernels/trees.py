@@ -12,7 +12,8 @@ from typing import Any, NamedTuple, TypeVar
 
 from numba import types
 
-from springback.kernels.compiler import GUARDING, compiled, kernel
+from springback.kernels.bits import selected
+from springback.kernels.compiler import GUARDING, compiled
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -95,6 +96,16 @@ def each_summed(
     return results, total(column(results, field))
 
 
+def folded(
+    function: Callable[..., R], start: R, values: tuple[Any, ...], shared: tuple[Any, ...]
+) -> R:
+    """``function(so_far, value, *shared)`` from a start on through all values, one by one."""
+    result = start
+    for value in values:
+        result = function(result, value, *shared)
+    return result
+
+
 def column(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
     """One field of every NamedTuple in a tuple of them."""
     return tuple(getattr(tree, field) for tree in trees)
@@ -144,7 +155,6 @@ def square(tree: Any) -> float:
     return result
 
 
-@kernel
 def pick(claim: bool, a: T, b: T) -> T:
     """``a`` where the claim holds, else ``b``: a selection, not a branch, in compiled code."""
     return a if claim else b
@@ -223,6 +233,14 @@ def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
     return function_of("function, field, zipped, shared", lines, {"total": total})
 
 
+@compiled(folded)
+def _folded(function: Any, start: Any, values: Any, shared: Any) -> Any:
+    given = ", ".join(f"shared[{k}]" for k in range(len(shared)))
+    lines = ["r = start"]
+    lines += [f"r = function(r, values[{k}], {given})" for k in range(len(values))]
+    return function_of("function, start, values, shared", [*lines, "return r"], {})
+
+
 @compiled(column, literal=True)
 def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
@@ -242,6 +260,18 @@ def _total(trees: Any) -> Any:
     scope: dict[str, Any] = {}
     text = construct(trees[0], [" + ".join(column) for column in columns], scope)
     return function_of("trees", [*lines, f"return {text}"], scope)
+
+
+@compiled(pick)
+def _pick(claim: Any, a: Any, b: Any) -> Any:
+    """Leaf by leaf: of a branch between two trees the compiler would make one between addresses."""
+    if not isinstance(a, types.BaseTuple):
+        return lambda claim, a, b: selected(claim, a, b)
+    lines: list[str] = []
+    pairs = zip(reached(a, "a", lines), reached(b, "b", lines), strict=True)
+    scope: dict[str, Any] = {"selected": selected}
+    text = construct(a, [f"selected(claim, {one}, {other})" for one, other in pairs], scope)
+    return function_of("claim, a, b", [*lines, f"return {text}"], scope)
 
 
 def _fold(sign: str) -> Callable[[Any], Any]:

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, overload
 
 from numba import types
 
+from springback.kernels.angles import angle_of, sine_cosine
 from springback.kernels.compiler import compiled, is_named, kernel
 
 
@@ -322,22 +323,13 @@ def conjugate(q: Quat) -> Quat:
 _NO_ANGLE = 1e-300
 
 
-#: Squared half angle below which the series of sine and cosine are as exact as the functions: the
-#: first terms left out, x⁵/10! and x⁵/11!, are then below 3e-17 [rad²].
-_SMALL = 0.01
-
-
 @kernel
 def turned_by(angle: Vec) -> Quat:
     """Exponential map: the rotation by a rotation vector [rad]."""
-    x = 0.25 * (angle @ angle)  # half the angle, squared
-    if x < _SMALL:
-        s = 0.5 * (1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0))))
-        c = 1.0 - x / 2.0 * (1.0 - x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0)))
-    else:
-        half = math.sqrt(x)
-        s, c = 0.5 * math.sin(half) / half, math.cos(half)
-    return Quat(c, s * angle.x, s * angle.y, s * angle.z)
+    half = math.sqrt(0.25 * (angle @ angle) + _NO_ANGLE)
+    of = sine_cosine(half)
+    s = 0.5 * of.sine / half
+    return Quat(of.cosine, s * angle.x, s * angle.y, s * angle.z)
 
 
 @kernel
@@ -346,7 +338,7 @@ def rotation_vector(q: Quat) -> Vec:
     axis = Vec(q.x, q.y, q.z)
     length = math.sqrt(axis @ axis + _NO_ANGLE)
     sign = 1.0 if q.w >= 0.0 else -1.0
-    return axis * (2.0 * sign * math.atan2(length, sign * q.w) / length)
+    return axis * (2.0 * sign * angle_of(length, sign * q.w) / length)
 
 
 @kernel

@@ -83,12 +83,12 @@ def _itinerary(reference: Itinerary, time: float) -> Target:
     The paper's controller is given p, v, a and yaw, and the robot is then too far from its way for
     the way's angular velocities to be of use.
     """
-    if reference.leg <= LOOK:
-        return target(reference.cruise, time - reference.away)
+    cruise = target(reference.cruise, time - reference.away)
     recovery, homeward = target(reference.recovery, time), target(reference.homeward, time)
     now = pick(reference.leg <= RECOVER, recovery, homeward)
     still = Vec(0.0, 0.0, 0.0)
-    return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
+    calm = Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
+    return pick(reference.leg <= LOOK, cruise, calm)
 
 
 def journey_at_start(route: Route, nothing: Collision, make: Make = afresh) -> Journey:
@@ -198,22 +198,31 @@ def _near_since(route: Route, journey: Journey, at: Estimate, time: float) -> fl
     return pick(near & (time >= journey.ends), began, NEVER)
 
 
+class Passed(NamedTuple):
+    """What a tick without an alarm does to a journey."""
+
+    near: float  # the goal is near since then [s], `NEVER` if it is not
+    turns: float  # 1 where the leg is over
+
+
 @kernel
-def travelled(
+def passes(route: Route, journey: Journey, at: Estimate, time: float) -> Passed:
+    """A tick without an alarm: is the robot near its goal, and is the leg over?"""
+    j, since = journey, _near_since(route, journey, at, time)
+    rested = (since >= 0.0) & (time - since >= route.dwell)
+    weary = time - j.ends > route.patience
+    levelled = (j.leg == STAGES) & (j.stage >= OVER)
+    arrives = ((j.leg == RECOVER) | (j.leg == RETURN)) & (rested | weary)
+    return Passed(since, pick(levelled | arrives, 1.0, 0.0))
+
+
+@kernel
+def turned(
     route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
 ) -> Journey:
-    """The journey after a tick without an alarm."""
-    since = _near_since(route, journey, at, time)
-    rested = (since >= 0.0) & (time - since >= route.dwell)
-    weary = time - journey.ends > route.patience
-    j = Journey(
-        journey.leg, journey.since, journey.stage, journey.away, journey.recovery,
-        journey.homeward, journey.ends, journey.goal, since, journey.log,
-    )  # fmt: skip
-    if (j.leg == STAGES) & (j.stage >= OVER):
-        return _levelled(route, j, hit, at, time, yaw)
-    if (j.leg == RECOVER) & (rested | weary):
-        return _homewards(route, j, time, yaw)
-    if (j.leg == RETURN) & (rested | weary):
-        return _at_home(route, j, time)
-    return j
+    """The journey where a leg is over (`passes`)."""
+    if journey.leg == STAGES:
+        return _levelled(route, journey, hit, at, time, yaw)
+    if journey.leg == RECOVER:
+        return _homewards(route, journey, time, yaw)
+    return _at_home(route, journey, time)

@@ -14,12 +14,14 @@ from springback.control.cascade import (
     CascadeMemory,
     CascadeWords,
     Offboard,
-    flown,
+    fly_on,
+    hear,
     steered,
 )
 from springback.control.target import Target
 from springback.kept import Make, afresh
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.layout import Buffer, Like, got, put, read, row_of, rows, write
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -46,14 +48,16 @@ from springback.recovery.journey import (
     Route,
     journey_at_start,
     leaving,
+    passes,
     struck,
-    travelled,
+    turned,
 )
 from springback.recovery.response import Staged
 from springback.recovery.stages import staged
 from springback.recovery.wrench import ExternalWrench, Observer, no_wrench, observed_wrench
-from springback.sensing.measurement import Estimate, Measurement, due, estimated
-from springback.simulation.aboard import Piloted, piloted, told
+from springback.sensing.measurement import Estimate, Measurement, any_due, believe, due
+from springback.simulation.aboard import told
+from springback.simulation.ticks import decide
 
 
 class Resilient(NamedTuple):
@@ -118,21 +122,6 @@ class Worded(NamedTuple):
     stage: float
 
 
-@generic
-def worded(
-    response: Any,
-    pilot: Resilient,
-    tick: float,
-    time: float,
-    at: Estimate,
-    hit: Collision,
-    journey: Journey,
-    before: Offboard,
-) -> Worded:
-    """What the offboard computer asks of the autopilot: to follow the way of the leg."""
-    raise TypeError(f"{type(response).__name__} is no response")
-
-
 @kernel
 def _followed(
     pilot: Resilient, tick: float, time: float, at: Estimate, journey: Journey, before: Offboard
@@ -142,22 +131,6 @@ def _followed(
     return steered(pilot.cascade, way, tick, time, at, before)
 
 
-@worded.register(object)
-@kernel
-def _worded(
-    response: Any,
-    pilot: Resilient,
-    tick: float,
-    time: float,
-    at: Estimate,
-    hit: Collision,
-    journey: Journey,
-    before: Offboard,
-) -> Worded:
-    return Worded(_followed(pilot, tick, time, at, journey, before), journey.stage)
-
-
-@worded.register(Staged)
 @kernel
 def _worded_in_stages(
     response: Staged,
@@ -170,20 +143,57 @@ def _worded_in_stages(
     before: Offboard,
 ) -> Worded:
     c = pilot.cascade
-    if (journey.leg == STAGES) & due(tick, c.schedule.position):
+    if journey.leg == STAGES:
         now = staged(response, c.position, hit, at, before.wanted.yaw, journey.stage)
         arrival = tick + c.schedule.delay
         return Worded(Offboard(before.position, before.wanted, now.word, arrival), now.stage)
-    if journey.leg == STAGES:
-        return Worded(before, journey.stage)
     return Worded(_followed(pilot, tick, time, at, journey, before), journey.stage)
+
+
+@generic
+def steer(
+    response: Like, pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """The position loops of all lanes follow the ways of their legs.
+
+    Args:
+        response: Like its settings, by whose type it is chosen.
+        pilot: Where the settings of the pilot lie.
+        cabin: What lies in ``g``.
+        g: Buffer of what is aboard.
+        w: Lanes.
+        once: As for `springback.simulation.ticks.look`.
+        tick: Number of the tick.
+    """
+    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    for i in range(w * once):
+        settings, time = got(pilot, g, w, i), tick * got(cabin.guidance.period, g, w, i)
+        at, journey = got(flight.estimate, g, w, i), got(memory.journey, g, w, i)
+        before = got(flight.offboard, g, w, i)
+        put(_followed(settings, tick, time, at, journey, before), flight.offboard, g, w, i)
+
+
+@steer.register(Staged)
+@kernel
+def _steer_in_stages(
+    response: Like, pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    for i in range(w):
+        settings, time = got(pilot, g, w, i), tick * got(cabin.guidance.period, g, w, i)
+        at, hit = got(flight.estimate, g, w, i), got(memory.collision, g, w, i)
+        journey, before = got(memory.journey, g, w, i), got(flight.offboard, g, w, i)
+        if due(tick, settings.cascade.schedule.position):
+            plan = settings.route.response
+            said = _worded_in_stages(plan, settings, tick, time, at, hit, journey, before)
+            put(said.offboard, flight.offboard, g, w, i)
+            put(said.stage, memory.journey.stage, g, w, i)
 
 
 @kernel
 def _remembered(pilot: Resilient, tick: float, at: Estimate, before: History) -> History:
-    if due(tick, pilot.cascade.schedule.position):
-        return History(at.velocity, before.newer)
-    return before
+    now = History(at.velocity, before.newer)
+    return pick(due(tick, pilot.cascade.schedule.position), now, before)
 
 
 @kernel
@@ -207,8 +217,6 @@ def _made_out(
     m: ResilientMemory,
 ) -> Collision:
     """The last collision: where it was noticed, and once the window is over what it was."""
-    if journey.leg != LOOK:
-        return m.collision
     new = before.leg != LOOK
     position = pick(new, at.position, m.collision.position)
     velocity = pick(new, m.history.older, m.collision.velocity)
@@ -227,45 +235,129 @@ def _gone(
     journey: Journey,
     wanted: Target,
 ) -> Journey:
-    elapsed = time - journey.since
-    if (journey.leg == LOOK) & looked_enough(pilot.look, impression, hit.arms, elapsed):
+    if looked_enough(pilot.look, impression, hit.arms, time - journey.since):
         return leaving(pilot.route, journey, hit, at, time, wanted.yaw)
-    return travelled(pilot.route, journey, hit, at, time, wanted.yaw)
+    return journey
 
 
-@piloted.register(Resilient)
+class Considered(NamedTuple):
+    """What a pilot that looks at a collision makes of it."""
+
+    impression: Impression
+    collision: Collision
+    journey: Journey
+
+
 @kernel
-def _resilient(
-    pilot: Resilient, time: float, measurement: Measurement, memory: ResilientMemory
-) -> Piloted:
-    m, cascade, seen = memory, pilot.cascade, measurement
-    tick, airframe = m.flight.tick, cascade.airframe
-    believed = estimated(cascade.estimator, tick, seen, m.flight.estimator)
-    at = believed.estimate
-    given = m.flight.autopilot.thrust
-    inertia = m.flight.autopilot.built.tree.inertia
-    wrench = observed_wrench(pilot.observer, airframe, inertia, seen, at, given, m.wrench)
-    noticed = detected(pilot.detection, airframe.arms, time, seen, at, wrench, m.detection)
-
-    journey = _begun(m.journey, noticed.alarm, time)
+def _considered(
+    pilot: Resilient,
+    time: float,
+    seen: Measurement,
+    at: Estimate,
+    wrench: ExternalWrench,
+    alarm: float,
+    m: ResilientMemory,
+) -> Considered:
+    airframe = pilot.cascade.airframe
+    journey = _begun(m.journey, alarm, time)
     fresh = pick((journey.leg == LOOK) & (m.journey.leg == LOOK), 1.0, 0.0)
     so_far = pick(fresh > 0.5, m.impression, no_impression(airframe))
     impression = impressed(pilot.look, airframe, seen, at, wrench, so_far)
     hit = _made_out(pilot, time, seen, at, impression, wrench, m.journey, journey, m)
     gone = _gone(pilot, time, at, impression, hit, journey, m.flight.offboard.wanted)
+    return Considered(impression, hit, gone)
 
-    said = worded(pilot.route.response, pilot, tick, time, at, hit, gone, m.flight.offboard)
-    autopilot = flown(cascade, tick, seen.arm_length, at, said.offboard, m.flight)
-    flight = CascadeMemory(tick + 1.0, believed.memory, at, said.offboard, autopilot)
-    g = gone
-    after = Journey(
-        g.leg, g.since, said.stage, g.away, g.recovery, g.homeward, g.ends, g.goal, g.near, g.log
-    )
-    history = _remembered(pilot, tick, at, m.history)
-    return Piloted(
-        autopilot.thrust,
-        ResilientMemory(flight, wrench, noticed.memory, impression, hit, history, after),
-    )
+
+@kernel
+def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> int:
+    """The observers and triggers of all lanes; how many lanes have something to consider.
+
+    The alarm of each is left where its command will be.
+    """
+    memory, seen, stirred = cabin.aboard.pilot, cabin.aboard.measurement, 0
+    flight = memory.flight
+    for i in range(w * once):
+        airframe, said = got(pilot.cascade.airframe, g, w, i), got(seen, g, w, i)
+        at, given = got(flight.estimate, g, w, i), got(flight.autopilot.thrust, g, w, i)
+        inertia = got(flight.autopilot.built.tree.inertia, g, w, i)
+        observer, before = got(pilot.observer, g, w, i), got(memory.wrench, g, w, i)
+        wrench = observed_wrench(observer, airframe, inertia, said, at, given, before)
+        put(wrench, memory.wrench, g, w, i)
+    for i in range(w * once):
+        arms, said = got(pilot.cascade.airframe.arms, g, w, i), got(seen, g, w, i)
+        at, wrench = got(flight.estimate, g, w, i), got(memory.wrench, g, w, i)
+        time = tick * got(cabin.guidance.period, g, w, i)
+        triggers, so_far = got(pilot.detection, g, w, i), got(memory.detection, g, w, i)
+        noticed = detected(triggers, arms, time, said, at, wrench, so_far)
+        put(noticed.memory, memory.detection, g, w, i)
+        write(noticed.alarm, g, alarm_row(cabin), w, i)
+        looks = (noticed.alarm > 0.5) | (got(memory.journey.leg, g, w, i) == LOOK)
+        stirred += 1 if looks else 0
+    return stirred
+
+
+@kernel
+def _travel(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+    """The journeys of all lanes that have nothing to consider: mostly, time goes by."""
+    memory, arrived = cabin.aboard.pilot, 0
+    for i in range(w * once):
+        time = tick * got(cabin.guidance.period, g, w, i)
+        alarm, journey = alarm_of(cabin, g, w, i), got(memory.journey, g, w, i)
+        calm = (alarm < 0.5) & (journey.leg != LOOK)
+        route, at = got(pilot.route, g, w, i), got(memory.flight.estimate, g, w, i)
+        passed = passes(route, journey, at, time)
+        put(pick(calm, passed.near, journey.near), memory.journey.near, g, w, i)
+        write(pick(calm, passed.turns, 0.0), g, alarm_row(cabin), w, i)
+        arrived += 1 if calm & (passed.turns > 0.5) else 0
+    for i in range(w if arrived > 0 else 0):
+        if alarm_of(cabin, g, w, i) > 0.5:
+            time = tick * got(cabin.guidance.period, g, w, i)
+            route, journey = got(pilot.route, g, w, i), got(memory.journey, g, w, i)
+            at, hit = got(memory.flight.estimate, g, w, i), got(memory.collision, g, w, i)
+            yaw = got(memory.flight.offboard.wanted.yaw, g, w, i)
+            put(turned(route, journey, hit, at, time, yaw), memory.journey, g, w, i)
+
+
+@kernel
+def alarm_row(cabin: Like) -> int:
+    """A row to put flags aside: the command, which the autopilot gives last."""
+    return rows(cabin.guidance) + row_of(cabin.aboard, "command")
+
+
+@kernel
+def alarm_of(cabin: Like, g: Buffer, w: int, i: int) -> float:
+    """The flag of one lane."""
+    flag: float = read(cabin.guidance.period, g, alarm_row(cabin), w, i)
+    return flag
+
+
+@decide.register(Resilient)
+@kernel
+def _decide(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+    """`piloted`, step by step for all lanes; collisions are considered one by one."""
+    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+    flight, cascade = memory.flight, pilot.cascade
+    believe(cascade.estimator, seen, flight.estimator, flight.estimate, flight.tick, g, w, once)
+    stirred = _watch(pilot, cabin, g, w, once, tick)
+    for i in range(w if stirred > 0 else 0):
+        alarm, m = alarm_of(cabin, g, w, i), got(memory, g, w, i)
+        if alarm > 0.5 or m.journey.leg == LOOK:
+            settings, said = got(pilot, g, w, i), got(seen, g, w, i)
+            time = tick * got(cabin.guidance.period, g, w, i)
+            now = _considered(settings, time, said, m.flight.estimate, m.wrench, alarm, m)
+            put(now.impression, memory.impression, g, w, i)
+            put(now.collision, memory.collision, g, w, i)
+            put(now.journey, memory.journey, g, w, i)
+            write(1.0, g, alarm_row(cabin), w, i)  # it has travelled
+    _travel(pilot, cabin, g, w, once, tick)
+    if any_due(cascade.schedule.position, g, w, once, tick):
+        hear(flight, g, w, once)  # before it is overtaken by the next word
+        steer(pilot.route.response, pilot, cabin, g, w, once, tick)
+        for i in range(w * once):
+            settings, at = got(pilot, g, w, i), got(flight.estimate, g, w, i)
+            past = _remembered(settings, tick, at, got(memory.history, g, w, i))
+            put(past, memory.history, g, w, i)
+    fly_on(cascade, flight, seen.arm_length, cabin.aboard.command, g, w, once, tick)
 
 
 class ResilientWords(NamedTuple):

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec, norm, rotation
@@ -69,7 +70,7 @@ def referee_at_start(position: Vec) -> RefereeMemory:
 @kernel
 def pitch_of(up: Vec) -> float:
     """Pitch in the X–Z plane, positive nose down, over the whole turn [rad]; ``up`` is R e_z."""
-    return math.atan2(up.x, up.z)
+    return angle_of(up.x, up.z)
 
 
 @kernel

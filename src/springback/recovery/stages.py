@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from springback.control.position import PositionLaw, heading
 from springback.control.target import AttitudeTarget
+from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec, norm, positive_part, quaternion_of, rotation
@@ -27,7 +28,7 @@ class Stage(NamedTuple):
 @kernel
 def _angle(a: Vec, b: Vec) -> float:
     """Between two unit vectors [rad]."""
-    return math.atan2(norm(a ^ b), a @ b)
+    return angle_of(norm(a ^ b), a @ b)
 
 
 @kernel

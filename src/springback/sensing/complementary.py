@@ -13,10 +13,12 @@ error ω × r of velocity, and one of ω² r of the force.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
+from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
+from springback.kernels.layout import Buffer, Like, got, put
+from springback.kernels.trees import pick
 from springback.kernels.vectors import (
     ZERO,
     Quat,
@@ -34,6 +36,7 @@ from springback.sensing.measurement import (
     Inertial,
     Measurement,
     Pose,
+    believe,
     estimated,
 )
 
@@ -55,7 +58,7 @@ class Complementary(NamedTuple):
     heading_weight: float  # [1/s]
     bias_weight: float  # [1/s]
     largest_bias: float  # of each axis [rad/s]
-    bandwidth: float  # of the position filter, z = exp(−bandwidth T) [1/s]
+    decay: float  # of the position filter in a tick, exp(−bandwidth Δt)
 
 
 class ComplementaryMemory(NamedTuple):
@@ -69,6 +72,7 @@ class ComplementaryMemory(NamedTuple):
     heading_error: float  # of the last pose: measured less believed [rad]
     waiting: float  # time since the last inertial sample [s]
     unposed: float  # time since the last pose [s]
+    faded: float  # z = exp(−bandwidth T) for that time T
 
 
 def complementary_memory(complementary: Complementary, estimate: Estimate) -> ComplementaryMemory:
@@ -82,6 +86,7 @@ def complementary_memory(complementary: Complementary, estimate: Estimate) -> Co
         heading_error=0.0,
         waiting=0.0,
         unposed=0.0,
+        faded=1.0,
     )
 
 
@@ -90,15 +95,45 @@ def complementary_memory(complementary: Complementary, estimate: Estimate) -> Co
 def _complementary(
     weights: Complementary, tick: float, seen: Measurement, memory: ComplementaryMemory
 ) -> Believed:
-    memory = _older(weights, memory)
-    if seen.inertial.fresh > 0.5:
-        memory = _followed(weights, seen.inertial, memory)
-    if seen.pose.fresh > 0.5:
-        memory = _informed(weights, seen.pose, memory)
-    m = memory
+    memory = _moved_on(weights, seen.inertial, memory)
+    memory = pick(seen.pose.fresh > 0.5, _informed(weights, seen.pose, memory), memory)
+    return Believed(_at_tick(memory), memory)
+
+
+@believe.register(Complementary)
+@kernel
+def _believe(
+    estimator: Like, seen: Like, memory: Like, estimate: Like, ticks: Like, g: Buffer, w: int,
+    once: int,
+) -> None:  # fmt: skip
+    """The same, step by step for all lanes; poses are looked at where one is fresh."""
+    posed = 0
+    for i in range(w * once):
+        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
+        put(_moved_on(weights, got(seen.inertial, g, w, i), m), memory, g, w, i)
+        posed += 1 if got(seen.pose.fresh, g, w, i) > 0.5 else 0
+    for i in range(w * once if posed > 0 else 0):
+        weights, m, pose = got(estimator, g, w, i), got(memory, g, w, i), got(seen.pose, g, w, i)
+        put(pick(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
+    for i in range(w * once):
+        put(_at_tick(got(memory, g, w, i)), estimate, g, w, i)
+
+
+@kernel
+def _moved_on(
+    weights: Complementary, inertial: Inertial, m: ComplementaryMemory
+) -> ComplementaryMemory:
+    """A tick later, and an inertial sample wiser where there is one."""
+    older = _older(weights, m)
+    return pick(inertial.fresh > 0.5, _followed(weights, inertial, older), older)
+
+
+@kernel
+def _at_tick(m: ComplementaryMemory) -> Estimate:
+    """The estimate, taken on from the last inertial sample at constant rates."""
     q = quaternion_product(m.attitude, turned_by(m.waiting * m.angular_velocity))
     position = m.position + m.waiting * m.velocity
-    return Believed(Estimate(position, q, m.velocity, m.angular_velocity), memory)
+    return Estimate(position, q, m.velocity, m.angular_velocity)
 
 
 @kernel
@@ -113,6 +148,7 @@ def _older(weights: Complementary, m: ComplementaryMemory) -> ComplementaryMemor
         m.heading_error,
         m.waiting + weights.tick,
         m.unposed + weights.tick,
+        m.faded * weights.decay,
     )
 
 
@@ -125,8 +161,8 @@ def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMem
     up = rotation(m.attitude).z
     magnitude = norm(force)
     g = weights.gravity
-    near_g = LEAST_FORCE * g < magnitude and magnitude < MOST_FORCE * g
-    trust = weights.accelerometer_weight / magnitude if near_g else 0.0
+    near_g = (LEAST_FORCE * g < magnitude) & (magnitude < MOST_FORCE * g)
+    trust = weights.accelerometer_weight / pick(near_g, magnitude, 1.0) * pick(near_g, 1.0, 0.0)
     recent = m.unposed < HEADING_TIMEOUT
     turn = weights.heading_weight * m.heading_error if recent else 0.0
     return turn * up + (trust * force ^ up)
@@ -169,6 +205,7 @@ def _followed(
         heading_error=m.heading_error,
         waiting=0.0,
         unposed=m.unposed,
+        faded=m.faded,
     )
 
 
@@ -176,7 +213,7 @@ def _followed(
 def _heading_error(measured: Quat, believed: Quat) -> float:
     """Heading measured less heading believed [rad]: how far north is off in the world."""
     north = rotation(believed) @ rotation(measured).x
-    return -math.atan2(north.y, north.x)
+    return -angle_of(north.y, north.x)
 
 
 @kernel
@@ -185,7 +222,7 @@ def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> Com
     age = positive_part(pose.age - m.waiting)
     then = quaternion_product(m.attitude, turned_by(-age * m.angular_velocity))
     missed = pose.position - (m.position - age * m.velocity)
-    z = math.exp(-weights.bandwidth * m.unposed)
+    z = m.faded
     return ComplementaryMemory(
         position=m.position + (1.0 - z * z) * missed,
         velocity=m.velocity + ((1.0 - z) * (1.0 - z) / m.unposed) * missed,
@@ -195,4 +232,5 @@ def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> Com
         heading_error=_heading_error(pose.attitude, then),
         waiting=m.waiting,
         unposed=0.0,
+        faded=1.0,
     )

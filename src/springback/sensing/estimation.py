@@ -156,7 +156,7 @@ class ComplementarySettings(Settings):
             heading_weight=self.heading_weight,
             bias_weight=self.bias_weight,
             largest_bias=self.largest_bias,
-            bandwidth=self.bandwidth,
+            decay=math.exp(-self.bandwidth * rhythm.tick),
         )
 
 

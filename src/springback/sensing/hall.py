@@ -11,12 +11,15 @@ import functools
 import math
 from typing import Any, NamedTuple
 
+from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import Seldom, column, each
+from springback.kernels.layout import Buffer, Like, got, put, read
+from springback.kernels.trees import Seldom, column, each, largest, pick
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.aboard import Draw
+from springback.simulation.ticks import motion_of, truth_of
 from springback.vehicle.state import State
 
 #: Halvings of the range of lengths in the calibration: 54 mm become 3 nm.
@@ -115,7 +118,7 @@ def counted(sensors: HallSensors, voltage: float) -> float:
     """The converter's word for an output, a whole number from 0 to counts − 1."""
     low = voltage if voltage > sensors.lowest else sensors.lowest
     inside = low if low < sensors.highest else sensors.highest
-    word = 1.0 * math.floor(inside / sensors.supply * sensors.counts)
+    word = rounded_down(inside / sensors.supply * sensors.counts)
     top = sensors.counts - 1.0
     return word if word < top else top
 
@@ -190,12 +193,14 @@ def _perfect(
 
 
 @kernel
-def _sampled(
-    span: Span, length: float, normal: float, m: ArmMemory, sensors: HallSensors
-) -> ArmMemory:
-    """One arm at a tick at which it is sampled."""
-    voltage = output(sensors, span.free - length) + sensors.noise * normal
-    return ArmMemory(entered(m.line, counted(sensors, voltage)), m.word, m.length)
+def _sampled(span: Span, length: float, normal: float, sensors: HallSensors) -> float:
+    """The converter's word for one arm."""
+    return counted(sensors, output(sensors, span.free - length) + sensors.noise * normal)
+
+
+@kernel
+def _entered(m: ArmMemory, word: float) -> ArmMemory:
+    return ArmMemory(entered(m.line, word), m.word, m.length)
 
 
 @kernel
@@ -207,6 +212,23 @@ def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
     return ArmMemory(m.line, word, length)
 
 
+@kernel
+def _renewed(m: ArmMemory, sensors: HallSensors) -> float:
+    """1 where another word arrives than stands."""
+    return pick(arriving(m.line, sensors.delay, sensors.every) == m.word, 0.0, 1.0)
+
+
+@kernel
+def _sampling(sensors: HallSensors, tick: float) -> bool:
+    return due(tick, sensors.every)
+
+
+@kernel
+def _delivering(sensors: HallSensors, tick: float) -> bool:
+    since = tick - sensors.delay
+    return (since > -0.5) & due(since, sensors.every)
+
+
 @arms_read.register(HallSensors)
 @kernel
 def _arms_read(
@@ -216,15 +238,86 @@ def _arms_read(
     noise: tuple[float, ...],
     memory: Seldom,
 ) -> ArmsRead:
-    since, arms = tick - sensors.delay, memory.tree.arms
-    sampling = due(tick, sensors.every)
-    fresh = (since > -0.5) & due(since, sensors.every)
+    arms, sampling, fresh = memory.tree.arms, _sampling(sensors, tick), _delivering(sensors, tick)
     if sampling:
-        arms = each(_sampled, (sensors.spans, truth.now.arm_length, noise, arms), (sensors,))
+        words = each(_sampled, (sensors.spans, truth.now.arm_length, noise), (sensors,))
+        arms = each(_entered, (arms, words), ())
     if fresh:
         arms = each(_delivered, (sensors.spans, arms), (sensors,))
     flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
     return ArmsRead(column(arms, "length"), flag, Seldom(new, HallMemory(arms)))
+
+
+@generic
+def read_arms(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer, first: int,
+) -> None:  # fmt: skip
+    """The arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`.
+
+    Args:
+        device: Like its settings.
+        shape: What lies in ``b``.
+        cabin: What lies in ``g``.
+        b: Buffer of the motion.
+        g: Buffer of what is aboard.
+        w: Lanes.
+        once: 1.
+        tick: Number of the tick.
+        channels: Like the noise of the arms of one lane.
+        noise: Of all lanes.
+        first: Channel with which that of the arms begins.
+    """
+    _read_arms_one_by_one(device, shape, cabin, b, g, w, once, tick, channels, noise, first)
+
+
+@kernel
+def _read_arms_one_by_one(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer, first: int,
+) -> None:  # fmt: skip
+    memory, seen = cabin.aboard.sensors.arm_length, cabin.aboard.measurement
+    for i in range(w):
+        truth, drawn = truth_of(shape, cabin, b, g, w, i), read(channels, noise, first, w, i)
+        read_now = arms_read(got(device, g, w, i), tick, truth, drawn, got(memory, g, w, i))
+        put(read_now.length, seen.arm_length, g, w, i)
+        put(read_now.fresh, seen.arm_length_fresh, g, w, i)
+        put(read_now.memory, memory, g, w, i)
+
+
+@read_arms.register(HallSensors)
+@kernel
+def _read_hall_sensors(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer, first: int,
+) -> None:  # fmt: skip
+    """`arms_read`, step by step; the calibration is searched only where a word has changed."""
+    memory, seen = cabin.aboard.sensors.arm_length.tree.arms, cabin.aboard.measurement
+    sampling, delivering, renewed = 0, 0, 0
+    for i in range(w * once):
+        sensors = got(device, g, w, i)
+        fresh = _delivering(sensors, tick)
+        sampling += 1 if _sampling(sensors, tick) else 0
+        delivering += 1 if fresh else 0
+        put(pick(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
+    for i in range(w * once if sampling > 0 else 0):
+        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
+        drawn, lengths = read(channels, noise, first, w, i), motion_of(shape, b, w, i).arm_length
+        words = each(_sampled, (sensors.spans, lengths, drawn), (sensors,))
+        now = each(_entered, (arms, words), ())
+        put(pick(_sampling(sensors, tick), now, arms), memory, g, w, i)
+    for i in range(w * once if delivering > 0 else 0):
+        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
+        changed = largest(each(_renewed, (arms,), (sensors,)))
+        renewed += 1 if _delivering(sensors, tick) & (changed > 0.5) else 0
+    for i in range(w * once if tick < 0.5 else 0):
+        put(column(got(memory, g, w, i), "length"), seen.arm_length, g, w, i)
+    for i in range(w if renewed > 0 else 0):
+        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
+        if _delivering(sensors, tick):
+            arms = each(_delivered, (sensors.spans, arms), (sensors,))
+            put(arms, memory, g, w, i)
+            put(column(arms, "length"), seen.arm_length, g, w, i)
 
 
 @draws.register

@@ -11,6 +11,7 @@ import functools
 import math
 from typing import Any, NamedTuple
 
+from springback.kernels.angles import rounded
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import ZERO, Quat, Vec, normalised, rotation
 from springback.sensing.clock import draws
@@ -161,7 +162,7 @@ def clipped(x: float, channel: Channel) -> float:
 @kernel
 def quantised(x: float, step: float) -> float:
     """The multiple of ``step`` nearest to a component."""
-    return step * math.floor(x / step + 0.5)
+    return step * rounded(x / step)
 
 
 @kernel

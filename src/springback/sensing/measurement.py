@@ -6,10 +6,11 @@ whether they have spoken at this tick; in between their last word stands.
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
+from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.aboard import Sensed as Sensed
 from springback.simulation.aboard import Truth as Truth
@@ -55,7 +56,24 @@ class Measurement(NamedTuple):
 @kernel
 def due(tick: float, every: float) -> bool:
     """Whether a device that speaks every so many ticks (a whole number) speaks at this one."""
-    return tick - every * math.floor((tick + 0.5) / every) < 0.5
+    return tick - every * rounded_down((tick + 0.5) / every) < 0.5
+
+
+@kernel
+def any_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
+    """Whether a device of any lane speaks at a tick.
+
+    Args:
+        every: Where its period lies [ticks].
+        g: Buffer of what is aboard.
+        w: Lanes.
+        once: As for `springback.simulation.ticks.look`.
+        tick: Number of the tick; it is due at no tick before 0.
+    """
+    count = 0
+    for i in range(w * once):
+        count += 1 if due(tick, got(every, g, w, i)) else 0
+    return count > 0
 
 
 class Believed(NamedTuple):
@@ -76,3 +94,27 @@ def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Be
         memory: What the estimator remembers; returned anew, never changed in place.
     """
     raise TypeError(f"{type(estimator).__name__} is no estimator; register estimated for it")
+
+
+@generic
+def believe(
+    estimator: Like, seen: Like, memory: Like, estimate: Like, ticks: Like, g: Buffer, w: int,
+    once: int,
+) -> None:  # fmt: skip
+    """The estimators of all lanes make what they can of a measurement.
+
+    Args:
+        estimator: Like its settings, by whose type it is chosen.
+        seen: Where the measurement lies.
+        memory: Where the estimator's memory lies; changed.
+        estimate: Where the estimate goes.
+        ticks: Where the number of the tick lies.
+        g: Buffer of what is aboard.
+        w: Lanes.
+        once: As for `springback.simulation.ticks.look`.
+    """
+    for i in range(w):
+        said, remembered = got(seen, g, w, i), got(memory, g, w, i)
+        known = estimated(got(estimator, g, w, i), got(ticks, g, w, i), said, remembered)
+        put(known.estimate, estimate, g, w, i)
+        put(known.memory, memory, g, w, i)

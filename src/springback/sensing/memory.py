@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
+from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import pick
 
@@ -48,7 +48,7 @@ def arriving(line: Line, delay: float, every: float) -> Any:
         delay: Whole ticks, at most four sampling periods.
         every: Sampling period, whole ticks.
     """
-    back = math.floor(delay / every + 0.5 / every)
+    back = rounded_down(delay / every + 0.5 / every)
     late = pick(back < 3.5, line.fourth, line.fifth)
     middle = pick(back < 2.5, line.third, late)
     return pick(back < 0.5, line.newest, pick(back < 1.5, line.second, middle))

@@ -6,12 +6,14 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.layout import Buffer, Like, got, put, read
 from springback.kernels.trees import Seldom, pick
 from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.aboard import Draw
+from springback.simulation.ticks import motion_of, truth_of
 from springback.vehicle.state import State
 
 
@@ -118,14 +120,36 @@ def _lost(device: MotionCapture, lost: float, normal: float) -> float:
 
 @kernel
 def _exposed(
-    device: MotionCapture, state: State, noise: MotionCaptureNoise, m: MotionCaptureMemory
-) -> MotionCaptureMemory:
-    """The cameras take a sample."""
-    lost = _lost(device, m.lost, noise.loss)
+    device: MotionCapture, state: State, noise: MotionCaptureNoise, lost: float
+) -> Exposure:
+    """The cameras take a sample; ``lost`` says whether they lost the last one."""
     position = state.position + device.position_noise * noise.position
     attitude = turned(state.attitude, device.attitude_noise * noise.attitude)
-    line = entered(m.line, Exposure(position, attitude, 1.0 - lost))
-    return MotionCaptureMemory(line, lost, m.last, m.taken_at)
+    return Exposure(position, attitude, 1.0 - _lost(device, lost, noise.loss))
+
+
+@kernel
+def _exposing(device: MotionCapture, tick: float) -> bool:
+    return due(tick, device.every)
+
+
+@kernel
+def _delivering(device: MotionCapture, tick: float) -> bool:
+    since = tick - device.delay
+    return (since > -0.5) & due(since, device.every)
+
+
+@kernel
+def _delivered(
+    device: MotionCapture, tick: float, period: float, m: MotionCaptureMemory
+) -> Captured:
+    """The pose at a tick, after its exposure: perhaps one arrives."""
+    arrived = arriving(m.line, device.delay, device.every)
+    fresh = pick(_delivering(device, tick), arrived.seen, 0.0)
+    last = pick(fresh > 0.5, arrived, m.last)
+    taken_at = pick(fresh > 0.5, tick - device.delay, m.taken_at)
+    pose = Pose(last.position, last.attitude, fresh, (tick - taken_at) * period)
+    return Captured(pose, MotionCaptureMemory(m.line, m.lost, last, taken_at))
 
 
 @captured.register(MotionCapture)
@@ -137,17 +161,78 @@ def _captured(
     noise: MotionCaptureNoise,
     memory: Seldom,
 ) -> Captured:
-    since, m, fresh = tick - device.delay, memory.tree, 0.0
-    exposing = due(tick, device.every)
-    delivering = (since > -0.5) & due(since, device.every)
-    if exposing:
-        m = _exposed(device, truth.now, noise, m)
-    if delivering:
-        arrived = arriving(m.line, device.delay, device.every)
-        fresh = arrived.seen
-        m = pick(fresh > 0.5, MotionCaptureMemory(m.line, m.lost, arrived, since), m)
-    pose = Pose(m.last.position, m.last.attitude, fresh, (tick - m.taken_at) * truth.duration)
-    return Captured(pose, Seldom(1.0 if exposing | delivering else 0.0, m))
+    m, exposing = memory.tree, _exposing(device, tick)
+    sample = _exposed(device, truth.now, noise, m.lost)
+    line = pick(exposing, entered(m.line, sample), m.line)
+    lost = pick(exposing, 1.0 - sample.seen, m.lost)
+    after = MotionCaptureMemory(line, lost, m.last, m.taken_at)
+    got_now = _delivered(device, tick, truth.duration, after)
+    new = pick(exposing | _delivering(device, tick), 1.0, 0.0)
+    return Captured(got_now.pose, Seldom(new, got_now.memory))
+
+
+@generic
+def capture(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer,
+) -> None:  # fmt: skip
+    """Motion capture of all lanes; arguments as for `springback.simulation.ticks.look`."""
+    _capture_lanes(device, shape, cabin, b, g, w, once, tick, channels, noise)
+
+
+@kernel
+def noise_of(drawn: tuple[float, ...]) -> MotionCaptureNoise:
+    """The numbers that are motion capture's, the first of all."""
+    n = drawn
+    return MotionCaptureNoise(Vec(n[0], n[1], n[2]), Vec(n[3], n[4], n[5]), n[6])
+
+
+@kernel
+def _capture_lanes(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer,
+) -> None:  # fmt: skip
+    memory, pose = cabin.aboard.sensors.motion_capture, cabin.aboard.measurement.pose
+    for i in range(w * once):
+        truth, drawn = truth_of(shape, cabin, b, g, w, i), noise_of(read(channels, noise, 0, w, i))
+        posed = captured(got(device, g, w, i), tick, truth, drawn, got(memory, g, w, i))
+        put(posed.pose, pose, g, w, i)
+        put(posed.memory, memory, g, w, i)
+
+
+@capture.register(MotionCapture)
+@kernel
+def _capture_at_times(
+    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer,
+) -> None:  # fmt: skip
+    """`captured`, step by step; between exposures and arrivals the last pose but grows older."""
+    memory, pose = cabin.aboard.sensors.motion_capture.tree, cabin.aboard.measurement.pose
+    exposing, delivering, line = 0, 0, memory.line
+    for i in range(w * once):
+        camera, period = got(device, g, w, i), got(cabin.guidance.period, g, w, i)
+        exposing += 1 if _exposing(camera, tick) else 0
+        delivering += 1 if _delivering(camera, tick) | (tick < 0.5) else 0
+        put(0.0, pose.fresh, g, w, i)
+        put((tick - got(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
+    for i in range(w * once if exposing > 0 else 0):
+        now, before = _exposing(got(device, g, w, i), tick), got(line, g, w, i)
+        put(pick(now, entered(before, before.newest), before), line, g, w, i)
+    for i in range(w * once if exposing > 0 else 0):
+        camera, drawn = got(device, g, w, i), noise_of(read(channels, noise, 0, w, i))
+        lost, before = got(memory.lost, g, w, i), got(line.newest, g, w, i)
+        sample, now = (
+            _exposed(camera, motion_of(shape, b, w, i), drawn, lost),
+            _exposing(camera, tick),
+        )
+        put(pick(now, sample, before), line.newest, g, w, i)
+        put(pick(now, 1.0 - sample.seen, lost), memory.lost, g, w, i)
+    for i in range(w * once if delivering > 0 else 0):
+        m, period = got(memory, g, w, i), got(cabin.guidance.period, g, w, i)
+        arrived = _delivered(got(device, g, w, i), tick, period, m)
+        put(arrived.pose, pose, g, w, i)
+        put(arrived.memory.last, memory.last, g, w, i)
+        put(arrived.memory.taken_at, memory.taken_at, g, w, i)
 
 
 @draws.register

@@ -6,13 +6,15 @@ from typing import Any, NamedTuple
 
 from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
+from springback.kernels.layout import Buffer, Like, got, put, read, rows
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
-from springback.sensing.hall import arms_at_start, arms_read
+from springback.sensing.hall import arms_at_start, arms_read, read_arms
 from springback.sensing.inertial import InertialNoise, felt, inertial_at_start
 from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
-from springback.sensing.motion_capture import MotionCaptureNoise, captured, motion_capture_at_start
+from springback.sensing.motion_capture import capture, captured, motion_capture_at_start, noise_of
 from springback.simulation.aboard import Draw
+from springback.simulation.ticks import look, motion_of, truth_of
 from springback.vehicle.state import State
 
 #: Standard normal numbers of motion capture: 0-2 position, 3-5 attitude, 6 its gaps ...
@@ -95,20 +97,56 @@ def revealed(state: State, reveal: float) -> Estimate:
     return Estimate(s * state.position, attitude, s * state.velocity, s * state.angular_velocity)
 
 
+@kernel
+def _inertial_noise(noise: tuple[float, ...]) -> InertialNoise:
+    n = noise
+    white_a, white_g = Vec(n[7], n[8], n[9]), Vec(n[10], n[11], n[12])
+    walk_a, walk_g = Vec(n[13], n[14], n[15]), Vec(n[16], n[17], n[18])
+    return InertialNoise(white_a, white_g, walk_a, walk_g)
+
+
 @sensed.register(Sensors)
 @kernel
 def _sensed(
     sensors: Sensors, tick: float, truth: Truth, noise: tuple[float, ...], memory: SensorsMemory
 ) -> Sensed:
-    n = noise
-    pose_noise = MotionCaptureNoise(Vec(n[0], n[1], n[2]), Vec(n[3], n[4], n[5]), n[6])
-    white_a, white_g = Vec(n[7], n[8], n[9]), Vec(n[10], n[11], n[12])
-    walk_a, walk_g = Vec(n[13], n[14], n[15]), Vec(n[16], n[17], n[18])
-    inertial_noise = InertialNoise(white_a, white_g, walk_a, walk_g)
-    posed = captured(sensors.motion_capture, tick, truth, pose_noise, memory.motion_capture)
-    moved = felt(sensors.inertial, tick, truth, inertial_noise, memory.inertial)
+    posed = captured(sensors.motion_capture, tick, truth, noise_of(noise), memory.motion_capture)
+    moved = felt(sensors.inertial, tick, truth, _inertial_noise(noise), memory.inertial)
     arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
 
     exact = revealed(truth.now, sensors.reveal)
     told = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
     return Sensed(told, SensorsMemory(posed.memory, moved.memory, arms.memory))
+
+
+@look.register(Sensors)
+@kernel
+def _look(
+    sensors: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
+    channels: Like, noise: Buffer,
+) -> None:  # fmt: skip
+    """`sensed`, one device after the other over all lanes."""
+    capture(sensors.motion_capture, shape, cabin, b, g, w, once, tick, channels, noise)
+    memory, seen = cabin.aboard.sensors.inertial, cabin.aboard.measurement
+    for i in range(w * once):
+        truth = truth_of(shape, cabin, b, g, w, i)
+        drawn = _inertial_noise(read(channels, noise, 0, w, i))
+        moved = felt(got(sensors.inertial, g, w, i), tick, truth, drawn, got(memory, g, w, i))
+        put(moved.inertial, seen.inertial, g, w, i)
+        put(moved.memory, memory, g, w, i)
+        state, reveal = motion_of(shape, b, w, i), got(sensors.reveal, g, w, i)
+        put(revealed(state, reveal), seen.exact, g, w, i)
+    arms = seen.arm_length
+    read_arms(
+        sensors.arm_length,
+        shape,
+        cabin,
+        b,
+        g,
+        w,
+        once,
+        tick,
+        arms,
+        noise,
+        rows(channels) - rows(arms),
+    )

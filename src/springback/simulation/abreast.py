@@ -13,34 +13,24 @@ from springback.kernels.trees import rebuilt
 from springback.simulation.aboard import Cabin, Draw
 from springback.simulation.flight import loaded, shape_of, unloaded
 from springback.simulation.guided import (
-    GUST_NOISE,
     TICKS,
     GuidedFlown,
     cabins_loaded,
     entries_for,
-    noise_table,
     ticks_of,
 )
+from springback.simulation.luck import yet_to_be_dealt
 from springback.simulation.record import Model
+from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.state import State
 
-#: Guided flights abreast in one group (chosen: what is aboard fills the cache sooner than what
-#: flies, so fewer than without a pilot).
-GUIDED_LANES = 4
-
-
-def noise_abreast(noises: Sequence[Buffer], group: int, width: int) -> Buffer:
-    """Noise of one group, shape (ticks, channels x lanes): channel by channel, lane by lane.
-
-    Args:
-        noises: Of every flight, each of shape (ticks, channels).
-        group: Its number; spare lanes repeat the last flight.
-        width: Lanes in a group.
-    """
-    last = len(noises) - 1
-    lanes = [noises[min(k, last)] for k in range(group * width, (group + 1) * width)]
-    ticks, channels = lanes[0].shape
-    return np.ascontiguousarray(np.stack(lanes, axis=2)).reshape(ticks, channels * width)
+#: Guided flights abreast in one group: those that fill a vector register of 512 bits.
+GUIDED_LANES = 8
+#: Groups that fly together, so that flights in contact can change into one (chosen: what is aboard
+#: of so many fills a cache of 1 MB).
+TOGETHER = 8
+#: Ticks for which normal numbers are dealt at once (chosen).
+STRETCH = 25
 
 
 def fly_groups(
@@ -49,45 +39,63 @@ def fly_groups(
     cabin: Cabin,
     buffers: Buffer,
     aboard: Buffer,
-    draws: tuple[Draw, ...],
+    draws: Sequence[Draw],
     seeds: Sequence[int],
     *,
+    flights: Sequence[int] | None = None,
     width: int = GUIDED_LANES,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Fly groups that lie ready in buffers to their end, in place."""
-    duration = model.timing.until
-    ticks = ticks_of(duration, cabin.guidance.period)
-    shape = shape_of(model, start)
-    guide, lanes = entries_for(model, cabin).guide, (0,) * width
-    nothing = np.zeros((0, 1))
+    """Fly groups that lie ready in buffers to their end, in place.
 
-    def fly_group(group: int) -> None:
-        mine = [seeds[min(k, len(seeds) - 1)] for k in range(group * width, (group + 1) * width)]
-        noise = noise_abreast([noise_table(seed, 0, ticks, draws) for seed in mine], 0, width)
-        sensing = Like((0.0,) * (noise.shape[1] // width - GUST_NOISE))
-        gusts, next_up = Like((0.0,) * GUST_NOISE), np.zeros(2, dtype=np.int64)
+    Args:
+        model: Like those of the flights, of their duration.
+        start: Like their states.
+        cabin: Like what is aboard, with their clock.
+        buffers: Of the motion, shape (groups, rows x width), see `springback.simulation.flight`.
+        aboard: Of what is aboard, shape (groups, rows x width), leaf by leaf, lane by lane.
+        draws: When which normal numbers are drawn.
+        seeds: One for each flight.
+        flights: Their numbers, for their luck; 0 by default.
+        width: Lanes in a group.
+        threads: Defaults to the number of processors.
+        progress: Called now and then with the share done.
+    """
+    duration, numbers = model.timing.until, flights or [0] * len(seeds)
+    ticks, shape = ticks_of(duration, cabin.guidance.period), shape_of(model, start)
+    guide, lanes, nothing = entries_for(model, cabin).guide, (0,) * width, np.zeros((0, 1))
+    channels = sum(draw.channels for draw in draws) - GUST_NOISE
+    sensing, gusts = Like((0.0,) * channels), Like((0.0,) * GUST_NOISE)
+
+    def fly(first: int) -> None:
+        last = min(first + TOGETHER, len(buffers))
+        mine = slice(first * width, last * width)
+        luck = yet_to_be_dealt(seeds[mine], numbers[mine], draws, width, min(STRETCH, ticks))
+        next_up = np.array([0, 0, -luck.noise.shape[1]], dtype=np.int64)
         logged = np.zeros(1, dtype=np.int64)
         while next_up[0] < ticks:
             guide(
-                Like(shape), Like(cabin), buffers[group : group + 1], aboard[group], lanes, sensing,
-                gusts, noise, next_up, min(ticks, int(next_up[0]) + TICKS), duration, False,
+                Like(shape), Like(cabin), buffers[first:last], aboard[first:last], lanes, sensing,
+                gusts, luck, next_up, min(ticks, int(next_up[0]) + TICKS), ticks, duration, False,
                 nothing, logged, nothing,
             )  # fmt: skip
 
+    batches = range(0, len(buffers), TOGETHER)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        for done, _ in enumerate(pool.map(fly_group, range(len(buffers))), start=1):
+        for done, _ in enumerate(pool.map(fly, batches), start=1):
             if progress is not None:
-                progress(done / len(buffers))
+                progress(done / len(batches))
 
 
 def fly_guided_many(
     models: Sequence[Model],
     starts: Sequence[State],
     cabins: Sequence[Cabin],
-    noises: Sequence[Buffer],
+    draws: Sequence[Draw],
+    seeds: Sequence[int],
     *,
+    flights: Sequence[int] | None = None,
     width: int = GUIDED_LANES,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
@@ -101,11 +109,12 @@ def fly_guided_many(
         models: One for each flight, or a single one for all.
         starts: One state for each flight.
         cabins: What is aboard each.
-        noises: Normal numbers of each, shape (ticks, channels).  They are taken a group at a time,
-            so a sequence may draw them when asked.
+        draws: When which normal numbers are drawn.
+        seeds: One for each flight.
+        flights: Their numbers, for their luck; 0 by default.
         width: Lanes in a group.
         threads: Defaults to the number of processors.
-        progress: Called now and then with the share of groups done.
+        progress: Called now and then with the share done.
 
     Raises:
         ValueError: If the flights end, or their clocks tick, at different times.
@@ -114,28 +123,12 @@ def fly_guided_many(
     paces = {(m.timing.until, c.guidance.period) for m, c in zip(every, cabins, strict=True)}
     if len(paces) != 1:
         raise ValueError("flights abreast must have one duration and one clock")
-    duration = every[0].timing.until
     shape, cabin = shape_of(every[0], starts[0]), cabins[0]
     buffers, aboard = loaded(shape, every, starts, width), cabins_loaded([*cabins], width)
-    guide, lanes = entries_for(every[0], cabin).guide, (0,) * width
-    nothing = np.zeros((0, 1))
-
-    def fly_group(group: int) -> None:
-        noise = noise_abreast(noises, group, width)
-        sensing = Like((0.0,) * (noise.shape[1] // width - GUST_NOISE))
-        gusts, next_up = Like((0.0,) * GUST_NOISE), np.zeros(2, dtype=np.int64)
-        logged, ticks = np.zeros(1, dtype=np.int64), len(noise)
-        while next_up[0] < ticks:
-            guide(
-                Like(shape), Like(cabin), buffers[group : group + 1], aboard[group], lanes, sensing,
-                gusts, noise, next_up, min(ticks, int(next_up[0]) + TICKS), duration, False,
-                nothing, logged, nothing,
-            )  # fmt: skip
-
-    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        for done, _ in enumerate(pool.map(fly_group, range(len(buffers))), start=1):
-            if progress is not None:
-                progress(done / len(buffers))
+    fly_groups(
+        every[0], starts[0], cabin, buffers, aboard, draws, seeds,
+        flights=flights, width=width, threads=threads, progress=progress,
+    )  # fmt: skip
     flown, after = unloaded(shape, every, starts, buffers, width), rows(cabin.guidance)
     memories = aboard.reshape(len(buffers), -1, width)
     return [

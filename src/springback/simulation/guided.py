@@ -13,24 +13,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.dynamics.air import in_wind
-from springback.dynamics.gusts import first_gust, gust
-from springback.kernels.compiler import executor, guard, kernel, own_executor, rebound
-from springback.kernels.layout import Buffer, Like, read, row_of, rows, write
-from springback.kernels.trees import leaves, names, rebuilt, square
+from springback.dynamics.gusts import Calm, first_gust
+from springback.kernels.compiler import executor, own_executor, rebound
+from springback.kernels.layout import Buffer, Like, row_of, rows
+from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.aboard import (
     Aboard,
     Cabin,
-    Draw,
     Guidance,
-    Touch,
     Truth,
-    piloted,
     sensed,
     told,
-    witnessed,
 )
-from springback.simulation.executor import advance
+from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
@@ -44,21 +39,18 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
-from springback.simulation.lanes import places
-from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Model
-from springback.vehicle.rotors import all_lagged
+from springback.simulation.luck import Luck, deal, dealt_before
+from springback.simulation.luck import noise_table as noise_table
+from springback.simulation.record import Model
+from springback.simulation.ticks import GUST_NOISE, powered, ticked
 from springback.vehicle.state import State
 
-#: Normal numbers that gusts take at each tick, after those of the sensors ...
-GUST_NOISE = 3
-#: ... and before the first.
+#: Normal numbers that gusts take before the first tick.
 FIRST_GUST_NOISE = 5
 #: Memory of a witness that is not there.
 NOBODY = (0.0,)
 #: What comes next within a tick.
 LOOK, DRIVE, FLY = 0, 1, 2
-#: Squares of finite commands [N] add up to less than this (chosen: far beyond any).
-ABSURD = 1e30
 #: Ticks between two looks at the keyboard and the progress bar.
 TICKS = 2_000
 
@@ -67,218 +59,72 @@ Command = tuple[float, ...]
 PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
 
 
-@guard
-def _status_after(thrust: Command, status: float) -> float:
-    """Status of a flight after its pilot has commanded: not finite where a command is not."""
-    return status if square(thrust) < ABSURD else NOT_FINITE
-
-
-@kernel
-def _touch(shape: Like, b: Buffer, record: int, w: int, i: int) -> Touch:
-    """What the record of one lane says of contacts."""
-    m = shape.record
-    return Touch(
-        float(b[(record + row_of(m, "touching")) * w + i]),
-        float(b[(record + row_of(m, "contacts")) * w + i]),
-        float(b[(record + row_of(m, "last_touch_time")) * w + i]),
-        float(b[(record + row_of(m, "ground_time")) * w + i]),
-    )
-
-
-@kernel
-def looked(
-    shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, i: int, tick: float, channels: Like,
-    noise: Buffer,
-) -> None:  # fmt: skip
-    """One lane: the sensors look, the pilot decides."""
-    settings, after = cabin.guidance, rows(cabin.guidance)
-    at, memory = places(shape, w), cabin.aboard
-    gravity_row = row_of(shape.model, "world") + row_of(shape.model.world, "gravity")
-    measured_row = after + row_of(memory, "measurement")
-    sensors_row, pilot_row = after + row_of(memory, "sensors"), after + row_of(memory, "pilot")
-    period = float(g[row_of(settings, "period") * w + i])
-    state = read(shape.motion.state, b, at.motion, w, i)
-    before = read(memory.before, g, after + row_of(memory, "before"), w, i)
-    truth = Truth(before, state, period, float(b[gravity_row * w + i]))
-    sensors = read(settings.sensors, g, row_of(settings, "sensors"), w, i)
-    remembered = read(memory.sensors, g, sensors_row, w, i)
-    seen = sensed(sensors, tick, truth, read(channels, noise, 0, w, i), remembered)
-    write(state, g, after + row_of(memory, "before"), w, i)
-    write(seen.measurement, g, measured_row, w, i)
-    write(seen.memory, g, sensors_row, w, i)
-
-    pilot = read(settings.pilot, g, row_of(settings, "pilot"), w, i)
-    thought = read(memory.pilot, g, pilot_row, w, i)
-    said = piloted(pilot, tick * period, seen.measurement, thought)
-    write(said.memory, g, pilot_row, w, i)
-    write(said.thrust, g, after + row_of(memory, "command"), w, i)
-    witness = read(settings.witness, g, row_of(settings, "witness"), w, i)
-    witness_row = after + row_of(memory, "witness")
-    known = read(memory.witness, g, witness_row, w, i)
-    touch = _touch(shape, b, at.record, w, i)
-    kept = witnessed(witness, tick * period, state, touch, said.memory, known)
-    write(kept, g, witness_row, w, i)
-    b[at.status * w + i] = _status_after(said.thrust, b[at.status * w + i])
-
-
-@kernel
-def written(cabin: Like, g: Buffer, tick: float, page: Buffer) -> None:
-    """A page of the diary of a single flight: time, command, thrust, measurement, words."""
-    settings, memory, after = cabin.guidance, cabin.aboard, rows(cabin.guidance)
-    n, seen = rows(memory.command), rows(memory.measurement)
-    page[0] = tick * g[row_of(settings, "period")]
-    for k in range(n):
-        page[1 + k] = g[after + row_of(memory, "command") + k]
-        page[1 + n + k] = g[after + row_of(memory, "thrust") + k]
-    for k in range(seen):
-        page[1 + 2 * n + k] = g[after + row_of(memory, "measurement") + k]
-    pilot = read(settings.pilot, g, row_of(settings, "pilot"), 1, 0)
-    thought = read(memory.pilot, g, after + row_of(memory, "pilot"), 1, 0)
-    write(told(pilot, thought), page, 1 + 2 * n + seen, 1, 0)
-
-
-@executor(nogil=True)
-def ticked(
-    shape: Like,
-    cabin: Like,
-    b: Buffer,
-    g: Buffer,
-    lanes: tuple[int, ...],
-    tick: float,
-    channels: Like,
-    noise: Buffer,
-    diary: Buffer,
-    line: int,
-) -> None:
-    """At a tick the sensors of every lane look and the pilots decide.
-
-    Args:
-        shape: What lies in the buffer of the motion.
-        cabin: What lies in the buffer of what is aboard.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard.
-        lanes: A tuple as long as a group is wide.
-        tick: Number of the tick.
-        channels: Noise of the sensors at a tick.
-        noise: Normal numbers of this tick, channel by channel, lane by lane.
-        diary: Of a single flight, one tick a row; empty for none.
-        line: Row of the diary.
-    """
-    w = len(lanes)
-    for i in range(w):
-        looked(shape, cabin, b, g, w, i, tick, channels, noise)
-        if w == 1 and diary.shape[0] > 0:
-            written(cabin, g, tick, diary[line])
-
-
-@kernel
-def driven(
-    shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, i: int, tick: float, last: float,
-    drawn: tuple[float, ...],
-) -> None:  # fmt: skip
-    """One lane: the rotors follow their commands, the wind blows, until the next tick."""
-    settings, memory, after = cabin.guidance, cabin.aboard, rows(cabin.guidance)
-    at, model = places(shape, w), shape.model
-    thrust_row, weather_row = after + row_of(memory, "thrust"), after + row_of(memory, "weather")
-    air_row = row_of(model, "air")
-    period = float(g[row_of(settings, "period") * w + i])
-    rotors = read(settings.rotors, g, row_of(settings, "rotors"), w, i)
-    thrust = read(memory.thrust, g, thrust_row, w, i)
-    command = read(memory.command, g, after + row_of(memory, "command"), w, i)
-    spun = all_lagged(rotors, thrust, command, period)
-    write(spun.thrust, g, thrust_row, w, i)
-    write(spun.mean, b, row_of(model, "thrust"), w, i)
-
-    weather = read(settings.weather, g, row_of(settings, "weather"), w, i)
-    blown = gust(weather, drawn, read(memory.weather, g, weather_row, w, i))
-    wind = read(settings.mean_wind, g, row_of(settings, "mean_wind"), w, i) + blown.velocity
-    write(blown.memory, g, weather_row, w, i)
-    write(in_wind(read(model.air, b, air_row, w, i), wind), b, air_row, w, i)
-
-    b[row_of(model, "timing") * w + i] = min((tick + 1.0) * period, last)
-    if b[at.status * w + i] == FINISHED:  # it came to this tick before its neighbours
-        b[at.status * w + i] = FLYING
-
-
-@executor(nogil=True)
-def powered(
-    shape: Like, cabin: Like, b: Buffer, g: Buffer, lanes: tuple[int, ...], tick: float,
-    last: float, gusts: Like, noise: Buffer, channel: int,
-) -> None:  # fmt: skip
-    """The rotors of every lane follow their commands, the wind blows, until the next tick.
-
-    Args:
-        shape: What lies in the buffer of the motion.
-        cabin: What lies in the buffer of what is aboard.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard.
-        lanes: A tuple as long as a group is wide.
-        tick: Number of the tick that begins.
-        last: End of the flight [s].
-        gusts: Noise of the gusts at a tick.
-        noise: Normal numbers of this tick, channel by channel, lane by lane.
-        channel: The first of those that are the gusts'.
-    """
-    w = len(lanes)
-    for i in range(w):
-        driven(shape, cabin, b, g, w, i, tick, last, read(gusts, noise, channel, w, i))
-
-
 @executor(nogil=True)
 def guide(
     shape: Like,
     cabin: Like,
-    b: Buffer,
-    g: Buffer,
+    buffers: Buffer,
+    aboard: Buffer,
     lanes: tuple[int, ...],
     channels: Like,
     gusts: Like,
-    noise: Buffer,
+    luck: Luck,
     next_up: Any,
     end: int,
+    ticks: int,
     duration: float,
     pause: bool,
     log: Buffer,
     logged: Any,
     diary: Buffer,
 ) -> None:
-    """Fly one group on from tick to tick.
+    """Fly some groups on from tick to tick, all together.
 
     It comes back when the ticks are done, when the log is full, and, if asked to pause, as soon as
     the pilots have decided; called again, it goes on from there.
 
     Args:
-        shape: What lies in the buffer of the motion.
-        cabin: What lies in the buffer of what is aboard.
-        b: Buffer of the motion, shape (1, rows x lanes).
-        g: Buffer of what is aboard, shape (rows x lanes,).
+        shape: What lies in the buffers of the motion.
+        cabin: What lies in the buffers of what is aboard.
+        buffers: Of the motion, shape (groups, rows x lanes).
+        aboard: Of what is aboard, shape (groups, rows x lanes).
         lanes: A tuple as long as a group is wide.
         channels: Noise of the sensors at a tick.
         gusts: Noise of the gusts at a tick.
-        noise: Normal numbers, shape (ticks, channels x lanes).
-        next_up: Tick and what comes next within it, shape (2,); advanced.
+        luck: Normal numbers, those of all ticks or of a stretch after the other.
+        next_up: Tick, what comes next within it, and the tick with which the numbers at hand begin,
+            shape (3,); advanced.
         end: Tick to stop before.
+        ticks: Of the whole flight.
         duration: Of the flight [s].
         pause: Come back after the pilots have decided.
         log: Trajectory of a single flight, as in `springback.simulation.executor.advance`.
         logged: Rows of the log in use, shape (1,); advanced.
         diary: Of a single flight, one tick a row; empty for none.
     """
+    groups, stretch = buffers.shape[0], luck.noise.shape[1]
     while next_up[0] < end:
         k = next_up[0]
-        drawn = noise[k]
-        if next_up[1] == LOOK:
+        if k - next_up[2] == stretch:
+            next_up[2] = k
+            for group in range(groups):
+                keys, flights = luck.keys[group], luck.flights[group]
+                deal(keys, flights, luck.plan, k, luck.noise[group], luck.words, luck.drawn)
+        for group in range(groups):
+            b, g, drawn = buffers[group], aboard[group], luck.noise[group, k - next_up[2]]
+            if next_up[1] == LOOK:
+                ticked(shape, cabin, b, g, lanes, logged, float(k), channels, drawn, diary, k)
+            if next_up[1] == DRIVE or (next_up[1] == LOOK and not pause):
+                n = rows(channels)
+                powered(shape, cabin, b, g, lanes, logged, float(k), duration, gusts, drawn, n)
+        if next_up[1] == LOOK and pause:
             next_up[1] = DRIVE
-            ticked(shape, cabin, b[0], g, lanes, float(k), channels, drawn, diary, k)
-            if pause:
-                return
-        if next_up[1] == DRIVE:
-            next_up[1] = FLY
-            powered(shape, cabin, b[0], g, lanes, float(k), duration, gusts, drawn, rows(channels))
-        early = 0.0 if k + 1 == noise.shape[0] else 1.0
+            return
+        next_up[1] = FLY
+        early = 0.0 if k + 1 == ticks else 1.0
         under_way = 1
         while under_way > 0:
-            under_way = advance(shape, b, 0, 1, lanes, log, logged, SLICE, early)
+            under_way = to_tick(shape, buffers, lanes, log, logged, SLICE, early)
             if log.shape[0] > 0 and logged[0] >= log.shape[0]:
                 break
         if under_way > 0:
@@ -306,29 +152,8 @@ def ticks_of(duration: float, period: float) -> int:
     return max(1, math.ceil(duration / period - 1e-9))
 
 
-def noise_table(seed: int, flight: int, ticks: int, draws: tuple[Draw, ...]) -> Buffer:
-    """Standard normal numbers of one flight, shape (ticks, channels); zeros where none are taken.
-
-    They depend on the seed, the number of the flight and the pace of each device alone.  So flight
-    17 of a campaign meets the same luck when flown by itself, and a device the same when another
-    one is exchanged.
-
-    Args:
-        seed: Of a campaign, or of a flight flown alone.
-        flight: Its number in the campaign.
-        ticks: Of the clock.
-        draws: Of every device, in the order of their channels.
-    """
-    table = np.zeros((ticks, sum(draw.channels for draw in draws)))
-    first = 0
-    for channels, every in draws:
-        if every > 0:
-            luck = np.random.SeedSequence(seed, spawn_key=(flight, 0, first))
-            table[::every, first : first + channels] = np.random.Generator(
-                np.random.SFC64(luck)  # seven digits of luck are enough, and twice as fast
-            ).standard_normal((-(-ticks // every), channels), dtype=np.float32)
-        first += channels
-    return table
+#: Measurements by kind of sensors, to hold a place until tick 0; no pilot reads them.
+_UNREAD: dict[Any, Any] = {}
 
 
 def cabin_of(
@@ -353,12 +178,17 @@ def cabin_of(
         seed: Of the wind before the first tick.
         witness: Memory of the witness.
     """
-    luck = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1))))
-    before = tuple(float(x) for x in luck.standard_normal(FIRST_GUST_NOISE))
-    gusts = first_gust(guidance.weather, before).memory
-    truth = Truth(start, start, guidance.period, model.world.gravity)
-    quiet = (0.0,) * channels
-    first = sensed(guidance.sensors, 0.0, truth, quiet, sensors).measurement
+    gusts: Any = 0.0
+    if not isinstance(guidance.weather, Calm):
+        luck = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1))))
+        before = tuple(float(x) for x in luck.standard_normal(FIRST_GUST_NOISE))
+        gusts = first_gust(guidance.weather, before).memory
+    kind = (type(guidance.sensors), *map(type, guidance.sensors), len(start.arm_length))
+    if kind not in _UNREAD:
+        truth = Truth(start, start, guidance.period, model.world.gravity)
+        seen = sensed(guidance.sensors, 0.0, truth, (0.0,) * channels, sensors)
+        _UNREAD[kind] = seen.measurement
+    first = _UNREAD[kind]
     aboard = Aboard(start, first, sensors, pilot, model.thrust, model.thrust, witness, gusts)
     return Cabin(guidance, aboard)
 
@@ -377,6 +207,7 @@ def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> 
     """The loop over the ticks for a model and a cabin: compiled, or the same as plain Python."""
     plain = {name: _plain(entry) for name, entry in _PARTS.items()}
     if executor == "python":
+        plain["to_tick"] = rebound(plain["to_tick"], **plain)
         return Entries(rebound(plain["guide"], **plain), plain["ticked"])
     own_model, own_cabin = own_types(model), own_types(cabin)
     if not own_model | own_cabin:
@@ -395,12 +226,14 @@ def _own_entries(
     parts["powered"] = own_executor(plain["powered"], files, nogil=True)
     if own_model:
         parts["advance"] = own_executor(plain["advance"], files, nogil=True)
+        between = rebound(plain["to_tick"], advance=parts["advance"])
+        parts["to_tick"] = own_executor(between, files, nogil=True)
     loop = own_executor(rebound(plain["guide"], **parts), files, nogil=True)
     return Entries(loop, parts["ticked"])
 
 
 _PARTS: dict[str, Any] = {
-    "advance": advance, "ticked": ticked, "powered": powered, "guide": guide,
+    "advance": advance, "to_tick": to_tick, "ticked": ticked, "powered": powered, "guide": guide,
 }  # fmt: skip
 
 
@@ -437,11 +270,12 @@ def fly_guided(
     buffers, cabins = loaded(shape, [model], [start], 1), cabins_loaded([cabin], 1)
     entries, ticks = entries_for(model, cabin, executor), len(noise)
     channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
+    luck = dealt_before(noise)
     like, like_cabin = Like(shape), Like(cabin)
     head = (*_diary_columns(cabin),) if trace else ()
     seat = _seat(cabin, cabins[0]) if pilot is not None else None
     diary = np.zeros((ticks if trace else 0, len(head)))
-    next_up = np.zeros(2, dtype=np.int64)
+    next_up = np.zeros(3, dtype=np.int64)
     logs, record_row = [], -rows(shape.record)
     while next_up[0] < ticks:
         log = np.zeros((LOG_ROWS if trace else 0, len(trace_columns(shape)) if trace else 1))
@@ -450,8 +284,8 @@ def fly_guided(
         while next_up[0] < end and (not trace or logged[0] < len(log)):
             before = tuple(next_up)
             entries.guide(
-                like, like_cabin, buffers, cabins[0], (0,), channels, gusts, noise,
-                next_up, end, duration, pilot is not None, log, logged, diary,
+                like, like_cabin, buffers, cabins, (0,), channels, gusts, luck,
+                next_up, end, ticks, duration, pilot is not None, log, logged, diary,
             )  # fmt: skip
             if pilot and seat and next_up[1] == DRIVE and tuple(next_up) != before:
                 memory = _asked(pilot, cabin, seat, float(next_up[0]), memory)

@@ -6,12 +6,12 @@ constant τ.  Between two ticks the command stands still, so the response is kno
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from pydantic import model_validator
 
 from springback.kernels.compiler import kernel
+from springback.kernels.exponentials import exponential
 from springback.kernels.trees import column, each, pick
 from springback.quantities import Length, quantity
 from springback.settings import Settings, problem
@@ -63,7 +63,7 @@ def _shares(time_constant: float, duration: float) -> _Shares:
     """Shares of the start in the end and in the mean of a first-order lag."""
     instant = time_constant < INSTANT
     x = duration / pick(instant, 1.0, time_constant)
-    end = math.exp(-x)
+    end = exponential(-x)
     series = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)))
     mean = pick(x < SHORT, series, (1.0 - end) / pick(x < SHORT, 1.0, x))
     return _Shares(pick(instant, 0.0, end), pick(instant, 0.0, mean))

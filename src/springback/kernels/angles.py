@@ -1,0 +1,119 @@
+"""Sine, cosine and arc tangent from additions and products alone.
+
+The compiler can lay these abreast in vector registers, which it cannot do with calls of a library,
+and they give the same bits on every machine.  Reductions and polynomials are those of Sun's fdlibm
+1993 (k_sin, k_cos, s_atan); results are within 1 ulp or so.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+
+#: π/2 in three parts of 33 bits: products with whole numbers up to 2²⁰ are exact (fdlibm).
+_FIRST, _SECOND, _THIRD = (
+    1.57079632673412561417,
+    6.07710050630396597660e-11,
+    2.02226624879595063154e-21,
+)
+_TWO_OVER_PI = 0.636619772367581343076
+_QUARTER = 0.785398163397448309616
+#: tan(π/8), below which the polynomial of the arc tangent holds.
+_EIGHTH = 0.414213562373095048802
+#: Against division by zero.
+_TINY = 1e-300
+#: 3 · 2⁵¹: floats around it are whole numbers.
+_WHOLE = 6755399441055744.0
+
+
+class SineCosine(NamedTuple):
+    """Of one angle."""
+
+    sine: float
+    cosine: float
+
+
+@kernel
+def rounded(x: float) -> float:
+    """The whole number nearest to x, an even one half way; for |x| < 2⁵¹."""
+    return (x + _WHOLE) - _WHOLE
+
+
+@kernel
+def rounded_down(x: float) -> float:
+    """The largest whole number that is not above x, for |x| < 2⁵¹; a float, unlike math.floor."""
+    nearest = rounded(x)
+    return nearest - 1.0 if nearest > x else nearest
+
+
+@kernel
+def _sine(r: float, z: float) -> float:
+    """Of |r| ≤ π/4, with z = r²."""
+    tail = z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
+    tail = z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + tail))
+    return r + r * z * (-1.66666666666666324348e-01 + z * (8.33333333332248946124e-03 + tail))
+
+
+@kernel
+def _cosine(z: float) -> float:
+    """Of an angle of at most π/4, with its square."""
+    tail = z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11)
+    tail = z * (2.48015872894767294178e-05 + z * (-2.75573143513906633035e-07 + tail))
+    tail = z * (4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + tail))
+    half = 0.5 * z
+    head = 1.0 - half
+    return head + ((1.0 - head - half) + z * tail)
+
+
+@kernel
+def sine_cosine(angle: float) -> SineCosine:
+    """Of an angle of less than a million turns [rad]."""
+    quarters = rounded(angle * _TWO_OVER_PI)
+    r = ((angle - quarters * _FIRST) - quarters * _SECOND) - quarters * _THIRD
+    z = r * r
+    s, c = _sine(r, z), _cosine(z)
+    turn = quarters - 4.0 * rounded(quarters * 0.25)  # −2, −1, 0, 1, 2; both 2 are one
+    swapped = turn * turn == 1.0
+    sine, cosine = c if swapped else s, s if swapped else c
+    behind = turn * turn == 4.0
+    sine_sign = -1.0 if behind | (turn == -1.0) else 1.0
+    cosine_sign = -1.0 if behind | (turn == 1.0) else 1.0
+    return SineCosine(sine_sign * sine, cosine_sign * cosine)
+
+
+@kernel
+def _arc_tangent(t: float) -> float:
+    """Of |t| ≤ tan(π/8)."""
+    z = t * t
+    w = z * z
+    even = 4.97687799461593236017e-02 + w * 1.62858201153657823623e-02
+    even = 6.66107313738753120669e-02 + w * even
+    even = 1.42857142725034663711e-01 + w * (9.09088713343650656196e-02 + w * even)
+    even = z * (3.33333333333329318027e-01 + w * even)
+    odd = -5.83357013379057348645e-02 + w * -3.65315727442169155270e-02
+    odd = -1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * odd)
+    odd = w * (-1.99999999998764832476e-01 + w * odd)
+    return t - t * (even + odd)
+
+
+@kernel
+def angle_of(sine: float, cosine: float) -> float:
+    """The angle, from −π to π, of a direction that need not have length 1 [rad]; 0 of none.
+
+    Args:
+        sine: Any multiple of it above zero.
+        cosine: The same multiple.
+    """
+    y, x = math.fabs(sine), math.fabs(cosine)
+    steep = y > x
+    less, more = x if steep else y, y if steep else x
+    t = less / (more + _TINY)
+    far = t > _EIGHTH
+    over, under = t - 1.0 if far else t, t + 1.0 if far else 1.0
+    base = _QUARTER if far else 0.0
+    first = base + _arc_tangent(over / under)
+    second = 2.0 * _QUARTER - first if steep else first
+    third = 4.0 * _QUARTER - second if cosine < 0.0 else second
+    return -third if sine < 0.0 else third
