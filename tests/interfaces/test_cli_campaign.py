@@ -12,12 +12,14 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
 from springback.experiments.campaign.reading import Campaign
+from springback.interfaces.cli import main
 
 ROOT = Path(__file__).parents[2]
 ROWS = "FROM flights ORDER BY flight"
@@ -56,6 +58,35 @@ SMALL = ("--chunk", "6", "--workers", "2", "--quiet")
 
 def command(*words: str) -> list[str]:
     return [sys.executable, "-m", "springback", *words]
+
+
+class Said(NamedTuple):
+    """What a command left."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+Here = Callable[..., Said]
+
+
+@pytest.fixture
+def here(place: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Here:
+    """Commands in this process, in the folder of the plan."""
+    monkeypatch.chdir(place)
+
+    def said(*words: str) -> Said:
+        monkeypatch.setattr(sys, "argv", ["springback", *words])
+        code: Any = 0
+        capsys.readouterr()
+        try:
+            main()
+        except SystemExit as done:
+            code = done.code
+        return Said(int(code or 0), *capsys.readouterr())
+
+    return said
 
 
 def run(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -166,33 +197,33 @@ def test_ctrl_c_leaves_a_campaign_to_go_on_with(place: Path) -> None:
     assert Campaign(place / "broken off").query(ROWS) == Campaign(place / "whole").query(ROWS)
 
 
-def test_questions_and_answers(place: Path) -> None:
+def test_questions_and_answers(place: Path, here: Here) -> None:
     sql = "SELECT robot, count(*) AS n, avg(success) AS won FROM flights GROUP BY robot ORDER BY 1"
-    shown = run("query", "whole", sql, cwd=place)
+    shown = here("query", "whole", sql)
     assert shown.stdout.splitlines()[0].split() == ["robot", "n", "won"]
-    rows = json.loads(run("query", "whole", sql, "--format", "json", cwd=place).stdout)
+    rows = json.loads(here("query", "whole", sql, "--format", "json").stdout)
     assert [row["n"] for row in rows] == [150, 150]
-    marked = run("query", "whole", sql, "--format", "markdown", cwd=place).stdout.splitlines()
+    marked = here("query", "whole", sql, "--format", "markdown").stdout.splitlines()
     assert marked[:2] == ["| robot | n | won |", "| --- | --- | --- |"]
-    listed = run("query", "whole", cwd=place).stdout
+    listed = here("query", "whole").stdout
     assert "varied by the plan" in listed
     assert "largest |dv/dt| of the main body" in listed
 
-    done = run("query", "whole", "FROM flights WHERE NOT success", "--out", "a.csv", cwd=place)
+    done = here("query", "whole", "FROM flights WHERE NOT success", "--out", "a.csv")
     assert done.returncode == 0, done.stderr
     with (place / "a.csv").open(newline="") as file:
         failures = list(csv.DictReader(file))
     assert f"{len(failures)} rows" in done.stderr
     assert {row["outcome"] for row in failures} <= {"hit_ground", "arm_bottomed"}
-    assert run("query", "whole", sql, "--out", "a.csv", cwd=place).returncode == 2
-    assert run("query", "whole", sql, "--out", "a.parquet", cwd=place).returncode == 0
+    assert here("query", "whole", sql, "--out", "a.csv").returncode == 2
+    assert here("query", "whole", sql, "--out", "a.parquet").returncode == 0
     import duckdb
 
     assert len(duckdb.execute("FROM read_parquet(?)", [str(place / "a.parquet")]).fetchall()) == 2
 
 
-def test_a_summary_with_its_page(place: Path) -> None:
-    done = run("summary", "whole", "--out", "page", cwd=place)
+def test_a_summary_with_its_page(place: Path, here: Here) -> None:
+    done = here("summary", "whole", "--out", "page")
     assert done.returncode == 0, done.stderr
     assert "arq less quad, over 150 pairs of the same luck" in done.stdout
     names = {path.name for path in (place / "page").iterdir()}
@@ -206,23 +237,23 @@ def test_a_summary_with_its_page(place: Path) -> None:
     page = (place / "page/summary.html").read_text()
     assert "throws" in page
     assert "A reproduction" not in page
-    wrong = run("summary", "whole", "--map", "speed,sped", "--out", "other", cwd=place)
+    wrong = here("summary", "whole", "--map", "speed,sped", "--out", "other")
     assert (wrong.returncode, (place / "other").exists()) == (2, False)
 
 
-def test_a_row_flown_again(place: Path) -> None:
-    done = run("refly", "whole", "17", "--out", "alone", cwd=place)
+def test_a_row_flown_again(place: Path, here: Here) -> None:
+    done = here("refly", "whole", "17", "--out", "alone")
     assert done.returncode == 0, done.stderr
     assert "identical to row 17: every number, to the last bit" in done.stderr
     assert (place / "alone/trajectory.parquet").exists()
-    told = json.loads(run("refly", "whole", "17", "--json", "--quiet", cwd=place).stdout)
+    told = json.loads(here("refly", "whole", "17", "--json", "--quiet").stdout)
     assert told["identical"] is True
     assert told["outcome"]
 
 
-def test_a_dry_run_leaves_nothing(place: Path) -> None:
+def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
     before = sorted(place.iterdir())
-    done = run("campaign", "plan.toml", "samples=1000000", "--dry-run", cwd=place)
+    done = here("campaign", "plan.toml", "samples=1000000", "--dry-run")
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("2000000 flights: 1000000 samples of 2 dimensions")
     assert "flights/s on one core, measured on 64 flights just flown" in done.stdout
@@ -248,8 +279,8 @@ def test_a_dry_run_leaves_nothing(place: Path) -> None:
         (("summary", "whole", "--map", "speed"), "give two fields"),
     ],
 )
-def test_bad_input_is_one_line(words: tuple[str, ...], told: str, place: Path) -> None:
-    done = run(*words, "--quiet", cwd=place) if words[0] != "query" else run(*words, cwd=place)
+def test_bad_input_is_one_line(words: tuple[str, ...], told: str, place: Path, here: Here) -> None:
+    done = here(*words)
     assert done.returncode == 2, done.stderr
     [line] = done.stderr.strip().splitlines()
     assert re.search(rf"^error: .*{told}", line), line
