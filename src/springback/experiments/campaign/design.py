@@ -145,33 +145,28 @@ def _numbers(
     if not grid:
         points = POINTS[plan.method](plan.seed, design.samples, len(gridded), begin, count)
 
+    gridded_values: list[list[Any]] = []
+    if points is None:
+        levels = [grid_point(begin + k, sizes) for k in range(count)]
+        gridded_values = [[point[j] for point in levels] for j in range(len(gridded))]
+    else:
+        gridded_values = [dimensions[k].law.of(points[:, j]) for j, k in enumerate(gridded)]
+
     @functools.cache
-    def luck(repeat: int) -> tuple[Any, Numbers, Numbers]:
-        """Seeds, scatter and what a grid cannot lay out, of all samples."""
-        return (
-            seeds(plan.seed, repeat, begin, count),
-            uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS),
-            uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn)),
-        )
-
-    @functools.lru_cache(maxsize=4)  # a sample's robots follow each other
-    def values(k: int, repeat: int) -> tuple[int, tuple[Any, ...]]:
-        seed, scatter, more = luck(repeat)
-        found: list[Any] = [None] * len(dimensions)
-        if points is None:
-            for place, level in zip(gridded, grid_point(begin + k, sizes), strict=True):
-                found[place] = level
-        else:
-            for place, u in zip(gridded, points[k].tolist(), strict=True):
-                found[place] = dimensions[place].law.at(u)
-        for place, u in zip(drawn, more[k].tolist(), strict=True):
-            found[place] = dimensions[place].law.at(u)
-        for place, one in enumerate(dimensions):
+    def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
+        """Seeds and values of one repeat of all these samples."""
+        scatter = uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS)
+        more = uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn))
+        found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
+        found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
+        for k, one in enumerate(dimensions):
             if one.scatter:
-                found[place] = one.law.at(float(scatter[k, one.slot]))
-        return int(seed[k]), tuple(found)
+                found[k] = one.law.of(scatter[:, one.slot])
+        rows = zip(*(found[k] for k in range(len(dimensions))), strict=True)
+        numbers = seeds(plan.seed, repeat, begin, count).tolist()
+        return numbers, list(rows) if dimensions else [()] * count
 
-    return values
+    return lambda k, repeat: (values(repeat)[0][k], values(repeat)[1][k])
 
 
 @functools.lru_cache(maxsize=4)
