@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from springback.contact.restitution import dissipation_for as dissipation_for
     from springback.contact.restitution import restitution as restitution
     from springback.errors import InputError as InputError
+    from springback.experiments.campaign.plan import Plan as Plan
+    from springback.experiments.campaign.reading import Campaign as Campaign
+    from springback.experiments.campaign.running import run_campaign as run_campaign
+    from springback.experiments.campaign.stopped import Stopped as Stopped
     from springback.experiments.guidance import OwnPilot as OwnPilot
     from springback.experiments.paper.slider import Reading as Reading
     from springback.experiments.paper.slider import slider_experiments as slider_experiments
@@ -66,6 +70,8 @@ _PUBLIC = {
     "Scenario": "experiments.scenario", "read_scenario": "experiments.scenario_file",
     "fly": "experiments.result", "Flight": "experiments.result",
     "fly_many": "simulation.flight",
+    "Plan": "experiments.campaign.plan", "run_campaign": "experiments.campaign.running",
+    "Campaign": "experiments.campaign.reading", "Stopped": "experiments.campaign.stopped",
     "Outcome": "simulation.measures", "MEASURES": "simulation.measures",
     "slider_experiments": "experiments.paper.slider", "Reading": "experiments.paper.slider",
     "InputError": "errors",

@@ -133,6 +133,16 @@ def test_values_arrive_in_the_scenario() -> None:
         )
 
 
+def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
+    vary = [{"field": "wall angle", "values": [0.1]}, {"field": "friction", "values": [0.77]}, SURFACE]
+    design = laid_out(plan(method="grid", samples=None, robots=[], vary=vary))
+    assert list(design.units) == ["wall_angle", "friction", "surface"]
+    walls = [scenario_from(one).world.obstacles[0] for one in design.dealt(0, 2).tables]
+    assert [wall.surface.friction for wall in walls] == [0.77, 0.77]
+    assert walls[0].surface.stiffness != walls[1].surface.stiffness
+    assert [wall.normal[1] for wall in walls] == [-math.sin(0.1)] * 2
+
+
 def test_scatter_is_that_of_trials() -> None:
     """The tables of a trial whose luck is what a row says."""
     base = trial_tables("arq", 0.0, 2.0, Luck(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip

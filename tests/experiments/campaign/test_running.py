@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +83,7 @@ def test_refused_flights_are_rows_that_say_why(tmp_path: Path) -> None:
     assert (judged, touched) == (0, 0)
     assert problem.startswith("start.position: puts the cage of arm")
     [(refused,)] = campaign.query("SELECT min(flight) FROM flights WHERE outcome = 'refused'").rows
-    with pytest.raises(InputError, match="could not be flown: start.position"):
+    with pytest.raises(InputError, match=r"could not be flown: start\.position"):
         campaign.refly(refused)
 
 
@@ -137,10 +136,9 @@ def serve_killed(*given: Any) -> None:
 
 
 @pytest.fixture
-def deadly(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
+def deadly(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("KILLED_ONCE", str(tmp_path / "once"))
     monkeypatch.setattr(workers, "SERVED", serve_killed)
-    yield
 
 
 @pytest.mark.usefixtures("deadly")

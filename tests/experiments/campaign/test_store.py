@@ -133,7 +133,7 @@ def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
     design = laid_out(plan(samples=30))
-    with pytest.raises(OSError) as caught:
+    with pytest.raises(OSError, match="No space left") as caught:
         ledger.append(Path("/dev/full"), Part(0, 1, "a", 1, ""))
     assert caught.value.errno == errno.ENOSPC
     with pytest.raises(Exception, match="No space left") as told:

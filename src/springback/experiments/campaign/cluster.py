@@ -6,11 +6,12 @@ wherever they fly, given the same versions, which is checked.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 import uuid
 from collections import deque
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
 from springback.errors import InputError
@@ -21,11 +22,13 @@ from springback.experiments.campaign.workers import GivenUp, Remark
 from springback.experiments.extras import needs
 
 #: Seconds to wait for a scheduler to answer, and between looks at who is there (chosen).
-PATIENCE, LOOK = 20.0, 1.0
+PATIENCE, LOOK = 10.0, 1.0
 #: Chunks handed out ahead for each thread of the cluster (chosen): none waits for the next, and
 #: few rows wait for the writer.
 AHEAD = 2
 _one_at_a_time = threading.Lock()
+#: Versions on this side.
+here = versions
 
 
 def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], Flown]:
@@ -34,28 +37,44 @@ def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], Flown]:
         return versions(), flown(text, chunk)
 
 
+@contextlib.contextmanager
+def connected(address: str) -> Iterator[Any]:
+    """A client of a cluster that can fly what we would.
+
+    Args:
+        address: Of the scheduler.
+
+    Raises:
+        InputError: If there is no scheduler, or its workers have other versions.
+    """
+    distributed = needs("distributed", "cluster")
+    client = _client(distributed, address)
+    try:
+        _check_versions(client, address)
+        yield client
+    finally:
+        client.close(timeout=2.0)
+
+
 def fly_on_cluster(
-    text: str, chunks: Iterable[Chunk], address: str, remark: Remark
+    text: str, chunks: Iterable[Chunk], client: Any, remark: Remark
 ) -> Generator[Flown | GivenUp]:
     """Fly chunks on a cluster; results come in the order in which they are ready.
 
     Args:
         text: The plan, as `springback.experiments.campaign.plan.Plan.canonical` has it.
         chunks: To be flown.
-        address: Of the scheduler.
+        client: From `connected`.
         remark: Told of workers that come and go.
 
     Raises:
-        InputError: If there is no scheduler, or its workers have other versions.
-        Stopped: If the scheduler is lost.
+        Stopped: If the scheduler is lost, or a worker that joins has other versions.
     """
     distributed = needs("distributed", "cluster")
-    client = _client(distributed, address)
+    crew = _Crew(client, remark)
+    waiting, flying = deque(chunks), dict[Any, Chunk]()
+    stem = f"springback-{uuid.uuid4().hex[:8]}"
     try:
-        crew = _Crew(client, remark)
-        _check_versions(client, address)
-        waiting, flying = deque(chunks), dict[Any, Chunk]()
-        stem = f"springback-{uuid.uuid4().hex[:8]}"
         while waiting or flying:
             while waiting and len(flying) < AHEAD * max(1, crew.threads):
                 chunk = waiting.popleft()
@@ -65,7 +84,8 @@ def fly_on_cluster(
                 yield _answer(distributed, future, flying.pop(future))
             crew.look()
     finally:
-        client.close(timeout=2.0)
+        for future in flying:
+            future.release()  # nobody waits for it any more
 
 
 def _client(distributed: Any, address: str) -> Any:
@@ -124,7 +144,7 @@ def _answer(distributed: Any, future: Any, chunk: Chunk) -> Flown | GivenUp:
     """What came of a chunk."""
     if future.status == "finished":
         theirs, rows = future.result()
-        if told := _differing(theirs):
+        if told := differing(theirs):
             raise Stopped(f"a worker that joined has other versions: {told}")
         return Flown(*rows)
     if future.status != "error":
@@ -143,17 +163,17 @@ def _check_versions(client: Any, address: str) -> None:
         said = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise InputError(f"--scheduler {address}: a worker cannot fly ({said})") from None
     for worker, found in theirs.items():
-        if told := _differing(found):
+        if told := differing(found):
             raise InputError(f"--scheduler {address}: worker {worker} has other versions: {told}")
 
 
-def _differing(theirs: dict[str, str]) -> str:
+def differing(theirs: dict[str, str]) -> str:
     """Versions there that are not those here, in words; of Python only major and minor count."""
-    ours = versions()
+    ours = here()
     told = []
-    for name, here in ours.items():
+    for name, this in ours.items():
         there = theirs.get(name, "none")
         length = 2 if name == "python" else None
-        if there.split(".")[:length] != here.split(".")[:length]:
-            told.append(f"{name} {there} there, {here} here")
+        if there.split(".")[:length] != this.split(".")[:length]:
+            told.append(f"{name} {there} there, {this} here")
     return ", ".join(told)

@@ -69,7 +69,9 @@ class Design:
     bases: tuple[Tables, ...]
     """Of each robot, the scenario where nothing is varied."""
     dimensions: tuple[Dimension, ...]
-    """In the order in which they are put into the scenario."""
+    """In the order of the plan, scatter last."""
+    placing: tuple[int, ...]
+    """Numbers of dimensions, in the order in which they are put into the scenario."""
     samples: int
 
     @property
@@ -115,12 +117,13 @@ class Design:
         """A robot's scenario with values; tables made before for the same values are used again."""
         tables = dict(self.bases[robot])
         steps: dict[str, list[tuple[Dimension, Any]]] = {}
-        for one, value in zip(self.dimensions, drawn, strict=True):
-            steps.setdefault(one.table, []).append((one, value))
+        for k in self.placing:
+            one = self.dimensions[k]
+            steps.setdefault(one.table, []).append((one, drawn[k]))
         for name, changes in steps.items():
             table = tables.get(name, {})
-            own = robot if any(one.own for one, _ in changes) else -1
-            key = (name, id(table), own, *(value for _, value in changes))
+            # Robots whose own values differ have tables of their own.
+            key = (name, id(table), *(value for _, value in changes))
             if key not in known:
                 for one, value in changes:
                     table = one.place(table, one.placed(value, robot))
@@ -142,33 +145,28 @@ def _numbers(
     if not grid:
         points = POINTS[plan.method](plan.seed, design.samples, len(gridded), begin, count)
 
+    gridded_values: list[list[Any]] = []
+    if points is None:
+        levels = [grid_point(begin + k, sizes) for k in range(count)]
+        gridded_values = [[point[j] for point in levels] for j in range(len(gridded))]
+    else:
+        gridded_values = [dimensions[k].law.of(points[:, j]) for j, k in enumerate(gridded)]
+
     @functools.cache
-    def luck(repeat: int) -> tuple[Any, Numbers, Numbers]:
-        """Seeds, scatter and what a grid cannot lay out, of all samples."""
-        return (
-            seeds(plan.seed, repeat, begin, count),
-            uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS),
-            uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn)),
-        )
-
-    @functools.lru_cache(maxsize=4)  # a sample's robots follow each other
-    def values(k: int, repeat: int) -> tuple[int, tuple[Any, ...]]:
-        seed, scatter, more = luck(repeat)
-        found: list[Any] = [None] * len(dimensions)
-        if points is None:
-            for place, level in zip(gridded, grid_point(begin + k, sizes), strict=True):
-                found[place] = level
-        else:
-            for place, u in zip(gridded, points[k].tolist(), strict=True):
-                found[place] = dimensions[place].law.at(u)
-        for place, u in zip(drawn, more[k].tolist(), strict=True):
-            found[place] = dimensions[place].law.at(u)
-        for place, one in enumerate(dimensions):
+    def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
+        """Seeds and values of one repeat of all these samples."""
+        scatter = uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS)
+        more = uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn))
+        found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
+        found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
+        for k, one in enumerate(dimensions):
             if one.scatter:
-                found[place] = one.law.at(float(scatter[k, one.slot]))
-        return int(seed[k]), tuple(found)
+                found[k] = one.law.of(scatter[:, one.slot])
+        rows = zip(*(found[k] for k in range(len(dimensions))), strict=True)
+        numbers = seeds(plan.seed, repeat, begin, count).tolist()
+        return numbers, list(rows) if dimensions else [()] * count
 
-    return values
+    return lambda k, repeat: (values(repeat)[0][k], values(repeat)[1][k])
 
 
 @functools.lru_cache(maxsize=4)
@@ -220,17 +218,20 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     if plan.method == "grid":
         for one in fields:
             samples *= max(1, one.dimension.law.levels)
-    design = Design(plan, _named(plan), bases, (*_in_order(fields), *luck), samples)
+    design = Design(
+        plan, _named(plan), bases, (*dimensions, *luck), _in_order(fields, len(luck)), samples
+    )
     if samples > MOST_SAMPLES or design.flights > MOST_FLIGHTS:
         what = f"{design.flights} flights of {samples} samples are too many; at most {MOST_FLIGHTS}"
         raise InputError(where.blamed((), f"{what} of {MOST_SAMPLES}"))
     return design
 
 
-def _in_order(fields: Sequence[Found]) -> list[Dimension]:
-    """Whole tables before what is in them, and changes of a wall after the wall's own fields."""
-    order = sorted(fields, key=lambda one: (one.goal.relative, len(one.goal.path)))
-    return [one.dimension for one in order]
+def _in_order(fields: Sequence[Found], luck: int) -> tuple[int, ...]:
+    """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
+    goals = [one.goal for one in fields]
+    order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
+    return (*order, *range(len(goals), len(goals) + luck))
 
 
 # -- robots ---------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from springback.experiments.campaign.sampling import normal_quantile
+from springback.experiments.campaign.sampling import Numbers, normal_quantiles
 
 
 class Law(Protocol):
@@ -16,8 +16,11 @@ class Law(Protocol):
     def levels(self) -> int:
         """How many there are; 0 for a law without."""
 
-    def at(self, u: float) -> Any:
-        """The value that belongs to a number from [0, 1); of levels, which one."""
+    def of(self, us: Numbers) -> list[Any]:
+        """The values that belong to numbers from [0, 1); of levels, which ones.
+
+        Each is worked out for itself, so that it does not depend on its neighbours.
+        """
 
 
 @dataclass(frozen=True)
@@ -31,9 +34,10 @@ class Levels:
         """Number of values."""
         return len(self.values)
 
-    def at(self, u: float) -> int:
-        """Index of the value."""
-        return min(int(u * len(self.values)), len(self.values) - 1)
+    def of(self, us: Numbers) -> list[Any]:
+        """Indices of the values."""
+        last = len(self.values) - 1
+        return [min(int(u * (last + 1)), last) for u in us.tolist()]
 
 
 @dataclass(frozen=True)
@@ -52,6 +56,10 @@ class Even:
             return self.first * math.exp(u * math.log(self.last / self.first))
         return self.first + u * (self.last - self.first)
 
+    def of(self, us: Numbers) -> list[Any]:
+        """One by one."""
+        return [self.at(u) for u in us.tolist()]
+
 
 @dataclass(frozen=True)
 class Bell:
@@ -62,9 +70,9 @@ class Bell:
 
     levels: int = 0
 
-    def at(self, u: float) -> float:
+    def of(self, us: Numbers) -> list[Any]:
         """By the inverse of the distribution function."""
-        return self.mean + self.deviation * normal_quantile(u)
+        return [self.mean + self.deviation * z for z in normal_quantiles(us)]
 
 
 @dataclass(frozen=True)
@@ -75,6 +83,6 @@ class BellFactor:
 
     levels: int = 0
 
-    def at(self, u: float) -> float:
+    def of(self, us: Numbers) -> list[Any]:
         """Median 1."""
-        return math.exp(self.deviation * normal_quantile(u))
+        return [math.exp(self.deviation * z) for z in normal_quantiles(us)]

@@ -6,14 +6,14 @@ import contextlib
 import os
 import time
 from collections import deque
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from springback.errors import InputError
 from springback.experiments.campaign.design import Design, laid_out
-from springback.experiments.campaign.flying import Flown
+from springback.experiments.campaign.flying import Chunk, Flown
 from springback.experiments.campaign.plan import Plan
 from springback.experiments.campaign.reading import Campaign, check_conditions
 from springback.experiments.campaign.stopped import Stopped
@@ -133,7 +133,7 @@ def run_campaign(
     wanted = _at_least_one("chunk", chunk, CHUNK)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
-    with opened(folder, design, resume=resume) as store:
+    with _team(scheduler, crew) as fly, opened(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // (SHARES * crew))
@@ -142,7 +142,7 @@ def run_campaign(
         watch, failed = _Watch(store), list[GivenUp]()
         tell = progress or _silent
         tell(watch.now())
-        with contextlib.closing(_flights(design, chunks, crew, scheduler, say)) as coming:
+        with contextlib.closing(fly(design.plan.canonical(), chunks, say)) as coming:
             for one in coming:
                 if isinstance(one, Flown):
                     store.add(*one.chunk, one.columns)
@@ -162,18 +162,20 @@ def run_campaign(
     return campaign
 
 
-def _flights(
-    design: Design, chunks: list[tuple[int, int]], crew: int, scheduler: str | None, say: Remark
-) -> Generator[Flown | GivenUp]:
-    text = design.plan.canonical()
-    if not chunks:
-        return
-    if scheduler is None:
-        yield from fly_locally(text, chunks, crew, say)
-    else:
-        from springback.experiments.campaign.cluster import fly_on_cluster
+Fly = Callable[[str, list[Chunk], Remark], Generator[Flown | GivenUp]]
+"""A plan and chunks of it to their rows, as they come."""
 
-        yield from fly_on_cluster(text, chunks, scheduler, say)
+
+@contextlib.contextmanager
+def _team(scheduler: str | None, crew: int) -> Iterator[Fly]:
+    """Who flies: processes of this machine, or a cluster that answers."""
+    if scheduler is None:
+        yield lambda text, chunks, say: fly_locally(text, chunks, crew, say)
+        return
+    from springback.experiments.campaign.cluster import connected, fly_on_cluster
+
+    with connected(scheduler) as client:
+        yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
 
 
 def _at_least_one(name: str, given: int | None, default: int) -> int:

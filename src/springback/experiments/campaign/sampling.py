@@ -103,6 +103,8 @@ def grid_point(sample: int, sizes: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(reversed(levels))
 
 
-def normal_quantile(u: float) -> float:
+def normal_quantiles(us: Numbers) -> list[float]:
     """Of the standard normal law; the outermost numbers of [0, 1) stand for their neighbours."""
-    return float(scipy.special.ndtri(min(max(u, 2.0**-54), 1.0 - 2.0**-53)))
+    inside = np.clip(us, 2.0**-54, 1.0 - 2.0**-53)
+    found: list[float] = scipy.special.ndtri(inside).tolist()
+    return found

@@ -13,7 +13,7 @@ import signal
 import threading
 import traceback
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
@@ -107,7 +107,7 @@ def _leave_with_parent() -> None:
 
 def fly_locally(
     text: str, chunks: Iterable[Chunk], workers: int, remark: Remark
-) -> Iterator[Flown | GivenUp]:
+) -> Generator[Flown | GivenUp]:
     """Fly chunks on this machine; results come in the order in which they are ready.
 
     Args:

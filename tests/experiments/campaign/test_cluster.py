@@ -1,0 +1,116 @@
+"""A campaign on Dask, with a scheduler and workers that are processes of their own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from tests.experiments.campaign.plans import plan
+
+from springback.errors import InputError
+from springback.experiments.campaign import cluster
+from springback.experiments.campaign.running import run_campaign
+
+distributed = pytest.importorskip("distributed", reason="needs the extra springback[cluster]")
+pytestmark = pytest.mark.filterwarnings("default")  # Dask's own warnings are its own business
+LOCAL = ("--host", "127.0.0.1", "--no-dashboard")
+
+
+def process(word: str, *options: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", f"distributed.cli.dask_{word}", *options],
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+
+
+class Crew:
+    """A scheduler and workers on loopback."""
+
+    def __init__(self, folder: Path) -> None:
+        self.file = folder / "scheduler.json"
+        options = ("--port", "0", "--scheduler-file", str(self.file))
+        self.processes = [process("scheduler", *LOCAL, *options)]
+        end = time.monotonic() + 60.0
+        while not self.address:
+            assert time.monotonic() < end
+            time.sleep(0.05)
+
+    @property
+    def address(self) -> str:
+        try:
+            return str(json.loads(self.file.read_text())["address"])
+        except (OSError, ValueError):
+            return ""
+
+    def add_worker(self) -> subprocess.Popen[bytes]:
+        options = ("--nworkers", "1", "--nthreads", "1", "--no-nanny")
+        self.processes.append(process("worker", self.address, *LOCAL, *options))
+        return self.processes[-1]
+
+
+@pytest.fixture(scope="module")
+def crew(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Crew]:
+    crew = Crew(tmp_path_factory.mktemp("dask"))
+    yield crew
+    for one in crew.processes:
+        one.kill()
+    for one in crew.processes:
+        one.wait()
+
+
+def test_rows_of_a_cluster_whose_worker_is_killed_are_those_of_one_process(
+    crew: Crew, tmp_path: Path
+) -> None:
+    given = plan(samples=60)
+    local = run_campaign(given, tmp_path / "local", workers=1)
+    first, _ = crew.add_worker(), crew.add_worker()
+    said: list[str] = []
+
+    def kill_one_midway(now: object) -> None:
+        if getattr(now, "done", 0) >= 12 and first.poll() is None:
+            first.kill()
+
+    spread = run_campaign(
+        given, tmp_path / "spread", chunk=3, scheduler=crew.address, progress=kill_one_midway,
+        remark=said.append,
+    )  # fmt: skip
+    assert first.wait(10) == -9
+    rows = "FROM flights ORDER BY flight"
+    assert spread.query(rows) == local.query(rows)
+    assert (len(spread.parts), spread.done) == (40, 120)
+    assert any("is gone" in line for line in said)
+
+
+def test_other_versions_are_refused(
+    crew: Crew, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ours = cluster.versions() | {"springback": "9.9", "python": "3.99.1"}
+    crew.add_worker()
+    with distributed.Client(crew.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    monkeypatch.setattr(cluster, "here", lambda: ours)
+    told = r"worker tcp://.* has other versions: springback .* there, 9.9 here, python"
+    with pytest.raises(InputError, match=told):
+        run_campaign(plan(), tmp_path / "a", scheduler=crew.address)
+    assert not (tmp_path / "a").exists()
+
+
+def test_a_scheduler_that_is_not_there_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    with pytest.raises(InputError, match=r"--scheduler tcp://127.0.0.1:9: cannot be reached"):
+        run_campaign(plan(), tmp_path / "a", scheduler="tcp://127.0.0.1:9")
+    assert not (tmp_path / "a").exists()
+
+
+def test_versions_differ_where_it_matters() -> None:
+    ours = cluster.versions()
+    major, minor, _ = ours["python"].split(".")
+    assert cluster.differing(ours | {"python": f"{major}.{minor}.99"}) == ""
+    assert cluster.differing(ours | {"numba": "0.1"}).startswith("numba 0.1 there, ")
