@@ -7,8 +7,10 @@ and are read column by column; every number is that of the flight flown alone.
 
 from __future__ import annotations
 
+import gc
 import math
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -88,9 +90,22 @@ def fly_scenarios(
             if progress is not None:
                 progress((first + x * size) / count)
 
-        _fly_block(tables, block, make, threads, share, out)
+        with _no_collection():
+            _fly_block(tables, block, make, threads, share, out)
         share(1.0)
     return out
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Without the garbage collector, which would walk all trees again and again for nothing."""
+    running = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if running:
+            gc.enable()
 
 
 def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
