@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 
+from benchmarks.rivals.vehicle import quad
 from springback.experiments.guidance import board_of
 from springback.experiments.scenario import scenario_from
 from springback.kernels.layout import Buffer, Like
@@ -36,7 +37,6 @@ from springback.simulation.guided import (
     ticked,
     ticks_of,
 )
-from springback.vehicle.library import VEHICLES
 
 ESTIMATORS = ("kalman", "complementary", "perfect")
 DURATION = 10.0  # [s]
@@ -125,27 +125,10 @@ def _milliseconds(run: Callable[[], Any]) -> float:
     return 1e3 * (time.perf_counter() - began)
 
 
-def vehicle_for_rotorpy() -> dict[str, Any]:
-    """What RotorPy is told of Quad."""
-    vehicle = VEHICLES["quad"].vehicle
-    arms, rotors = vehicle.airframe().arms, vehicle.propulsion
-    if rotors is None:
-        raise SystemExit("the vehicle has no rotors")
-    return {
-        "mass": vehicle.mass,
-        "inertia": [float(vehicle.inertia()[k][k]) for k in range(3)],
-        "rotors": [[arm.length * arm.cosine, arm.length * arm.sine, 0.0] for arm in arms],
-        "spins": [1.0 if arm.torque_ratio > 0.0 else -1.0 for arm in arms],
-        "torque_ratio": abs(arms[0].torque_ratio),
-        "most_thrust": float(rotors.most_thrust),
-        "rotor_lag": float(rotors.time_constant),
-    }
-
-
 def rotorpy(python: str, rate: float, rounds: int) -> dict[str, Any] | None:
     """Seconds of RotorPy's hovers in a process of its own; None if it is not there."""
     asked = {
-        "vehicle": vehicle_for_rotorpy(), "duration": DURATION, "rate": rate, "rounds": rounds,
+        "vehicle": quad(), "duration": DURATION, "rate": rate, "rounds": rounds,
     }  # fmt: skip
     program = Path(__file__).with_name("rotorpy_hover.py")
     done = subprocess.run(

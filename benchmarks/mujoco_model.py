@@ -44,7 +44,9 @@ SENSORS = """
       </sensor>"""
 
 
-def xml(model: Model, integrator: str, cage: str, measuring: bool) -> str:
+def xml(
+    model: Model, integrator: str, cage: str, measuring: bool, *, wall: str = "", watched: str = ""
+) -> str:
     """The vehicle and its wall as an MJCF document.
 
     Args:
@@ -52,13 +54,16 @@ def xml(model: Model, integrator: str, cage: str, measuring: bool) -> str:
         integrator: ``implicitfast`` or ``RK4``.
         cage: ``disc`` or ``sphere``.
         measuring: With energies and sensors, as our step has its ledger and measures.
+        wall: Further attributes of the wall, whose name is ``wall``.
+        watched: Sensors in place of those of `measuring`.
     """
     frame = model.airframe
     body_mass = frame.mass - sum(arm.mass for arm in frame.arms)
     i = frame.inertia
     full = " ".join(repr(x) for x in (i.x.x, i.y.y, i.z.z, i.x.y, i.x.z, i.y.z))
     surface = model.world.obstacles[0].surface
-    wall = -model.world.obstacles[0].shape.offset * model.world.obstacles[0].shape.normal.x
+    away = -model.world.obstacles[0].shape.offset * model.world.obstacles[0].shape.normal.x
+    sensors = f"<sensor>{watched}</sensor>" if watched else SENSORS if measuring else ""
     arms = "".join(_arm(arm, cage) for arm in frame.arms)
     return f"""
     <mujoco>
@@ -67,8 +72,8 @@ def xml(model: Model, integrator: str, cage: str, measuring: bool) -> str:
         <flag energy="{"enable" if measuring else "disable"}"/>
       </option>
       <worldbody>
-        <geom type="plane" pos="{abs(wall)!r} 0 0" zaxis="-1 0 0" size="5 5 1" contype="2"
-              conaffinity="1" friction="{surface.friction!r}"/>
+        <geom name="wall" type="plane" pos="{abs(away)!r} 0 0" zaxis="-1 0 0" size="5 5 1"
+              contype="2" conaffinity="1" friction="{surface.friction!r}" {wall}/>
         <body name="main" pos="0 0 0">
           <freejoint/>
           <inertial pos="0 0 0" mass="{body_mass!r}" fullinertia="{full}"/>
@@ -76,7 +81,7 @@ def xml(model: Model, integrator: str, cage: str, measuring: bool) -> str:
           {arms}
         </body>
       </worldbody>
-      <actuator><motor site="thrust" gear="0 0 1 0 0 0"/></actuator>{SENSORS if measuring else ""}
+      <actuator><motor site="thrust" gear="0 0 1 0 0 0"/></actuator>{sensors}
     </mujoco>"""
 
 

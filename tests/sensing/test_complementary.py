@@ -30,6 +30,7 @@ FILTER = Complementary(
     bias_weight=0.1,
     largest_bias=0.05,
     decay=math.exp(-BANDWIDTH * TICK),
+    whole=0.0,
 )
 
 
@@ -180,3 +181,16 @@ def test_a_wrong_velocity_fades_as_fast_as_told():
     t = TICK * np.arange(1, 1001)
     expected = (1.0 + BANDWIDTH * t) * np.exp(-BANDWIDTH * t)
     assert np.abs(result.velocity[1:, 0] - expected).max() < 0.02
+
+
+def test_poses_take_back_a_wrong_tilt_as_fast_as_told():
+    # Poses close together take back a share 2ωΔt each: the error fades as e^{−2ωt}.
+    flown = at_rest(0.5, pose_every=1)
+    error = np.array([0.02, -0.01, 0.005])
+    memory = started(flown, error=error)
+    alone = FILTER._replace(accelerometer_weight=0.0, heading_weight=0.0, whole=1.0)
+    result = run(alone, memory, flown)
+    left = np.linalg.norm(result.tilt_and_turn(flown), axis=1)
+    t = TICK * np.arange(1, len(left))
+    expected = np.linalg.norm(error) * np.exp(-2.0 * BANDWIDTH * t)
+    assert left[1:] == pytest.approx(expected, rel=0.05, abs=1e-6)

@@ -1,9 +1,10 @@
 """Attitude from gyroscope, gravity's direction and an outside heading; position from an observer.
 
 The attitude filter is that of the PX4 autopilot (module attitude_estimator_q), for FLU body axes
-and a world with Z up.  Motion capture gives it the heading only; tilt comes from the direction of
-the specific force, which is believed only while its magnitude is near g.  So what an impact does to
-the gyroscope stays in the tilt for seconds.
+and a world with Z up: motion capture gives it the heading, and tilt comes from the direction of the
+specific force, which is believed only while its magnitude is near g.  So what an impact does to the
+gyroscope would stay in the tilt for seconds.  Poses know the tilt, too; unless told otherwise, each
+takes back a share of the whole error of attitude, as it does of that of position.
 
 Position and velocity come from a fading-memory filter of motion capture (E. Brookner, Tracking and
 Kalman Filtering Made Easy, 1998, section 1.2.6; gains 1 − z² and (1 − z)²/T) around the measured
@@ -23,6 +24,7 @@ from springback.kernels.vectors import (
     ZERO,
     Quat,
     Vec,
+    conjugate,
     norm,
     normalised,
     positive_part,
@@ -59,6 +61,7 @@ class Complementary(NamedTuple):
     bias_weight: float  # [1/s]
     largest_bias: float  # of each axis [rad/s]
     decay: float  # of the position filter in a tick, exp(−bandwidth Δt)
+    whole: float  # 1: poses correct the whole attitude; 0: the heading only
 
 
 class ComplementaryMemory(NamedTuple):
@@ -217,16 +220,26 @@ def _heading_error(measured: Quat, believed: Quat) -> float:
 
 
 @kernel
+def _missing_turn(believed: Quat, measured: Quat) -> Vec:
+    """2 sgn(w) (x, y, z) of q⁻¹ ⊗ q_m: the turn that is missing, for small ones [rad]."""
+    e = quaternion_product(conjugate(believed), measured)
+    twice = pick(e.w < 0.0, -2.0, 2.0)
+    return Vec(twice * e.x, twice * e.y, twice * e.z)
+
+
+@kernel
 def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
     """One pose, compared with the estimate taken back by its age at constant rates."""
     age = positive_part(pose.age - m.waiting)
     then = quaternion_product(m.attitude, turned_by(-age * m.angular_velocity))
     missed = pose.position - (m.position - age * m.velocity)
     z = m.faded
+    missing = _missing_turn(then, pose.attitude)
+    whole = turned_by(missing * (weights.whole * (1.0 - z * z)))
     return ComplementaryMemory(
         position=m.position + (1.0 - z * z) * missed,
         velocity=m.velocity + ((1.0 - z) * (1.0 - z) / m.unposed) * missed,
-        attitude=m.attitude,
+        attitude=normalised(quaternion_product(m.attitude, whole)),
         gyroscope_bias=m.gyroscope_bias,
         angular_velocity=m.angular_velocity,
         heading_error=_heading_error(pose.attitude, then),

@@ -145,6 +145,9 @@ class ComplementarySettings(Settings):
     """ATT_BIAS_MAX, of each axis."""
     bandwidth: quantity("1/s", above=0.0) = 20.0  # type: ignore[valid-type]
     """Of position and velocity from motion capture; chosen: an error halves in some 50 ms."""
+    attitude: Literal["pose", "heading"] = "pose"
+    """What motion capture tells of attitude: all of it, with the same bandwidth, or as in PX4 the
+    heading only; tilt is then off for seconds after an impact."""
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Complementary:
         """The numbers; gravity is g along −Z [m/s²]."""
@@ -157,6 +160,7 @@ class ComplementarySettings(Settings):
             bias_weight=self.bias_weight,
             largest_bias=self.largest_bias,
             decay=math.exp(-self.bandwidth * rhythm.tick),
+            whole=1.0 if self.attitude == "pose" else 0.0,
         )
 
 

@@ -1,0 +1,78 @@
+"""A contest as a figure: who flies how many seconds of flight in a second."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from benchmarks.rivals.report import horizon
+from springback.interfaces.canvas import BLUE, GREY, INK, ORANGE, HouseFigure, styled
+
+RATE = "flight-seconds per second"
+#: Height of a row, and what a panel needs besides [in].
+ROW, REST = 0.24, 0.75
+#: Panels, top to bottom, and the kinds of flights in each.
+PANELS = {
+    "With a pilot: seconds of flight per second": ("collision", "flight"),
+    "Impacts at equal accuracy: flights per second": ("impact",),
+}
+
+
+def _dots(axes: Axes, rows: Mapping[str, Any], scale: float) -> None:
+    """Medians as dots, from lowest to highest as a line, the fastest on top."""
+    ordered = sorted(rows.items(), key=lambda item: item[1]["figures"][RATE]["median"])
+    for k, (name, row) in enumerate(ordered):
+        found = {key: value / scale for key, value in row["figures"][RATE].items()}
+        ours = name.startswith("springback")
+        colour = ORANGE if row["kind"] == "collision" else BLUE if ours else GREY
+        axes.plot([found["lowest"], found["highest"]], [k, k], color=colour, linewidth=2.0)
+        axes.plot(found["median"], k, "o" if ours else "D", color=colour, markersize=6.0)
+        axes.annotate(
+            _rounded(found["median"]), (found["highest"], k), xytext=(7, 0),
+            textcoords="offset points", va="center", fontsize=8,
+        )  # fmt: skip
+    axes.set_yticks(range(len(ordered)), [name for name, _ in ordered])
+    axes.set_xscale("log")
+    lowest = min(row["figures"][RATE]["lowest"] for row in rows.values()) / scale
+    highest = max(row["figures"][RATE]["highest"] for row in rows.values()) / scale
+    axes.set_xlim(0.5 * lowest, 5.0 * highest)
+    axes.xaxis.set_major_locator(LogLocator(10.0))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: _rounded(value)))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_ylim(-0.6, len(ordered) - 0.4)
+
+
+def _rounded(value: float) -> str:
+    """Two digits, thousands apart."""
+    two = float(f"{value:.2g}")
+    return f"{two:,.0f}".replace(",", " ") if two >= 10.0 else f"{two:g}"
+
+
+@styled
+def contest_figure(report: Mapping[str, Any]) -> Figure:
+    """Everybody's rate, springback in colour; the machine stands below.
+
+    Args:
+        report: As summarised.
+    """
+    panels = []
+    for title, kinds in PANELS.items():
+        rows = {n: row for n, row in report["contenders"].items() if row["kind"] in kinds}
+        if rows:
+            panels.append((title, kinds, rows))
+    heights = [ROW * len(rows) + REST for _, _, rows in panels]
+    figure = HouseFigure(figsize=(7.2, sum(heights) + 0.3))
+    grid = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)
+    for axes, (title, kinds, rows) in zip(grid[:, 0], panels, strict=True):
+        _dots(axes, rows, horizon("impact") if kinds == ("impact",) else 1.0)
+        axes.set_title(title)
+    machine = report["machine"]["processor"]
+    note = f"{machine}; medians of rounds ({report['rounds']}), lines from lowest to highest"
+    if report["quick"]:
+        note += "; a quick run, its figures mean nothing"
+    figure.supxlabel(note, fontsize=7, color=INK)
+    return figure

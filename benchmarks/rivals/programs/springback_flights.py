@@ -1,0 +1,158 @@
+"""springback's closed loop: sensors, estimator, pilot, rotors, motion, contact; many flights.
+
+From plain tables to measures: checking the tables, setting up, drawing noise and reading out are
+all within the time.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import protocol
+
+#: The paper's collision: speed at contact [m/s] and pitch [deg].
+SPEED, PITCH = 2.0, 0.0
+
+
+def flown(tables: Sequence[Mapping[str, Any]], threads: int) -> list[str]:
+    """Fly scenarios abreast; how each ended, in a word.
+
+    This is all that these benchmarks ask of springback for many flights with a pilot.
+    """
+    if importlib.util.find_spec("springback.experiments.bulk"):
+        from springback.experiments.bulk import fly_scenarios
+
+        return list(fly_scenarios(tables, threads=threads).outcomes)
+    from springback.experiments.recovery_measures import recovery_outcome
+    from springback.experiments.trials import _Noises, made_ready
+    from springback.simulation.abreast import fly_guided_many
+    from springback.simulation.guided import ticks_of
+    from springback.simulation.measures import measures_of, outcome_of
+
+    ready = [made_ready(one) for one in tables]
+    ticks = ticks_of(ready[0].model.timing.until, ready[0].board.cabin.guidance.period)
+    noises = _Noises([(one.scenario.seed, one.board.noise) for one in ready], ticks)
+    guided = fly_guided_many(
+        [one.model for one in ready], [one.start for one in ready],
+        [one.board.cabin for one in ready], noises, threads=threads,
+    )  # fmt: skip
+    for one in guided:
+        measures_of(one.flown)
+    recovers = ready[0].scenario.recovery is not None
+    ended = [recovery_outcome(one) if recovers else outcome_of(one.flown.record) for one in guided]
+    return [outcome.word for outcome in ended]
+
+
+def step_tables(told: Mapping[str, Any], places: Sequence[Sequence[float]]) -> list[dict[str, Any]]:
+    """The step that everybody flies, from each of the places; one sub-table for all where equal."""
+    task = told["task"]
+    common: dict[str, Any] = {
+        "vehicle": "quad",
+        "reference": {
+            "type": "steps", "positions": [task["start"], task["target"]],
+            "dwell": task["step_at"],
+        },
+        "estimator": {"type": told["estimator"]},
+        "world": {"obstacles": [{"type": "ground", "surface": "wall"}]},
+        "simulation": {"duration": task["duration"]},
+    }  # fmt: skip
+    x, y, z = task["start"]
+    return [
+        common | {"start": {"position": [x + p[0], y + p[1], z]}, "seed": k}
+        for k, p in enumerate(places)
+    ]
+
+
+def collision_tables(told: Mapping[str, Any], count: int) -> list[dict[str, Any]]:
+    """Run-up, impact and recovery of ARQ, luck drawn as in the paper's tests.
+
+    Args:
+        told: With ``arms`` or ``obstacles``, where those are not ARQ's and the test's own.
+        count: Flights.
+    """
+    from springback.experiments.trials import Scatter, trial_tables
+
+    changes = {
+        "simulation": {"duration": told["task"]["duration"]},
+        "estimator": {"type": told["estimator"]},
+    }
+    lucks = (Scatter().drawn("arq", PITCH, SPEED, k, 0) for k in range(count))
+    tables = [trial_tables("arq", PITCH, SPEED, luck, changes) for luck in lucks]
+    for one in tables:
+        if told.get("arms", 4) != 4:
+            one["vehicle"] = with_arms(told["arms"])
+        if "obstacles" in told:
+            world = one["world"]
+            one["world"] = {**world, "obstacles": obstacles(world["obstacles"], told["obstacles"])}
+    first = tables[0]
+    return [
+        {name: first[name] if part == first[name] else part for name, part in one.items()}
+        for one in tables
+    ]
+
+
+def with_arms(count: int) -> dict[str, Any]:
+    """ARQ with another number of arms, evenly spread, a gap in front."""
+    turn = 2.0 * math.pi / count
+    return {"preset": "arq", "arms": {"directions": [(k + 0.5) * turn for k in range(count)]}}
+
+
+def obstacles(own: Sequence[Any], count: int) -> list[Any]:
+    """So many obstacles: the wall, the ground, then walls 4 m away that nobody comes near."""
+    turns = [2.0 * math.pi * (k + 1) / (count + 1) for k in range(max(0, count - len(own)))]
+    far = [
+        {
+            "type": "wall", "surface": "wall",
+            "normal": [-math.cos(a), -math.sin(a), 0.0],
+            "position": [4.0 * math.cos(a), 4.0 * math.sin(a), 0.0],
+        }
+        for a in turns
+    ]  # fmt: skip
+    return [*own, *far][:count]
+
+
+def missed(tables: Mapping[str, Any], target: Sequence[float]) -> float:
+    """How far from its target a flight ends [m]."""
+    import springback
+
+    columns = springback.fly(tables).columns
+    gaps = (columns[name][-1] - goal for name, goal in zip("xyz", target, strict=True))
+    return float(sum(gap * gap for gap in gaps) ** 0.5)
+
+
+def main() -> None:
+    told = protocol.job()
+    import springback
+
+    imported = protocol.since(told)
+    collides = told["kind"] == "collision"
+
+    def tables(count: int) -> list[dict[str, Any]]:
+        if collides:
+            return collision_tables(told, count)
+        return step_tables(told, protocol.scatter(count))
+
+    alone = tables(1)
+    springback.fly(alone[0], trajectory=False)
+    first = protocol.since(told)
+    latency = protocol.repeated(lambda: springback.fly(alone[0], trajectory=False))
+    many, outcomes = [], {}
+    for _, flights in told["tries"]:
+        given = tables(flights)
+        flown(given[:8], told["threads"])  # compiles
+        seconds, ended = protocol.timed(lambda given=given: flown(given, told["threads"]))
+        many.append({"processes": 1, "flights": flights, "seconds": seconds})
+        outcomes = {word: ended.count(word) for word in sorted(set(ended))}
+    memory = protocol.peak_memory()
+    protocol.answer(
+        versions=protocol.versions("numba", "numpy") | {"springback": springback.__version__},
+        imported=imported, first=first, latency=latency, many=many, memory=memory,
+        missed=None if collides else missed(alone[0], told["task"]["target"]), outcomes=outcomes,
+    )  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
