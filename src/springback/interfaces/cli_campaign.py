@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from springback.experiments.campaign.running import Progress
 
 FOLDER = click.Path(path_type=Path, exists=False)
+WAIT = "; a kind of flight that is new is compiled first, for a minute"
 BETWEEN_LINES = 10.0
 """Seconds between two lines about progress where there is no terminal to draw a bar on."""
 
@@ -146,12 +147,12 @@ def _told(quiet: bool) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
         with _bar(console) as told:
             yield told
         return
-    last = [time.monotonic()]
+    last = [-BETWEEN_LINES]
 
     def tell(now: Progress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
-            _say(now.sentence(), quiet)
+            _say(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT), quiet)
 
     yield tell, lambda text: _say(text, False)
 
@@ -163,7 +164,7 @@ def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
 
     columns = (BarColumn(bar_width=24), TextColumn("{task.description}"), TimeElapsedColumn())
     with Bars(*columns, console=console, transient=True) as bars:
-        task = bars.add_task("starting; a new kind of flight is compiled for a minute", total=1)
+        task = bars.add_task(f"starting{WAIT}", total=1)
 
         def tell(now: Progress) -> None:
             said = now.sentence() if now.rate else None

@@ -134,7 +134,11 @@ def test_values_arrive_in_the_scenario() -> None:
 
 
 def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
-    vary = [{"field": "wall angle", "values": [0.1]}, {"field": "friction", "values": [0.77]}, SURFACE]
+    vary = [
+        {"field": "wall angle", "values": [0.1]},
+        {"field": "friction", "values": [0.77]},
+        SURFACE,
+    ]
     design = laid_out(plan(method="grid", samples=None, robots=[], vary=vary))
     assert list(design.units) == ["wall_angle", "friction", "surface"]
     walls = [scenario_from(one).world.obstacles[0] for one in design.dealt(0, 2).tables]
