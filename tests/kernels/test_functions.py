@@ -1,0 +1,60 @@
+"""Functions made of additions and products: against the library's, and the same when compiled."""
+
+import math
+
+import numba
+import numpy as np
+import pytest
+
+from springback.kernels.angles import angle_of, rounded, rounded_down, sine_cosine
+from springback.kernels.bits import bits_of, float_of
+from springback.kernels.exponentials import exponential, logarithm
+
+LUCK = np.random.default_rng(0)
+ANGLES = [*LUCK.uniform(-20.0, 20.0, 3000), *LUCK.normal(0.0, 1e-3, 500), 0.0, math.pi, 1e5]
+POWERS = [*LUCK.uniform(-700.0, 700.0, 2000), *LUCK.uniform(-1.0, 1.0, 1000), 0.0]
+
+
+def test_sine_and_cosine() -> None:
+    for angle in ANGLES:
+        ours = sine_cosine(angle)
+        assert ours == pytest.approx((math.sin(angle), math.cos(angle)), abs=3e-16)
+
+
+def test_angles_of_directions() -> None:
+    for y, x in LUCK.normal(size=(3000, 2)):
+        assert angle_of(y, x) == pytest.approx(math.atan2(y, x), abs=9e-16)
+    assert angle_of(0.0, 0.0) == 0.0
+    assert angle_of(0.0, -2.0) == math.pi
+    assert angle_of(3.0, 0.0) == 0.5 * math.pi
+
+
+def test_exponential_and_logarithm() -> None:
+    for x in POWERS:
+        assert exponential(x) == pytest.approx(math.exp(x), rel=4e-16)
+    for x in np.exp(LUCK.uniform(-30.0, 30.0, 2000)):
+        assert logarithm(x) == pytest.approx(math.log(x), rel=4e-16, abs=1e-16)
+    assert exponential(-1e5) == exponential(-708.0) > 0.0
+
+
+def test_rounding() -> None:
+    for x in (*LUCK.uniform(-1e6, 1e6, 1000), -2.0, 0.5, 1.5, 3.0, -0.25):
+        assert rounded(x) == round(x)
+        assert rounded_down(x) == math.floor(x)
+
+
+def test_bits_there_and_back() -> None:
+    assert bits_of(1.0) == np.uint64(0x3FF0000000000000)
+    for x in ANGLES:
+        assert float_of(bits_of(x)) == x
+
+
+def test_compiled_they_give_the_same_bits() -> None:
+    @numba.njit(error_model="numpy")
+    def compiled(x: float) -> tuple[float, float, float, float]:
+        both = sine_cosine(x)
+        return both.sine, both.cosine, angle_of(x, 0.3), exponential(x)
+
+    for x in ANGLES[:3000]:
+        both = sine_cosine(x)
+        assert compiled(x) == (both.sine, both.cosine, angle_of(x, 0.3), exponential(x))
