@@ -25,6 +25,7 @@ from springback.sensing.measurement import (
     any_due,
     believe,
     due,
+    how_many_due,
 )
 from springback.simulation.aboard import told
 from springback.simulation.ticks import decide
@@ -170,10 +171,28 @@ def _apart(a: float, b: float) -> float:
 
 @kernel
 def hear(memory: Like, g: Buffer, w: int, once: int) -> None:
-    """The last word of the position loops reaches the autopilots, where it has come by now."""
+    """The last word of the position loops reaches the autopilots, where it comes just now."""
+    coming = 0
     for i in range(w * once):
+        since = got(memory.tick, g, w, i) - got(memory.offboard.arrival, g, w, i)
+        coming += 1 if (since >= 0.0) & (since < 1.0) else 0
+    for i in range(w if coming > 0 else 0):
         offboard, last = got(memory.offboard, g, w, i), got(memory.autopilot.aim, g, w, i)
         put(_heard(got(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
+
+
+@kernel
+def _point(pilot: Like, memory: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+    """The attitude loops at their ticks; nearly always those of all lanes at once."""
+    own, every = memory.autopilot, pilot.schedule.attitude
+    turns = how_many_due(every, g, w, once, tick)
+    for i in range(w * once if turns == w else 0):
+        law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
+        put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
+    for i in range(w if (turns > 0) & (turns < w) else 0):
+        if due(tick, got(every, g, w, i)):
+            law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
+            put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
 
 
 @kernel
@@ -195,12 +214,7 @@ def fly_on(
     """
     hear(memory, g, w, once)
     own = memory.autopilot
-    if any_due(pilot.schedule.attitude, g, w, once, tick):
-        for i in range(w * once):
-            law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
-            setpoint = rate_setpoint(law, got(own.aim, g, w, i), at)
-            now = due(tick, got(pilot.schedule.attitude, g, w, i))
-            put(pick(now, setpoint, got(own.setpoint, g, w, i)), own.setpoint, g, w, i)
+    _point(pilot, memory, g, w, once, tick)
     if any_due(pilot.schedule.rate, g, w, once, tick):
         _rebuild(pilot, own.built.tree, lengths, g, w, once, tick)
         _turn(pilot, memory, lengths, g, w, once, tick)

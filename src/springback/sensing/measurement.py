@@ -60,20 +60,26 @@ def due(tick: float, every: float) -> bool:
 
 
 @kernel
-def any_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
-    """Whether a device of any lane speaks at a tick.
+def how_many_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> int:
+    """In how many lanes a device speaks at a tick.
 
     Args:
         every: Where its period lies [ticks].
         g: Buffer of what is aboard.
         w: Lanes.
         once: As for `springback.simulation.ticks.look`.
-        tick: Number of the tick; it is due at no tick before 0.
+        tick: Number of the tick.
     """
     count = 0
     for i in range(w * once):
         count += 1 if due(tick, got(every, g, w, i)) else 0
-    return count > 0
+    return count
+
+
+@kernel
+def any_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
+    """Whether a device of any lane speaks at a tick; arguments as for `how_many_due`."""
+    return how_many_due(every, g, w, once, tick) > 0
 
 
 class Believed(NamedTuple):
