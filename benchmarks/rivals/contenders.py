@@ -50,7 +50,7 @@ def _ours(threads: int) -> list[Contender]:
                     kind=kind,
                     program="springback_flights",
                     environment="",
-                    tries=tuple((1, n) for n in (256, 1024)),
+                    tries=_tries((512,), threads),
                     told={"estimator": estimator, "task": STEP},
                     rates=sensing,
                     differs="sensors with delay and noise, an estimator, and contact looked for at "

@@ -6,12 +6,13 @@ all within the time.
 
 from __future__ import annotations
 
-import importlib.util
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import protocol
+
+from springback.experiments.bulk import fly_scenarios
 
 #: The paper's collision: speed at contact [m/s] and pitch [deg].
 SPEED, PITCH = 2.0, 0.0
@@ -22,28 +23,7 @@ def flown(tables: Sequence[Mapping[str, Any]], threads: int) -> list[str]:
 
     This is all that these benchmarks ask of springback for many flights with a pilot.
     """
-    if importlib.util.find_spec("springback.experiments.bulk"):
-        from springback.experiments.bulk import fly_scenarios
-
-        return list(fly_scenarios(tables, threads=threads).outcomes)
-    from springback.experiments.recovery_measures import recovery_outcome
-    from springback.experiments.trials import _Noises, made_ready
-    from springback.simulation.abreast import fly_guided_many
-    from springback.simulation.guided import ticks_of
-    from springback.simulation.measures import measures_of, outcome_of
-
-    ready = [made_ready(one) for one in tables]
-    ticks = ticks_of(ready[0].model.timing.until, ready[0].board.cabin.guidance.period)
-    noises = _Noises([(one.scenario.seed, one.board.noise) for one in ready], ticks)
-    guided = fly_guided_many(
-        [one.model for one in ready], [one.start for one in ready],
-        [one.board.cabin for one in ready], noises, threads=threads,
-    )  # fmt: skip
-    for one in guided:
-        measures_of(one.flown)
-    recovers = ready[0].scenario.recovery is not None
-    ended = [recovery_outcome(one) if recovers else outcome_of(one.flown.record) for one in guided]
-    return [outcome.word for outcome in ended]
+    return list(fly_scenarios(tables, threads=threads).outcomes)
 
 
 def step_tables(told: Mapping[str, Any], places: Sequence[Sequence[float]]) -> list[dict[str, Any]]:
