@@ -173,13 +173,13 @@ def test_ctrl_c_leaves_a_campaign_to_go_on_with(place: Path) -> None:
     words = ("campaign", "plan.toml", "--out", "broken off", *SMALL)
     process = started(*words, cwd=place)
     wait_for(lambda: parts(place / "broken off") >= 2, process)
-    os.kill(process.pid, signal.SIGSTOP)  # lest it be done before the next one asks
+    os.killpg(process.pid, signal.SIGSTOP)  # lest it be done before the next one asks
     second = run(*words, "--resume", cwd=place)
     assert second.returncode == 2
     assert f"in use by process {process.pid} on " in second.stderr
     begun = time.monotonic()
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does: parent and workers
-    os.kill(process.pid, signal.SIGCONT)
+    os.killpg(process.pid, signal.SIGCONT)
     _, said = process.communicate(timeout=60)
     assert time.monotonic() - begun < 20.0
     assert process.returncode == 130, said

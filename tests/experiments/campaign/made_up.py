@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from tests.experiments.campaign.plans import plan
 
+from experiments.campaign.plans import plan
 from springback.experiments.campaign.design import Design, laid_out
 from springback.experiments.campaign.store import opened
 from springback.experiments.recovery_measures import RECOVERY_MEASURES

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.experiments.campaign.plans import plan
 
+from experiments.campaign.plans import plan
 from springback.errors import InputError
 from springback.experiments.campaign import cluster
 from springback.experiments.campaign.running import run_campaign

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.stats
-from tests.experiments.campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
 
+from experiments.campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.errors import InputError
 from springback.experiments.campaign import sampling
 from springback.experiments.campaign.design import Design, design_of, laid_out

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.experiments.campaign.plans import plan
 
+from experiments.campaign.plans import plan
 from springback.errors import InputError
 from springback.experiments.campaign import workers
 from springback.experiments.campaign.design import laid_out

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.stats
-from tests.experiments.campaign.made_up import filled
-from tests.experiments.campaign.plans import PITCH, SPEED, SURFACE
 
+from experiments.campaign.made_up import filled
+from experiments.campaign.plans import PITCH, SPEED, SURFACE
 from springback.errors import InputError
 from springback.experiments.campaign.intervals import paired_difference, quantile, ranks, share
 from springback.experiments.campaign.marginals import field_map, fields_of, marginal, scale

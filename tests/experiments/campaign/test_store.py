@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.experiments.campaign.made_up import filled, rows
-from tests.experiments.campaign.plans import plan
 
+from experiments.campaign.made_up import filled, rows
+from experiments.campaign.plans import plan
 from springback.errors import InputError
 from springback.experiments.campaign import ledger, store
 from springback.experiments.campaign.design import laid_out
