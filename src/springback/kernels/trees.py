@@ -203,6 +203,7 @@ def construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
 
 def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callable[..., Any]:
     """A function with a generated body; ``scope`` holds the names that it uses."""
+    scope["__name__"] = __name__  # a kept kernel looks for the modules of what it calls
     body = "\n".join(f"    {line}" for line in lines)
     exec(f"def generated({arguments}):\n{body}\n", scope)
     generated: Callable[..., Any] = scope["generated"]
