@@ -128,6 +128,11 @@ class LikeType(types.Opaque):
         super().__init__(name=f"Like({row}, {tree})")
 
     @property
+    def key(self) -> Any:
+        """What makes two of them equal: names alone would take namesakes for one another."""
+        return self.row, self.tree
+
+    @property
     def instance_class(self) -> Any:
         """The NamedTuple class of the tree, by which a generic function is chosen."""
         return getattr(self.tree, "instance_class", object)

@@ -1,0 +1,73 @@
+"""Trees in buffers: places that are known by name."""
+
+from typing import NamedTuple
+
+import numba
+import numpy as np
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.layout import Like, got, put
+from springback.kernels.vectors import Vec
+
+
+class Inner(NamedTuple):
+    place: Vec
+    tree: float  # a name that a Like has no use for itself
+
+
+class Outer(NamedTuple):
+    first: tuple[float, ...]
+    inner: Inner
+
+
+TREE = Outer((1.0, 2.0), Inner(Vec(3.0, 4.0, 5.0), 6.0))
+
+
+def test_a_like_knows_where_its_branches_lie() -> None:
+    like, buffer = Like(TREE), np.arange(6.0 * 2)
+    assert got(like.inner.place, buffer, 2, 1) == Vec(5.0, 7.0, 9.0)
+    assert got(like.inner.tree, buffer, 2, 0) == 10.0
+    put(Vec(0.1, 0.2, 0.3), like.inner.place, buffer, 2, 0)
+    assert buffer.tolist() == [0, 1, 2, 3, 0.1, 5, 0.2, 7, 0.3, 9, 10, 11]
+
+
+def test_the_same_when_compiled() -> None:
+    @numba.njit
+    def moved(like: Like, buffer: np.ndarray) -> float:
+        place = got(like.inner.place, buffer, 2, 1)
+        put(place * 2.0, like.inner.place, buffer, 2, 1)
+        return got(like.inner.tree, buffer, 2, 1)
+
+    buffer = np.arange(12.0)
+    assert moved(Like(TREE), buffer) == 11.0
+    assert buffer[5::2].tolist() == [10.0, 14.0, 18.0, 11.0]
+
+
+@generic
+def spoken(who: Like) -> float:
+    raise TypeError
+
+
+def speaker(word: float) -> type:
+    """A class that is called Speaker, and says a word of its own."""
+
+    class Speaker(NamedTuple):
+        unused: float
+
+    @spoken.register(Speaker)
+    @kernel
+    def _(who: Like) -> float:
+        return word
+
+    return Speaker
+
+
+def test_namesakes_are_not_taken_for_one_another() -> None:
+    one, other = speaker(1.0), speaker(2.0)
+
+    @numba.njit
+    def asked(who: Like) -> float:
+        return spoken(who)
+
+    assert [asked(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
+    assert [spoken(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
