@@ -71,3 +71,19 @@ def test_namesakes_are_not_taken_for_one_another() -> None:
 
     assert [asked(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
     assert [spoken(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
+
+
+def test_rows_are_known_to_lie_apart() -> None:
+    """The compiler packs a loop over lanes without asking first whether rows overlap."""
+
+    @numba.njit(error_model="numpy")
+    def turned(like: Like, buffer: np.ndarray, ones: np.ndarray) -> None:
+        for i in range(8 * ones.shape[0]):
+            place = got(like.inner.place, buffer, 8, i)
+            put(place ^ place * 2.0, like.inner.place, buffer, 8, i)
+            put(place.x + got(like.inner.tree, buffer, 8, i), like.inner.tree, buffer, 8, i)
+
+    turned(Like(TREE), np.ones(6 * 8), np.ones(1))
+    (code,) = turned.inspect_llvm().values()
+    assert "vector.body" in code
+    assert "memcheck" not in code

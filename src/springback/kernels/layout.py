@@ -12,6 +12,7 @@ from typing import Any
 
 import numba
 import numpy as np
+from llvmlite import ir
 from numba import types
 from numba.core.typing import templates
 
@@ -195,30 +196,79 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     return function_of("like, buffer, row, width, lane", lines, scope)
 
 
+#: Where a row is known when code is compiled, no two rows are taken for the same memory.
+_KNOWN = ("step = whole(width)", "start = whole(lane)")
+
+
 @compiled(got)
 def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    text = f"return read(like, buffer, {like.row}, width, lane)"
-    return function_of("like, buffer, width, lane", [text], {"read": read})
+    scope: dict[str, Any] = {"whole": np.uint64, "taken_from": _taken_from}
+    places = range(like.row, like.row + leaf_count(like.tree))
+    texts = [f"taken_from(buffer, start + whole({k}) * step, {k})" for k in places]
+    lines = [*_KNOWN, f"return {construct(like.tree, texts, scope)}"]
+    return function_of("like, buffer, width, lane", lines, scope)
 
 
 @compiled(put)
 def _put(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    text = f"write(tree, buffer, {like.row}, width, lane)"
-    return function_of("tree, like, buffer, width, lane", [text, "return None"], {"write": write})
+    lines = [*_KNOWN]
+    place = "laid_into(buffer, start + whole({row}) * step, {row}, {leaf})"
+    _lay(tree, "tree", like.row, lines, "", place)
+    scope = {"whole": np.uint64, "laid_into": _laid_into}
+    return function_of("tree, like, buffer, width, lane", [*lines, "return None"], scope)
+
+
+def _element(context: Any, builder: Any, typ: Any, buffer: Any, place: Any) -> Any:
+    """Pointer to an element of a one-dimensional array."""
+    data = context.make_array(typ)(context, builder, buffer).data
+    return builder.gep(data, [place], inbounds=True)
+
+
+def _tagged(builder: Any, access: Any, row: int) -> Any:
+    """A load or store that is known to touch nothing but a row (LLVM: type-based aliasing)."""
+    module = builder.module
+    root = module.add_metadata([ir.MetaDataString(module, "springback rows")])
+    zero = ir.Constant(ir.IntType(64), 0)
+    own = module.add_metadata([ir.MetaDataString(module, f"row {row}"), root, zero])
+    access.set_metadata("tbaa", module.add_metadata([own, own, zero]))
+    return access
+
+
+@_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def _taken_from(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
+    """An element of a row of a buffer."""
+
+    def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        pointer = _element(context, builder, signature.args[0], *arguments[:2])
+        return _tagged(builder, builder.load(pointer), row.literal_value)
+
+    return types.float64(buffer, types.uint64, row), lower
+
+
+@_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def _laid_into(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
+    """Lay a number into a row of a buffer."""
+
+    def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        pointer = _element(context, builder, signature.args[0], *arguments[:2])
+        _tagged(builder, builder.store(arguments[3], pointer), row.literal_value)
+        return context.get_dummy_value()
+
+    return types.void(buffer, types.uint64, row, types.float64), lower
 
 
 @compiled(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     lines = [*_PLACE]
-    _lay(tree, "tree", 0, lines, "")
+    _lay(tree, "tree", 0, lines, "", "buffer[start + whole({row}) * step] = {leaf}")
     scope = {"whole": np.uint64}
     return function_of("tree, buffer, row, width, lane", [*lines, "return None"], scope)
 
 
-def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str) -> int:
-    """Lines that lay a tree into a buffer from its leaf ``first`` on; the number of the next."""
+def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place: str) -> int:
+    """Lines that lay a tree into a buffer from its row ``first`` on; the number of the next."""
     if not isinstance(tree, types.BaseTuple):
-        lines.append(f"{indent}buffer[start + whole({first}) * step] = {stem}")
+        lines.append(indent + place.format(row=first, leaf=stem))
         return first + 1
     for k, branch in enumerate(branches(tree)):
         if k == 1 and is_named(tree, Seldom):
@@ -228,5 +278,5 @@ def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str) -> int
         if isinstance(branch, types.BaseTuple):  # taken out once: see `reached`
             lines.append(f"{indent}{stem}_{k} = {inner}")
             inner = f"{stem}_{k}"
-        first = _lay(branch, inner, first, lines, indent)
+        first = _lay(branch, inner, first, lines, indent, place)
     return first

@@ -21,7 +21,7 @@ from springback.control.cascade import (
 from springback.control.target import Target
 from springback.kept import Make, afresh
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put, read, row_of, rows, write
+from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -90,6 +90,7 @@ class ResilientMemory(NamedTuple):
     collision: Collision  # the last
     history: History
     journey: Journey
+    alarm: float  # 1 while a flight has something to consider at this tick, else 0
 
 
 def resilient_memory(
@@ -112,6 +113,7 @@ def resilient_memory(
         nothing,
         History(start.velocity, start.velocity),
         journey_at_start(pilot.route, nothing, make),
+        0.0,
     )
 
 
@@ -255,11 +257,10 @@ def _considered(
     seen: Measurement,
     at: Estimate,
     wrench: ExternalWrench,
-    alarm: float,
     m: ResilientMemory,
 ) -> Considered:
     airframe = pilot.cascade.airframe
-    journey = _begun(m.journey, alarm, time)
+    journey = _begun(m.journey, m.alarm, time)
     fresh = pick((journey.leg == LOOK) & (m.journey.leg == LOOK), 1.0, 0.0)
     so_far = pick(fresh > 0.5, m.impression, no_impression(airframe))
     impression = impressed(pilot.look, airframe, seen, at, wrench, so_far)
@@ -270,10 +271,7 @@ def _considered(
 
 @kernel
 def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> int:
-    """The observers and triggers of all lanes; how many lanes have something to consider.
-
-    The alarm of each is left where its command will be.
-    """
+    """The observers and triggers of all lanes; how many lanes have something to consider."""
     memory, seen, stirred = cabin.aboard.pilot, cabin.aboard.measurement, 0
     flight = memory.flight
     for i in range(w * once):
@@ -290,7 +288,7 @@ def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) 
         triggers, so_far = got(pilot.detection, g, w, i), got(memory.detection, g, w, i)
         noticed = detected(triggers, arms, time, said, at, wrench, so_far)
         put(noticed.memory, memory.detection, g, w, i)
-        write(noticed.alarm, g, alarm_row(cabin), w, i)
+        put(noticed.alarm, memory.alarm, g, w, i)
         looks = (noticed.alarm > 0.5) | (got(memory.journey.leg, g, w, i) == LOOK)
         stirred += 1 if looks else 0
     return stirred
@@ -302,33 +300,20 @@ def _travel(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float)
     memory, arrived = cabin.aboard.pilot, 0
     for i in range(w * once):
         time = tick * got(cabin.guidance.period, g, w, i)
-        alarm, journey = alarm_of(cabin, g, w, i), got(memory.journey, g, w, i)
+        alarm, journey = got(memory.alarm, g, w, i), got(memory.journey, g, w, i)
         calm = (alarm < 0.5) & (journey.leg != LOOK)
         route, at = got(pilot.route, g, w, i), got(memory.flight.estimate, g, w, i)
         passed = passes(route, journey, at, time)
         put(pick(calm, passed.near, journey.near), memory.journey.near, g, w, i)
-        write(pick(calm, passed.turns, 0.0), g, alarm_row(cabin), w, i)
+        put(pick(calm, passed.turns, 0.0), memory.alarm, g, w, i)
         arrived += 1 if calm & (passed.turns > 0.5) else 0
     for i in range(w if arrived > 0 else 0):
-        if alarm_of(cabin, g, w, i) > 0.5:
+        if got(memory.alarm, g, w, i) > 0.5:
             time = tick * got(cabin.guidance.period, g, w, i)
             route, journey = got(pilot.route, g, w, i), got(memory.journey, g, w, i)
             at, hit = got(memory.flight.estimate, g, w, i), got(memory.collision, g, w, i)
             yaw = got(memory.flight.offboard.wanted.yaw, g, w, i)
             put(turned(route, journey, hit, at, time, yaw), memory.journey, g, w, i)
-
-
-@kernel
-def alarm_row(cabin: Like) -> int:
-    """A row to put flags aside: the command, which the autopilot gives last."""
-    return rows(cabin.guidance) + row_of(cabin.aboard, "command")
-
-
-@kernel
-def alarm_of(cabin: Like, g: Buffer, w: int, i: int) -> float:
-    """The flag of one lane."""
-    flag: float = read(cabin.guidance.period, g, alarm_row(cabin), w, i)
-    return flag
 
 
 @decide.register(Resilient)
@@ -340,15 +325,15 @@ def _decide(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float)
     believe(cascade.estimator, seen, flight.estimator, flight.estimate, flight.tick, g, w, once)
     stirred = _watch(pilot, cabin, g, w, once, tick)
     for i in range(w if stirred > 0 else 0):
-        alarm, m = alarm_of(cabin, g, w, i), got(memory, g, w, i)
-        if alarm > 0.5 or m.journey.leg == LOOK:
+        m = got(memory, g, w, i)
+        if m.alarm > 0.5 or m.journey.leg == LOOK:
             settings, said = got(pilot, g, w, i), got(seen, g, w, i)
             time = tick * got(cabin.guidance.period, g, w, i)
-            now = _considered(settings, time, said, m.flight.estimate, m.wrench, alarm, m)
+            now = _considered(settings, time, said, m.flight.estimate, m.wrench, m)
             put(now.impression, memory.impression, g, w, i)
             put(now.collision, memory.collision, g, w, i)
             put(now.journey, memory.journey, g, w, i)
-            write(1.0, g, alarm_row(cabin), w, i)  # it has travelled
+            put(1.0, memory.alarm, g, w, i)  # it has travelled
     _travel(pilot, cabin, g, w, once, tick)
     if any_due(cascade.schedule.position, g, w, once, tick):
         hear(flight, g, w, once)  # before it is overtaken by the next word

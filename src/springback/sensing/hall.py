@@ -314,7 +314,8 @@ def _read_hall_sensors(
         put(column(got(memory, g, w, i), "length"), seen.arm_length, g, w, i)
     for i in range(w if renewed > 0 else 0):
         sensors, arms = got(device, g, w, i), got(memory, g, w, i)
-        if _delivering(sensors, tick):
+        changed = largest(each(_renewed, (arms,), (sensors,)))
+        if _delivering(sensors, tick) and changed > 0.5:
             arms = each(_delivered, (sensors.spans, arms), (sensors,))
             put(arms, memory, g, w, i)
             put(column(arms, "length"), seen.arm_length, g, w, i)

@@ -6,7 +6,7 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put, read
+from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import Seldom, pick
 from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
 from springback.sensing.clock import draws
@@ -194,7 +194,7 @@ def _capture_lanes(
 ) -> None:  # fmt: skip
     memory, pose = cabin.aboard.sensors.motion_capture, cabin.aboard.measurement.pose
     for i in range(w * once):
-        truth, drawn = truth_of(shape, cabin, b, g, w, i), noise_of(read(channels, noise, 0, w, i))
+        truth, drawn = truth_of(shape, cabin, b, g, w, i), noise_of(got(channels, noise, w, i))
         posed = captured(got(device, g, w, i), tick, truth, drawn, got(memory, g, w, i))
         put(posed.pose, pose, g, w, i)
         put(posed.memory, memory, g, w, i)
@@ -219,7 +219,7 @@ def _capture_at_times(
         now, before = _exposing(got(device, g, w, i), tick), got(line, g, w, i)
         put(pick(now, entered(before, before.newest), before), line, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
-        camera, drawn = got(device, g, w, i), noise_of(read(channels, noise, 0, w, i))
+        camera, drawn = got(device, g, w, i), noise_of(got(channels, noise, w, i))
         lost, before = got(memory.lost, g, w, i), got(line.newest, g, w, i)
         sample, now = (
             _exposed(camera, motion_of(shape, b, w, i), drawn, lost),

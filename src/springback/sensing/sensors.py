@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, got, put, read, rows
+from springback.kernels.layout import Buffer, Like, got, put, rows
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
@@ -130,7 +130,7 @@ def _look(
     memory, seen = cabin.aboard.sensors.inertial, cabin.aboard.measurement
     for i in range(w * once):
         truth = truth_of(shape, cabin, b, g, w, i)
-        drawn = _inertial_noise(read(channels, noise, 0, w, i))
+        drawn = _inertial_noise(got(channels, noise, w, i))
         moved = felt(got(sensors.inertial, g, w, i), tick, truth, drawn, got(memory, g, w, i))
         put(moved.inertial, seen.inertial, g, w, i)
         put(moved.memory, memory, g, w, i)

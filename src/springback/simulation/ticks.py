@@ -42,18 +42,17 @@ ABSURD = 1e30
 @kernel
 def motion_of(shape: Like, b: Buffer, w: int, i: int) -> State:
     """State of one lane."""
-    state: State = read(shape.motion.state, b, places(shape, w).motion, w, i)
+    state: State = got(shape.motion.state, b, w, i)
     return state
 
 
 @kernel
 def truth_of(shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, i: int) -> Truth:
     """The motion of one lane over the last tick."""
-    gravity = row_of(shape.model, "world") + row_of(shape.model.world, "gravity")
     period = got(cabin.guidance.period, g, w, i)
     before = got(cabin.aboard.before, g, w, i)
-    pull = read(shape.model.world.gravity, b, gravity, w, i)
-    return Truth(before, motion_of(shape, b, w, i), period, pull)
+    gravity = got(shape.model.world.gravity, b, w, i)
+    return Truth(before, motion_of(shape, b, w, i), period, gravity)
 
 
 @kernel
@@ -99,7 +98,7 @@ def _look_one_by_one(
     memory = cabin.aboard
     for i in range(w):
         truth = truth_of(shape, cabin, b, g, w, i)
-        drawn, remembered = read(channels, noise, 0, w, i), got(memory.sensors, g, w, i)
+        drawn, remembered = got(channels, noise, w, i), got(memory.sensors, g, w, i)
         seen = sensed(got(sensors, g, w, i), tick, truth, drawn, remembered)
         put(seen.measurement, memory.measurement, g, w, i)
         put(seen.memory, memory.sensors, g, w, i)
@@ -300,15 +299,14 @@ def powered(
         period = got(settings.period, g, w, i)
         spun = all_lagged(got(settings.rotors, g, w, i), thrust, command, period)
         put(spun.thrust, memory.thrust, g, w, i)
-        write(spun.mean, b, row_of(model, "thrust"), w, i)
-        write(min((tick + 1.0) * period, last), b, row_of(model, "timing"), w, i)
+        put(spun.mean, model.thrust, b, w, i)
+        put(min((tick + 1.0) * period, last), model.timing.until, b, w, i)
         # Where it came to this tick before its neighbours it flies on.
         so_far = read(shape.record.status, b, status, w, i)
         write(pick(so_far == FINISHED, FLYING, so_far), b, status, w, i)
     for i in range(w * once):
-        drawn, air = read(gusts, noise, channel, w, i), row_of(model, "air")
-        weather = got(settings.weather, g, w, i)
+        drawn, weather = read(gusts, noise, channel, w, i), got(settings.weather, g, w, i)
         blown = gust(weather, drawn, got(memory.weather, g, w, i))
         wind = got(settings.mean_wind, g, w, i) + blown.velocity
         put(blown.memory, memory.weather, g, w, i)
-        write(in_wind(read(model.air, b, air, w, i), wind), b, air, w, i)
+        put(in_wind(got(model.air, b, w, i), wind), model.air, b, w, i)
