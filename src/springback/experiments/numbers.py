@@ -186,7 +186,7 @@ def settle_step(simulation: SimulationSettings, vehicle: Vehicle) -> float:
     rate = vehicle.fastest_arm_rate()
     if rate == 0.0:
         return float(s.free_step)
-    return float(max(s.impact_step, min(4.0 * s.impact_step, 0.5 / rate)))
+    return float(max(s.impact_step, min(8.0 * s.impact_step, 1.0 / rate)))
 
 
 def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Vehicle) -> Timing:
