@@ -2,16 +2,15 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { palette } from "./colours.js";
-import { placeOf, valueAt } from "./flight.js";
+import { placeOf, valueAt, wholeForce } from "./flight.js";
 
 const HEIGHT = 112;
 /** Curves of equal shape within this share of their peak are drawn and named as one. */
-const ALIKE = 1e-3;
+const ALIKE = 5e-3;
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3], [12, 4], [4, 2, 1, 2]];
 /** With two flights, what stands for the curves of all arms. */
 const OF_ALL = {
   "Arm compression": ["largest", (values) => Math.max(...values)],
-  "Contact force": ["all cages", (values) => values.reduce((a, b) => a + b, 0)],
   Thrust: ["all rotors", (values) => values.reduce((a, b) => a + b, 0)],
   Velocity: ["speed", (values) => values[0]],
   Energy: ["motion", (values) => values[0]],
@@ -36,6 +35,9 @@ export function panelsOf(flights) {
 
 function summed(panel, series, flight, k) {
   if (!series.length) return [];
+  if (panel === "Contact force") {
+    return [{ name: `${flight.label}, all cages`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
+  }
   const [word, rule] = OF_ALL[panel] ?? ["", (values) => values[0]];
   const values = Float32Array.from(series[0].values, (_, i) => rule(series.map((one) => one.values[i])));
   const name = word ? `${flight.label}, ${word}` : flight.label;

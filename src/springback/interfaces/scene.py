@@ -125,7 +125,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     c, count = flight.columns, len(model.airframe.arms)
     places = kept(c, count)
     feels = felt(model, c, places)
-    touches = feels.point[feels.normal > 0.0]
+    touches = feels.point[np.isfinite(feels.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     things = drawn(flight.scenario.world.obstacles, own, place, touches)
     thrust = _thrust(flight, model, c["t"][places])
