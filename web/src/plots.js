@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { palette } from "./colours.js";
-import { placeOf, valueAt, wholeForce } from "./flight.js";
+import { valueAt, wholeForce } from "./flight.js";
 
 const HEIGHT = 112;
 /** Curves of equal shape within this share of their peak are drawn and named as one. */
@@ -137,7 +137,7 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
     const options = {
       width: Math.max(canvas.clientWidth, 200),
       height: HEIGHT,
-      padding: [6, 8, 0, 0],
+      padding: [6, 20, 0, 0],
       legend: { show: false },
       scales: { x: { time: false }, y: { range: (_, low, high) => roomy(low, high) } },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => null } },
@@ -231,11 +231,10 @@ function roomy(low, high) {
   return [low - 0.06 * span, high + 0.08 * span];
 }
 
-/** Ticks of time, with as many digits as tell them apart. */
+/** Ticks of time, with as many digits as they need. */
 function seconds(t, ticks) {
-  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  const digits = Math.max(0, Math.min(6, Math.ceil(-Math.log10(step) - 1e-9)));
+  let digits = 0;
+  const least = 1e-3 * (ticks.length > 1 ? ticks[1] - ticks[0] : 1);
+  while (digits < 6 && ticks.some((x) => Math.abs(x - Number(x.toFixed(digits))) > least)) digits++;
   return `${t.toFixed(digits)} s`;
 }
-
-export { placeOf };

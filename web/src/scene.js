@@ -7,7 +7,7 @@ import { Arrow, Robot, disposed } from "./robot.js";
 import { Path, Shadow, compass, obstacle, reference } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; between robots side by side [m]. */
-const ROUND_ARROW = 0.16;
+const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
 /** Flights touch together where they would not by more than this [s]. */
 const TOGETHER = 5e-3;
@@ -168,7 +168,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         labels.append(name);
         return name;
       });
-      return { flight, group, robot, path, arrows, shadow, scale, names, contacts: [] };
+      return { flight, group, robot, path, arrows, shadow, scale, names, ghost, contacts: [] };
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
     joined(things).forEach((thing) => {
@@ -223,7 +223,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
-        name.hidden = !contact || contact.size < 0.5;
+        name.hidden = actor.ghost || !contact || contact.size < 0.5;
         if (name.hidden) return;
         at.set(...contact.point).addScaledVector(new THREE.Vector3(...contact.force), actor.scale);
         at.add(actor.group.position).project(camera);
