@@ -11,6 +11,7 @@ const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
 /** Flights touch together where they would not by more than this [s]. */
 const TOGETHER = 5e-3;
+const FOLLOWING = ["follow", "side", "top"];
 export const CAMERAS = ["follow", "free", "side", "top", "impact"];
 
 /** From the middle of a robot to the outside of its cages [m]. */
@@ -82,9 +83,6 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls.enableDamping = false;
     controls.minDistance = 0.15;
     controls.maxDistance = 30;
-    controls.addEventListener("start", () => {
-      if (state.camera !== "follow" && state.camera !== "free") state.camera = "free";
-    });
     controls.addEventListener("change", draw);
   }
 
@@ -220,6 +218,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   function placeLabels(width, height) {
     const at = new THREE.Vector3();
+    const taken = [];
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
@@ -231,6 +230,9 @@ export function createScene(element, { flights = [], compare = "side", align = t
         name.textContent = `${contact.size.toFixed(contact.size < 10 ? 1 : 0)} N`;
         const x = Math.min(Math.max(((at.x + 1) / 2) * width, 24), width - 24);
         const y = Math.min(Math.max(((1 - at.y) / 2) * height - 12, 10), height - 10);
+        name.hidden = taken.some(([a, b]) => Math.abs(a - x) < 50 && Math.abs(b - y) < 18);
+        if (name.hidden) return;
+        taken.push([x, y]);
         name.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
       });
     }
@@ -261,7 +263,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         else arrow.hide();
       });
     });
-    if (renderer && actors.length && state.camera === "follow") {
+    if (renderer && actors.length && FOLLOWING.includes(state.camera)) {
       const now = middle();
       if (followed) {
         const moved = now.clone().sub(followed);
@@ -301,12 +303,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
     const before = new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
     if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
-    else if (state.camera === "side") look(centre, new THREE.Vector3(0, -farFrom(whole), 0.001));
-    else if (state.camera === "top") look(centre, new THREE.Vector3(-0.001, -0.002, 1).multiplyScalar(farFrom(whole)));
     else if (state.camera === "impact") look(impactPlace(), new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
-      look(followed.clone(), before.clone().multiplyScalar(farFrom(radius)));
+      const from = { follow: before, side: new THREE.Vector3(0, -1, 0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
+      look(followed.clone(), from.clone().normalize().multiplyScalar(farFrom(radius)));
     }
     draw();
   }
