@@ -114,13 +114,18 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   // -- flights ------------------------------------------------------------------------------------
 
+  /** Level and along the first wall, to the left of who flies north; y without a wall. */
+  function leftward() {
+    const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
+    const left = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across).normalize() : new THREE.Vector3(0, 1, 0);
+    return left.y < 0 ? left.negate() : left;
+  }
+
   function offsets() {
     if (state.compare !== "side" || state.flights.length < 2) return [[0, 0, 0], [0, 0, 0]];
-    const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
-    const across = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across) : new THREE.Vector3(0, 1, 0);
+    const across = leftward();
     const reach = Math.max(...state.flights.map(reachOf));
-    across.normalize().multiplyScalar(reach + 0.5 * BETWEEN);
-    if (across.y < 0) across.negate();
+    across.multiplyScalar(reach + 0.5 * BETWEEN);
     return [across.toArray(), across.clone().negate().toArray()];
   }
 
@@ -152,7 +157,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const ghost = k > 0 && state.compare === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
-      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007));
+      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
       const box = new THREE.Box3();
@@ -180,7 +185,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       boxes.min.z = state.floor;
       content.add(reference(boxes, colours));
     }
-    tellLegend(scale, most);
+    tellLegend();
   }
 
   /** The level that shadows fall on: the ground, else somewhat below the flight. */
@@ -192,7 +197,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return lowest - 0.45;
   }
 
-  function tellLegend(scale, most) {
+  function tellLegend() {
+    const most = Math.max(...state.flights.map(largestForce), 0);
     legend.replaceChildren();
     const entry = (kind, text) => {
       const line = document.createElement("span");
@@ -208,10 +214,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
     }
     if (most > 0) {
       const round = roundBelow(most);
-      entry("force", `contact force, ${round} N is ${Math.round(1000 * scale * round) / 10} cm`);
+      entry("force", `contact force, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
+    if (state.magnified !== 1) entry("travel", `arm travel × ${state.magnified}, not to scale`);
     if (kinds.has("mat")) entry("mat", "mat");
     [...kinds].filter((kind) => !["wall", "mat", "ground"].includes(kind)).forEach((name) => entry("own", name));
   }
@@ -306,7 +313,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     else if (state.camera === "impact") look(impactPlace(), new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
-      const from = { follow: before, side: new THREE.Vector3(0, -1, 0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
+      const from = { follow: before, side: leftward().negate().setZ(0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
       look(followed.clone(), from.clone().normalize().multiplyScalar(farFrom(radius)));
     }
     draw();
@@ -370,6 +377,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     /** Arms pressed in by so many times what they are. */
     setMagnified(times) {
       state.magnified = times;
+      tellLegend();
       show(state.t);
     },
     get flights() {
