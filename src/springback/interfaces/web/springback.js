@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources cb6dea57e660c01a279a8b03d2724d216951415cac5baa7e427e93730d6b997a
+/*! springback, MIT licence; sources 956d9547a83d0eae5b8ce0b8e45fa608c8e754c06edd9853a9c71b3ceee63b56
 
 It holds:
 
