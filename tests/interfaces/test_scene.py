@@ -189,6 +189,19 @@ def test_leaning_on_a_wall_does_not_make_a_scene_grow_without_end() -> None:
     assert at[-1] == len(t) - 1
 
 
+def test_what_moves_fast_away_from_contacts_is_followed() -> None:
+    """An arm that rings at 150 Hz has bends that lines of 5 ms would cut off."""
+    t = np.arange(4096) * 1e-4
+    zero = np.zeros_like(t)
+    columns = dict.fromkeys([*"xyz", "qx", "qy", "qz"], zero)
+    columns |= {"t": t, "qw": zero + 1.0, "fn1": zero, "ff1": zero}
+    columns |= {f"{kind}{axis}": zero for kind in "va" for axis in "xyz"}
+    columns["l1"] = 0.19 - 1e-3 * np.sin(2 * math.pi * 150.0 * t)
+    at = kept(columns, 1)
+    assert len(at) < 0.5 * len(t)
+    assert departure(columns, 1, at)["arm_length"] <= ARM_BOUND
+
+
 def test_thrust_is_the_last_word_of_the_diary(recovery: Flight) -> None:
     scene, diary = scene_of(recovery), recovery.diary
     for i in (0, len(scene.t) // 2, len(scene.t) - 1):
