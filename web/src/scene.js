@@ -4,7 +4,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
 import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { Arrow, Robot, disposed } from "./robot.js";
-import { Path, Shadow, compass, obstacle, reference } from "./surroundings.js";
+import { Path, Shadow, compass, obstacle, rail, reference } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; between robots side by side [m]. */
 const ROUND_ARROW = 0.22;
@@ -160,6 +160,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
+      if (flight.guide.length) group.add(rail(flight, colours));
       const box = new THREE.Box3();
       const stride = Math.max(1, Math.floor(flight.n / 400));
       for (let i = 0; i < flight.n; i += stride) {
