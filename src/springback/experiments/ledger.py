@@ -46,7 +46,7 @@ def ledger(scenario: Scenario) -> dict[str, Array]:
     columns |= _stored(flown.model.airframe, flown.model.world.gravity, trace)
     # What is in contacts is the rest, since the ledger closes (tests/experiments/test_ledger.py).
     known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
-    before = flown.before.total - flown.before.gravity
+    before = sum(float(columns[name][0]) for name in HELD[:-1])  # no flight begins in contact
     touching = np.zeros(len(columns["t"]), dtype=bool)
     for j in range(1, len(flown.start.arm_length) + 1):
         touching |= trace[f"arms.{j}.touching"] > 0.0

@@ -42,6 +42,11 @@ PARTS = {
 #: A part below this share of the largest is left out of the plot (chosen).
 TOO_SMALL = 1e-4
 EARTH = 9.81
+#: Of the curves and the pose in time [s], chosen: arms take some 20 ms to spring back.
+RESOLUTION = 2.5e-4
+
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class Shown(NamedTuple):
@@ -104,19 +109,52 @@ def answer(settings: LabSettings) -> dict[str, Any]:
 
 
 def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
-    """One flight: the scene, with the whole ledger in place of what is held alone."""
-    scene = scene_of(flight, label=NAMES[robot])
+    """One flight: its scene, with the curves of the lab in place of the scene's own."""
+    coarse = coarsened(flight)
+    scene = scene_of(coarse, label=NAMES[robot])
     books = ledger(flight.scenario)
-    series = [one for one in scene.series if one.panel != ENERGY]
-    series += energy_series(books, np.searchsorted(books["t"], scene.t))
+    series = (*curves(coarse, scene.t), *energy_series(books, np.searchsorted(books["t"], scene.t)))
     return {
         "robot": robot,
         "label": NAMES[robot],
         "outcome": flight.outcome.word,
         "well": went_well(settings, flight),
         "file": file_name(settings, robot),
-        "scene": plain(replace(scene, series=tuple(series))),
+        "scene": plain(replace(scene, series=series)),
     }
+
+
+def coarsened(flight: Flight) -> Flight:
+    """A flight with fewer instants: what a page shows, and what goes to it.
+
+    Of all steps within `RESOLUTION` one stays, and so do touches, separations and the peak.
+    """
+    c, m = flight.columns, flight.measures
+    t = c["t"]
+    bins = np.floor(t / RESOLUTION)
+    keep = np.concatenate([[True], bins[1:] > bins[:-1]])
+    touching = sum(c[name] for name in c if name.startswith("fn")) > 0.0
+    changes = np.flatnonzero(touching[1:] != touching[:-1])
+    keep[np.concatenate([changes, changes + 1, [len(t) - 1]])] = True
+    for name in ("touch_time", "separation_time", "peak_acceleration_time"):
+        if m[name] is not None:
+            keep[min(int(np.searchsorted(t, m[name])), len(t) - 1)] = True
+    return replace(flight, columns={name: values[keep] for name, values in c.items()})
+
+
+def curves(flight: Flight, t: Array) -> Iterable[Series]:
+    """One curve a panel for each robot, so that robots can be laid over one another."""
+    places = np.searchsorted(flight.columns["t"], t)
+    c = {name: values[places] for name, values in flight.columns.items()}
+    arms = range(1, flight.scenario.vehicle.arm_count + 1)
+    lengths = flight.scenario.vehicle.arms
+    pressed = np.max([lengths.at("length", j - 1) - c[f"l{j}"] for j in arms], axis=0)
+    pushed = np.sum([c[f"fn{j}"] for j in arms], axis=0)
+    felt = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
+    yield Series("Acceleration", "main body", "m/s²", felt)
+    yield Series("Arm compression", "most pressed arm", "mm", 1e3 * pressed)
+    yield Series("Velocity", "along X", "m/s", c["vx"])
+    yield Series("Contact force", "all cages", "N", pushed)
 
 
 def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:
