@@ -1,0 +1,68 @@
+"""One page with everything in it: script, style and data, so that it needs nothing from anywhere.
+
+The script is built from ``web/src`` of the sources by ``make web`` (docs/decisions/0015).
+"""
+
+from __future__ import annotations
+
+import base64
+import functools
+import hashlib
+import html
+import json
+import re
+from importlib import resources
+from typing import Any, Literal, NamedTuple
+
+from springback.version import __version__
+
+App = Literal["replay", "lab"]
+SELF, NOBODY = "'self'", "'none'"
+
+
+class Page(NamedTuple):
+    """A page, and what its browser may load for it."""
+
+    text: str
+    policy: str  # Content-Security-Policy; it stands in the text, too
+
+
+@functools.cache
+def part(name: str) -> str:
+    """A file of the bundle: ``springback.js``, ``springback.css``, ``page.html``."""
+    return (resources.files("springback.interfaces") / "web" / name).read_text(encoding="utf-8")
+
+
+def page_of(title: str, app: App, data: Any, *, asks: bool = False) -> Page:
+    """A self-contained page.
+
+    Args:
+        title: Of the window.
+        app: What the page does: ``replay`` gets ``{"flights": [scene, ...]}``.
+        data: Plain data for it, without NaN.
+        asks: Whether the page may ask the server it came from; else it may ask nobody.
+    """
+    script = part("springback.js")
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    policy = (
+        f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; "
+        f"img-src data: blob:; connect-src {SELF if asks else NOBODY}; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    filled = {
+        "policy": html.escape(policy),
+        "version": html.escape(__version__),
+        "title": html.escape(title),
+        "style": part("springback.css"),
+        "app": app,
+        "data": in_script(data),
+        "script": script,
+    }
+    text = re.sub(r"\{\{(\w+)\}\}", lambda m: filled[m[1]], part("page.html"))
+    return Page(text, policy)
+
+
+def in_script(data: Any) -> str:
+    """Plain data as JSON that can stand in a script element: it cannot end one or begin one."""
+    text = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")

@@ -1,0 +1,121 @@
+// A flight as it comes from springback.interfaces.scene, made ready to be asked for any instant.
+
+const KINDS = { f4: Float32Array, f8: Float64Array, i4: Int32Array };
+
+/** The numbers of a packed array. */
+export function unpacked(packed) {
+  const bytes = Uint8Array.from(atob(packed.data), (letter) => letter.charCodeAt(0));
+  return new KINDS[packed.type](bytes.buffer);
+}
+
+/** A flight of a scene: arrays instead of text, and which row of the forces each instant has. */
+export function flightOf(scene) {
+  if (scene.ready) return scene;
+  const t = unpacked(scene.t);
+  const at = unpacked(scene.force.at);
+  const rows = new Int32Array(t.length).fill(-1);
+  at.forEach((place, row) => (rows[place] = row));
+  return {
+    ...scene,
+    ready: true,
+    t,
+    n: t.length,
+    begin: t[0],
+    end: t[t.length - 1],
+    position: unpacked(scene.position),
+    attitude: unpacked(scene.attitude),
+    armLength: unpacked(scene.arm_length),
+    thrust: unpacked(scene.thrust),
+    force: unpacked(scene.force.of),
+    point: unpacked(scene.point.of),
+    rows,
+    series: scene.series.map((one) => ({ ...one, values: unpacked(one.values) })),
+    shift: 0,
+  };
+}
+
+/** Number of the last instant at or before a time. */
+export function placeOf(times, time) {
+  let low = 0;
+  let high = times.length - 1;
+  if (!(time > times[0])) return 0;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return times[high] <= time ? high : low;
+}
+
+/** Everything about a flight at a time: straight lines between instants. */
+export function poseAt(flight, time) {
+  const t = Math.min(Math.max(time - flight.shift, flight.begin), flight.end);
+  const i = placeOf(flight.t, t);
+  const k = Math.min(i + 1, flight.n - 1);
+  const u = k > i ? (t - flight.t[i]) / (flight.t[k] - flight.t[i]) : 0;
+  const mixed = (values, width, part) =>
+    values[i * width + part] * (1 - u) + values[k * width + part] * u;
+  const many = (values, width) => Array.from({ length: width }, (_, part) => mixed(values, width, part));
+  const arms = flight.arms.length;
+
+  const q = many(flight.attitude, 4);
+  let dot = 0;
+  for (let c = 0; c < 4; c++) dot += flight.attitude[i * 4 + c] * flight.attitude[k * 4 + c];
+  if (dot < 0) for (let c = 0; c < 4; c++) q[c] = flight.attitude[i * 4 + c];
+  const norm = Math.hypot(...q);
+
+  const before = flight.rows[i];
+  const after = flight.rows[k];
+  const contacts = [];
+  for (let arm = 0; arm < arms; arm++) {
+    const force = [0, 0, 0];
+    let point = null;
+    for (const [row, share] of [[before, 1 - u], [after, u]]) {
+      if (row < 0) continue;
+      const from = (row * arms + arm) * 3;
+      for (let c = 0; c < 3; c++) force[c] += share * flight.force[from + c];
+      const there = Array.from(flight.point.subarray(from, from + 3));
+      if (there.some((x) => x !== 0)) point = there;
+    }
+    const size = Math.hypot(...force);
+    contacts.push(point && size > 1e-6 ? { force, size, point } : null);
+  }
+  return {
+    t: t + flight.shift,
+    own: t,
+    place: i,
+    position: many(flight.position, 3),
+    quaternion: q.map((x) => x / norm),
+    armLengths: many(flight.armLength, arms),
+    thrust: many(flight.thrust, arms),
+    contacts,
+  };
+}
+
+/** Value of a series at a time. */
+export function valueAt(flight, values, time) {
+  const t = Math.min(Math.max(time - flight.shift, flight.begin), flight.end);
+  const i = placeOf(flight.t, t);
+  const k = Math.min(i + 1, flight.n - 1);
+  const u = k > i ? (t - flight.t[i]) / (flight.t[k] - flight.t[i]) : 0;
+  return values[i] * (1 - u) + values[k] * u;
+}
+
+/** First touch [s], or null. */
+export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0] + flight.shift : null);
+
+/** Largest contact force of one cage over a flight [N]. */
+export function largestForce(flight) {
+  let most = 0;
+  for (let k = 0; k < flight.force.length; k += 3) {
+    most = Math.max(most, Math.hypot(flight.force[k], flight.force[k + 1], flight.force[k + 2]));
+  }
+  return most;
+}
+
+/** A round number not above x: 1, 2 or 5 times a power of ten. */
+export function roundBelow(x) {
+  if (!(x > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(x));
+  return power * ([5, 2, 1].find((digit) => digit * power <= x * 1.0000001) ?? 1);
+}

@@ -1,0 +1,15 @@
+// What a page can do; which of it a page does stands in <body data-app="…">.
+import "./style.css";
+import { startReplay } from "./player.js";
+import { startLab } from "./lab.js";
+
+const apps = { replay: startReplay, lab: startLab };
+
+function start() {
+  const app = apps[document.body.dataset.app];
+  const data = document.getElementById("data");
+  if (app) app(document.getElementById("app"), data ? JSON.parse(data.textContent) : {});
+}
+
+if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start);
+else start();

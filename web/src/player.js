@@ -1,0 +1,366 @@
+// The replay: a scene, a time line, plots and numbers, all at one instant.
+import { palette } from "./colours.js";
+import { placeOf, poseAt, touchOf, valueAt } from "./flight.js";
+import { timeLine } from "./pace.js";
+import { createPlots, told } from "./plots.js";
+import { CAMERAS, createScene } from "./scene.js";
+
+const PACES = [1, 2, 5, 10, 20, 50, 100, 200];
+const NAMES = { follow: "Follow", free: "Whole flight", side: "Side", top: "Top", impact: "Impact" };
+/** Begin so long before the first touch [s]. */
+const LEAD = 0.25;
+
+/** An element with attributes and children. */
+export function made(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (value === true) element.setAttribute(name, "");
+    else if (value !== false && value != null) element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+const ICONS = {
+  play: "M7 4.5v15l12.5-7.5z",
+  pause: "M6.5 4.5h4v15h-4zM13.5 4.5h4v15h-4z",
+  back: "M18 5v14l-9.5-7zM5.5 5h2.4v14H5.5z",
+  forth: "M6 5v14l9.5-7zM16.1 5h2.4v14h-2.4z",
+  touch: "M4 4h3v16H4zM20 12l-9 6V6z",
+};
+function icon(name) {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("aria-hidden", "true");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", ICONS[name]);
+  svg.append(path);
+  return svg;
+}
+
+const paceName = (pace) => {
+  if (pace > 0.995) return "real time";
+  const slower = 1 / pace;
+  return `1/${slower < 10 ? slower.toFixed(1).replace(/\.0$/, "") : Math.round(slower)} of real time`;
+};
+
+/**
+ * Controls, time line and clock around a scene and plots.
+ *
+ * @param parts {scene, plots, bar, readouts}: a scene, plots or null, and elements to fill
+ * @returns {replace, seek, play, pause, setPace, time, playing, dispose}
+ */
+export function createPlayer({ scene, plots = null, bar, readouts = null, keys = true }) {
+  const state = { t: 0, playing: false, pace: "auto", line: null, flights: [], last: 0 };
+
+  // -- controls -----------------------------------------------------------------------------------
+  const playButton = made("button", { class: "play", type: "button", onclick: () => (state.playing ? pause() : play()) });
+  const back = made("button", { type: "button", title: "One instant back (←)", "aria-label": "One instant back", onclick: () => step(-1) }, icon("back"));
+  const forth = made("button", { type: "button", title: "One instant on (→)", "aria-label": "One instant on", onclick: () => step(1) }, icon("forth"));
+  const toTouch = made("button", { type: "button", title: "To the first touch (T)", "aria-label": "To the first touch", onclick: goToTouch }, icon("touch"));
+  const pace = made("select", { "aria-label": "Speed", title: "Speed (, and .)", onchange: () => setPace(pace.value) },
+    made("option", { value: "auto" }, "slow at impact"),
+    ...PACES.map((p) => made("option", { value: String(p) }, p === 1 ? "real time" : `1/${p}`)));
+  const clock = made("output", { class: "clock", "aria-live": "off" });
+  const slider = made("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time", oninput: () => {
+    pause();
+    seek(state.line.timeAt(Number(slider.value) * state.line.total));
+  } });
+  const ticks = made("div", { class: "ticks", "aria-hidden": "true" });
+  const track = made("div", { class: "track" }, ticks, slider);
+  const chips = made("div", { class: "events" });
+  bar.classList.add("player");
+  bar.replaceChildren(made("div", { class: "buttons" }, playButton, back, forth, toTouch, pace, clock), track, chips);
+
+  // -- time ---------------------------------------------------------------------------------------
+  function seek(t) {
+    if (!state.line) return;
+    state.t = Math.min(Math.max(t, state.line.begin), state.line.end);
+    scene.show(state.t);
+    plots?.show(state.t);
+    const share = state.line.watchedAt(state.t) / state.line.total;
+    slider.value = share;
+    track.style.setProperty("--share", share);
+    tell();
+  }
+
+  function tell() {
+    const touch = state.flights.length ? touchOf(state.flights[0]) : null;
+    const since = touch === null ? "" : ` · ${state.t >= touch ? "+" : "−"}${Math.abs(1e3 * (state.t - touch)).toFixed(1)} ms from touch`;
+    const running = state.pace === "auto" ? state.line.paceAt(state.t) : 1 / Number(state.pace);
+    clock.replaceChildren(made("b", {}, `${state.t.toFixed(4)} s`), made("span", {}, since), made("span", { class: "pace" }, paceName(running)));
+    slider.setAttribute("aria-valuetext", `${state.t.toFixed(3)} s${since}`);
+    if (readouts) tellReadouts();
+  }
+
+  function tick(now) {
+    if (!state.playing) return;
+    const passed = Math.min((now - state.last) / 1000, 0.1);
+    state.last = now;
+    const line = state.line;
+    const t = state.pace === "auto" ? line.timeAt(line.watchedAt(state.t) + passed) : state.t + passed / Number(state.pace);
+    seek(t);
+    if (state.t >= line.end) pause();
+    else requestAnimationFrame(tick);
+  }
+
+  function play() {
+    if (!state.line || state.playing) return;
+    if (state.t >= state.line.end - 1e-9) seek(state.line.begin);
+    state.playing = true;
+    state.last = performance.now();
+    tellButton();
+    requestAnimationFrame(tick);
+  }
+
+  function pause() {
+    state.playing = false;
+    tellButton();
+  }
+
+  function tellButton() {
+    playButton.replaceChildren(icon(state.playing ? "pause" : "play"));
+    playButton.setAttribute("aria-label", state.playing ? "Pause" : "Play");
+    playButton.title = state.playing ? "Pause (space)" : "Play (space)";
+  }
+
+  function setPace(value) {
+    state.pace = value === "auto" ? "auto" : String(PACES.reduce((a, b) => (Math.abs(b - value) < Math.abs(a - value) ? b : a)));
+    pace.value = state.pace;
+    tell();
+  }
+
+  function slower(by) {
+    const now = state.pace === "auto" ? (by > 0 ? 0 : 1) : PACES.indexOf(Number(state.pace)) + by;
+    setPace(PACES[Math.min(Math.max(now, 0), PACES.length - 1)]);
+  }
+
+  /** To the next instant that was computed, or the one before. */
+  function step(by) {
+    pause();
+    const flight = state.flights[0];
+    const own = state.t - flight.shift;
+    const place = placeOf(flight.t, own + 1e-9);
+    const on = flight.t[place] < own - 1e-9 && by < 0 ? place : place + by;
+    seek(flight.t[Math.min(Math.max(on, 0), flight.n - 1)] + flight.shift);
+  }
+
+  function goToTouch() {
+    pause();
+    const touch = touchOf(state.flights[0]);
+    if (touch !== null) seek(touch);
+  }
+
+  // -- what happens -------------------------------------------------------------------------------
+  function drawTicks() {
+    const line = state.line;
+    const share = (t) => line.watchedAt(t) / line.total;
+    ticks.replaceChildren(...line.stretches.map(([from, to]) => {
+      const band = made("span", { class: "slow" });
+      band.style.left = `${100 * share(from)}%`;
+      band.style.width = `${100 * Math.max(share(to) - share(from), 0.002)}%`;
+      return band;
+    }));
+    const events = state.flights.flatMap((flight) =>
+      flight.events.map((event) => ({ ...event, t: event.t + flight.shift, flight })));
+    events.sort((a, b) => a.t - b.t);
+    for (const event of events) {
+      const mark = made("i", { class: event.kind });
+      mark.style.left = `${100 * share(event.t)}%`;
+      if (state.flights.length > 1) mark.style.background = event.flight.colour;
+      ticks.append(mark);
+    }
+    const several = state.flights.length > 1;
+    chips.replaceChildren(...events.filter((event) => event.kind !== "end" || !several).slice(0, 60).map((event) => {
+      const name = several ? `${event.flight.label}: ${event.label}` : event.label;
+      const chip = made("button", { type: "button", class: `event ${event.kind}`, title: `${event.text}, ${event.t.toFixed(4)} s`, onclick: () => {
+        pause();
+        seek(event.t);
+      } }, made("span", {}, name), made("small", {}, ` ${event.t.toFixed(3)} s`));
+      if (several) chip.style.setProperty("--colour", event.flight.colour);
+      return chip;
+    }));
+  }
+
+  // -- numbers ------------------------------------------------------------------------------------
+  let cells = [];
+
+  function prepareReadouts() {
+    if (!readouts) return;
+    const rows = ["speed", "acceleration", "compression, largest", "contact force", "thrust, all rotors"];
+    const units = ["m/s", "m/s²", "mm", "N", "N"];
+    const table = made("table", { class: "numbers" });
+    if (state.flights.length > 1) {
+      table.append(made("thead", {}, made("tr", {}, made("th", {}, ""), ...state.flights.map((f) => {
+        const head = made("th", { scope: "col" }, f.label);
+        head.style.color = f.colour;
+        return head;
+      }), made("th", {}, ""))));
+    }
+    const body = made("tbody");
+    cells = rows.map((name, k) => {
+      const values = state.flights.map(() => made("td"));
+      body.append(made("tr", {}, made("th", { scope: "row" }, name), ...values, made("td", { class: "unit" }, units[k])));
+      return values;
+    });
+    table.append(body);
+    readouts.replaceChildren(table);
+  }
+
+  function tellReadouts() {
+    state.flights.forEach((flight, k) => {
+      const pose = poseAt(flight, state.t);
+      const find = (panel) => flight.series.find((one) => one.panel === panel);
+      const value = (panel) => (find(panel) ? valueAt(flight, find(panel).values, state.t) : 0);
+      const pressed = Math.max(0, ...flight.arms.map((arm, j) => (arm.compliant ? 1e3 * (arm.length - pose.armLengths[j]) : 0)));
+      const force = Math.hypot(...[0, 1, 2].map((c) => pose.contacts.reduce((sum, one) => sum + (one ? one.force[c] : 0), 0)));
+      const numbers = [value("Velocity"), value("Acceleration"), pressed, force, pose.thrust.reduce((a, b) => a + b, 0)];
+      const rigid = !flight.arms.some((arm) => arm.compliant);
+      numbers.forEach((number, row) => (cells[row][k].textContent = row === 2 && rigid ? "rigid" : told(number)));
+    });
+  }
+
+  // -- keyboard -----------------------------------------------------------------------------------
+  function pressed(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const tag = event.target.tagName;
+    if (tag === "TEXTAREA" || tag === "SELECT" || (tag === "INPUT" && event.target.type !== "range")) return;
+    if (event.target.type === "range" && event.target !== slider) return;
+    const by = event.shiftKey ? 10 : 1;
+    const actions = {
+      " ": () => (state.playing ? pause() : play()),
+      ArrowRight: () => step(by), ArrowLeft: () => step(-by),
+      Home: () => (pause(), seek(state.line.begin)), End: () => (pause(), seek(state.line.end)),
+      ",": () => slower(1), ".": () => slower(-1), t: goToTouch,
+    };
+    if (event.key === " " && tag === "BUTTON") return; // the button is pressed by it
+    const act = actions[event.key];
+    if (!act || !state.line) return;
+    event.preventDefault();
+    act();
+  }
+  if (keys) document.addEventListener("keydown", pressed);
+
+  /** Take other flights, those that the scene shows; time stays where it is if it can. */
+  function replace({ keepTime = true } = {}) {
+    state.flights = scene.flights;
+    state.line = timeLine(state.flights);
+    prepareReadouts();
+    plots?.replace(state.flights);
+    drawTicks();
+    const touch = touchOf(state.flights[0]);
+    seek(keepTime ? state.t : touch === null ? state.line.begin : touch - LEAD);
+  }
+
+  tellButton();
+  return {
+    replace, seek, play, pause, setPace, goToTouch,
+    get time() {
+      return state.t;
+    },
+    get playing() {
+      return state.playing;
+    },
+    get pace() {
+      return state.pace;
+    },
+    dispose() {
+      pause();
+      document.removeEventListener("keydown", pressed);
+      bar.replaceChildren();
+    },
+  };
+}
+
+/** Buttons that choose one of several. */
+export function choice(label, options, chosen, onchoose) {
+  const group = made("div", { class: "choice", role: "group", "aria-label": label });
+  for (const [value, name] of options) {
+    group.append(made("button", { type: "button", "data-value": value, "aria-pressed": String(value === chosen), onclick: () => {
+      mark(value);
+      onchoose(value);
+    } }, name));
+  }
+  function mark(value) {
+    for (const button of group.children) button.setAttribute("aria-pressed", String(button.dataset.value === value));
+  }
+  group.mark = mark;
+  return group;
+}
+
+/** The page of springback view: data is {flights: […]}. */
+export function startReplay(element, data) {
+  const many = data.flights.length > 1;
+  const stage = made("div", { class: "stage" });
+  const bar = made("div");
+  const readouts = made("div", { class: "readouts" });
+  const plotBox = made("div");
+  const scene = createScene(stage, { flights: data.flights });
+  const flights = scene.flights;
+
+  const outcomes = flights.map((flight) => {
+    const line = made("p", { class: `outcome ${flight.success ? "well" : "badly"}` },
+      made("b", {}, flight.label), ` ${flight.sentence}`);
+    line.style.setProperty("--colour", flight.colour);
+    return line;
+  });
+  const name = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
+  const cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
+  const compare = choice("Two flights", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
+  const notes = [...new Set(flights.flatMap((flight) => [
+    ...flight.notes.map((note) => `${flight.label}: ${note}.`),
+    flight.shift ? `${flight.label} is shown ${Math.abs(flight.shift).toFixed(3)} s ${flight.shift < 0 ? "earlier" : "later"} than it flew, so that both touch together.` : "",
+  ]))].filter(Boolean);
+  const error = Math.max(...flights.map((flight) => flight.departure.position)) * 1000;
+  notes.push(`Between the instants drawn, straight lines: positions are within ${error < 0.01 ? "0.01" : error.toFixed(2)} mm of the flight.`);
+
+  const plots = createPlots(plotBox, { onSeek: (t) => {
+    player.pause();
+    player.seek(t);
+  } });
+  const touch = touchOf(flights[0]);
+  const impact = () => {
+    const [begin, end] = flights[0].impacts[0].map((t) => t + flights[0].shift);
+    const room = 0.35 * Math.min(end - begin, 0.2) + 0.004;
+    return [begin - room, Math.min(end, begin + 0.3) + 2 * room];
+  };
+  const zooms = choice("Plots show", [["all", "whole flight"], ...(touch === null ? [] : [["impact", "first impact"]])], "all", (which) =>
+    which === "all" ? plots.zoom() : plots.zoom(...impact()));
+  const about = made("details", { class: "about" }, made("summary", {}, "About this picture"),
+    ...notes.map((note) => made("p", {}, note)),
+    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are contact forces on the cages, blue bars the thrust of the rotors; dark discs are shadows straight down."),
+    made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. Drag in a plot to look closer."));
+
+  element.replaceChildren(
+    made("header", { class: "top" }, made("div", {}, made("h1", {}, name), ...outcomes), made("div", { class: "views" }, cameras, ...(many ? [compare] : []))),
+    made("main", {}, made("div", { class: "left" }, stage, bar), made("aside", {}, readouts, made("div", { class: "plot-head" }, made("h2", {}, "Over time"), zooms), plotBox, about)),
+  );
+  element.classList.add("replay");
+  const player = createPlayer({ scene, plots, bar, readouts });
+  player.replace({ keepTime: false });
+  if (touch !== null) {
+    zooms.mark("impact");
+    plots.zoom(...impact());
+  }
+  scene.setCamera("follow");
+
+  // A link may say where to begin: #t=2.76&camera=impact&speed=50
+  const asked = new URLSearchParams(location.hash.slice(1));
+  if (CAMERAS.includes(asked.get("camera"))) {
+    cameras.mark(asked.get("camera"));
+    scene.setCamera(asked.get("camera"));
+  }
+  if (asked.get("compare") === "ghost" && many) {
+    compare.mark("ghost");
+    scene.setCompare("ghost");
+  }
+  if (asked.get("speed") === "auto" || Number(asked.get("speed")) > 0) player.setPace(asked.get("speed"));
+  if (asked.get("t") && Number.isFinite(Number(asked.get("t")))) player.seek(Number(asked.get("t")));
+
+  window.springback = { scene, player, plots, pose: () => ({ ...scene.pose(), playing: player.playing, pace: player.pace }) };
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => player.replace());
+  return window.springback;
+}
+
+export { palette };

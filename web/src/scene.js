@@ -1,0 +1,397 @@
+// One or two flights in one picture.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { palette } from "./colours.js";
+import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
+import { Arrow, Robot, disposed } from "./robot.js";
+import { Path, Shadow, compass, obstacle, reference } from "./surroundings.js";
+
+/** Length of the arrow of the largest force [m]; between two robots side by side at least [m]. */
+const LONGEST_ARROW = 0.32;
+const BESIDE = 1.0;
+/** Flights touch together where they would not by more than this [s]. */
+const TOGETHER = 5e-3;
+export const CAMERAS = ["follow", "free", "side", "top", "impact"];
+
+const sum = (a, b) => a.map((x, k) => x + b[k]);
+
+/** Make flights comparable: each its colour, and their first touches together. */
+export function together(scenes, colours, align = true) {
+  const flights = scenes.map(flightOf);
+  const robots = colours.robots;
+  flights.forEach((flight, k) => {
+    const rigid = !flight.arms.some((arm) => arm.compliant);
+    flight.colour = flights.length > 1 ? robots[k % 2] : robots[rigid ? 1 : 0];
+    flight.glow = colours.force;
+    flight.shift = 0;
+  });
+  const [first, second] = flights.map(touchOf);
+  if (align && second != null && Math.abs(first - second) > TOGETHER) flights[1].shift = first - second;
+  return flights;
+}
+
+/**
+ * A picture of flights inside an element.
+ *
+ * @param element is filled; its size is the picture's
+ * @param options.flights scenes as springback.interfaces.scene.plain gives them, or flights
+ * @param options.compare "side" or "ghost"
+ * @param options.align whether flights that touch at different times are shown as touching together
+ */
+export function createScene(element, { flights = [], compare = "side", align = true } = {}) {
+  const state = { compare, align, camera: "follow", t: 0, flights: [], lost: false };
+  let colours = palette();
+  element.classList.add("picture");
+  const labels = document.createElement("div");
+  labels.className = "force-labels";
+  const legend = document.createElement("div");
+  legend.className = "scene-legend";
+
+  let renderer = null;
+  try {
+    renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false, powerPreference: "high-performance" });
+  } catch {
+    const sorry = document.createElement("p");
+    sorry.className = "no-graphics";
+    sorry.textContent = "This browser draws no 3-D graphics (WebGL is off); plots and numbers work.";
+    element.append(sorry);
+  }
+  const world = new THREE.Scene();
+  const camera = new THREE.PerspectiveCamera(38, 1, 0.02, 80);
+  camera.up.set(0, 0, 1);
+  const corner = new THREE.Scene();
+  const cornerCamera = new THREE.OrthographicCamera(-1.9, 1.9, 1.9, -1.9, 0.1, 20);
+  cornerCamera.up.set(0, 0, 1);
+  const sky = new THREE.HemisphereLight("#ffffff", "#9aa4b0", 2.1);
+  const sun = new THREE.DirectionalLight("#ffffff", 2.0);
+  sun.position.set(-2, -3, 5);
+  world.add(sky, sun);
+  let controls = null;
+  let content = new THREE.Group();
+  let actors = [];
+  let asked = 0;
+  const resolution = new THREE.Vector2(1, 1);
+
+  if (renderer) {
+    element.append(renderer.domElement, labels, legend);
+    renderer.domElement.setAttribute("role", "img");
+    renderer.domElement.setAttribute("aria-label", "The flight in three dimensions; numbers stand beside it.");
+    controls = new OrbitControls(camera, renderer.domElement);
+    controls.enableDamping = false;
+    controls.minDistance = 0.15;
+    controls.maxDistance = 30;
+    controls.addEventListener("start", () => {
+      if (state.camera !== "follow" && state.camera !== "free") state.camera = "free";
+    });
+    controls.addEventListener("change", draw);
+  }
+
+  /** Draw soon, once. */
+  function draw() {
+    if (renderer && !asked) asked = requestAnimationFrame(drawn);
+  }
+
+  function drawn() {
+    asked = 0;
+    const width = element.clientWidth;
+    const height = element.clientHeight;
+    if (!renderer || !width || !height) return;
+    renderer.setViewport(0, 0, width, height);
+    renderer.setScissorTest(false);
+    renderer.setClearColor(colours.background, 1);
+    renderer.render(world, camera);
+    const side = Math.min(104, 0.24 * Math.min(width, height));
+    cornerCamera.position.copy(camera.position).sub(controls.target).setLength(6);
+    cornerCamera.up.copy(camera.up);
+    cornerCamera.lookAt(0, 0, 0);
+    renderer.autoClear = false;
+    renderer.clearDepth();
+    renderer.setViewport(6, 6, side, side);
+    renderer.render(corner, cornerCamera);
+    renderer.autoClear = true;
+    placeLabels(width, height);
+  }
+
+  // -- flights ------------------------------------------------------------------------------------
+
+  function offsets() {
+    if (state.compare !== "side" || state.flights.length < 2) return [[0, 0, 0], [0, 0, 0]];
+    const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
+    const across = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across) : new THREE.Vector3(0, 1, 0);
+    const half = wall ? Math.min(across.length(), 1.1) : 0.5 * BESIDE;
+    across.normalize().multiplyScalar(Math.max(half, 0.5 * BESIDE));
+    if (across.y < 0) across.negate();
+    return [across.toArray(), across.clone().negate().toArray()];
+  }
+
+  /** Swap the flights; the camera stays where it is unless asked. */
+  function replace(scenes, { keepCamera = true } = {}) {
+    colours = palette();
+    state.flights = together(scenes, colours, state.align);
+    if (renderer) rebuild();
+    if (!keepCamera) setCamera(state.camera);
+    show(state.t);
+  }
+
+  function rebuild() {
+    disposed(content);
+    content = new THREE.Group();
+    world.add(content);
+    corner.children.slice().forEach(disposed);
+    corner.add(compass(colours));
+    labels.replaceChildren();
+    const places = offsets();
+    const boxes = new THREE.Box3();
+    const most = Math.max(...state.flights.map(largestForce), 0);
+    const scale = most > 0 ? LONGEST_ARROW / most : 0;
+    state.floor = floorOf(places);
+    actors = state.flights.map((flight, k) => {
+      const group = new THREE.Group();
+      group.position.set(...places[k]);
+      content.add(group);
+      const ghost = k > 0 && state.compare === "ghost";
+      const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
+      const path = new Path(flight, colours, resolution);
+      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007));
+      const shadow = new Shadow(flight, state.floor, colours);
+      group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
+      const shown = ghost ? [] : flight.obstacles.filter((one) => one.kind !== "ground");
+      shown.forEach((thing) => group.add(obstacle(thing, colours, unpacked)));
+      const box = new THREE.Box3();
+      const stride = Math.max(1, Math.floor(flight.n / 400));
+      for (let i = 0; i < flight.n; i += stride) {
+        box.expandByPoint(new THREE.Vector3(...flight.position.subarray(3 * i, 3 * i + 3)));
+      }
+      boxes.union(box.translate(group.position));
+      const names = flight.arms.map(() => {
+        const name = document.createElement("span");
+        labels.append(name);
+        return name;
+      });
+      return { flight, group, robot, path, arrows, shadow, scale, names, contacts: [] };
+    });
+    const grounds = state.flights.flatMap((flight, k) =>
+      flight.obstacles.filter((one) => one.kind === "ground").map((one) => ({ ...one, centre: sum(one.centre, places[k]) })),
+    );
+    joinedGrounds(grounds).forEach((thing) => content.add(obstacle(thing, colours, unpacked)));
+    state.box = boxes.clone();
+    if (!grounds.length) {
+      boxes.min.z = state.floor;
+      content.add(reference(boxes, colours));
+    }
+    tellLegend(scale, most);
+  }
+
+  /** The level that shadows fall on: the ground, else somewhat below the flight. */
+  function floorOf() {
+    const level = Math.max(...state.flights.flatMap((f) => f.obstacles.filter((o) => o.kind === "ground").map((o) => o.centre[2])));
+    if (Number.isFinite(level)) return level;
+    let lowest = Infinity;
+    for (const flight of state.flights) for (let i = 2; i < 3 * flight.n; i += 3) lowest = Math.min(lowest, flight.position[i]);
+    return lowest - 0.45;
+  }
+
+  function tellLegend(scale, most) {
+    legend.replaceChildren();
+    const entry = (kind, text) => {
+      const line = document.createElement("span");
+      line.className = `key ${kind}`;
+      line.textContent = text;
+      legend.append(line);
+    };
+    if (state.flights.length > 1) {
+      state.flights.forEach((flight) => {
+        entry("robot", flight.label);
+        legend.lastChild.style.setProperty("--colour", flight.colour);
+      });
+    }
+    if (most > 0) {
+      const round = roundBelow(most);
+      entry("force", `contact force, ${round} N is ${Math.round(1000 * scale * round) / 10} cm`);
+    }
+    if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
+    const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
+    if (kinds.has("mat")) entry("mat", "mat");
+  }
+
+  function placeLabels(width, height) {
+    const at = new THREE.Vector3();
+    for (const actor of actors) {
+      actor.names.forEach((name, j) => {
+        const contact = actor.contacts[j];
+        name.hidden = !contact || contact.size < 0.5;
+        if (name.hidden) return;
+        at.set(...contact.point).addScaledVector(new THREE.Vector3(...contact.force), actor.scale);
+        at.add(actor.group.position).project(camera);
+        name.hidden = at.z > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1;
+        name.textContent = `${contact.size.toFixed(contact.size < 10 ? 1 : 0)} N`;
+        const x = Math.min(Math.max(((at.x + 1) / 2) * width, 24), width - 24);
+        const y = Math.min(Math.max(((1 - at.y) / 2) * height - 12, 10), height - 10);
+        name.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
+      });
+    }
+  }
+
+  // -- time and camera ----------------------------------------------------------------------------
+
+  let followed = null;
+
+  function middle() {
+    const places = actors.map((actor) => actor.robot.group.position.clone().add(actor.group.position));
+    return places.reduce((a, b) => a.add(b), new THREE.Vector3()).divideScalar(places.length || 1);
+  }
+
+  /** Show everything at a time [s]. */
+  function show(t) {
+    state.t = t;
+    state.poses = state.flights.map((flight) => poseAt(flight, t));
+    actors.forEach((actor, k) => {
+      const pose = state.poses[k];
+      actor.robot.show(pose);
+      actor.path.show(pose.own);
+      actor.shadow.show(pose);
+      actor.contacts = pose.contacts;
+      actor.arrows.forEach((arrow, j) => {
+        const contact = pose.contacts[j];
+        if (contact) arrow.show(contact.point, contact.force.map((x) => actor.scale * x));
+        else arrow.hide();
+      });
+    });
+    if (renderer && actors.length && state.camera === "follow") {
+      const now = middle();
+      if (followed) {
+        const moved = now.clone().sub(followed);
+        camera.position.add(moved);
+        controls.target.add(moved);
+      }
+      followed = now;
+      controls.update();
+    }
+    draw();
+  }
+
+  /** Distance at which a sphere fills the picture. */
+  function farFrom(radius) {
+    const half = THREE.MathUtils.degToRad(camera.fov / 2);
+    const narrow = Math.min(1, camera.aspect);
+    return radius / Math.sin(Math.atan(Math.tan(half) * narrow));
+  }
+
+  function look(target, from) {
+    controls.target.copy(target);
+    camera.position.copy(target).add(from);
+    controls.update();
+  }
+
+  /** Which view; one of CAMERAS. */
+  function setCamera(mode) {
+    state.camera = CAMERAS.includes(mode) ? mode : "follow";
+    followed = null;
+    if (!renderer || !actors.length) return;
+    const reach = Math.max(...state.flights.flatMap((f) => f.arms.map((a) => a.length + a.cage_radius)));
+    const places = actors.map((actor) => actor.group.position);
+    const apart = places.length > 1 ? places[0].distanceTo(places[1]) / 2 : 0;
+    const radius = reach + apart + 0.1;
+    const box = state.box.clone().expandByScalar(reach + 0.1);
+    const centre = box.getCenter(new THREE.Vector3());
+    const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
+    const before = new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
+    if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
+    else if (state.camera === "side") look(centre, new THREE.Vector3(0, -farFrom(whole), 0.001));
+    else if (state.camera === "top") look(centre, new THREE.Vector3(-0.001, -0.002, 1).multiplyScalar(farFrom(whole)));
+    else if (state.camera === "impact") look(impactPlace(), new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
+    else {
+      followed = middle();
+      look(followed.clone(), before.clone().multiplyScalar(farFrom(radius)));
+    }
+    draw();
+  }
+
+  /** Middle of the robots at first touch. */
+  function impactPlace() {
+    const at = state.flights.map((flight, k) => {
+      const pose = poseAt(flight, touchOf(flight) ?? flight.begin);
+      return new THREE.Vector3(...pose.position).add(actors[k].group.position);
+    });
+    return at.reduce((a, b) => a.add(b), new THREE.Vector3()).divideScalar(at.length);
+  }
+
+  function resize() {
+    if (!renderer) return;
+    const width = element.clientWidth;
+    const height = element.clientHeight;
+    if (!width || !height) return;
+    renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
+    renderer.setSize(width, height, false);
+    const before = camera.aspect;
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    resolution.set(width, height);
+    actors.forEach((actor) => actor.path.resize(resolution));
+    if (Math.abs(before / camera.aspect - 1) > 0.15) setCamera(state.camera);
+    draw();
+  }
+
+  const watching = new ResizeObserver(resize);
+  watching.observe(element);
+  const scheme = matchMedia("(prefers-color-scheme: dark)");
+  const recolour = () => replace(state.flights);
+  scheme.addEventListener("change", recolour);
+
+  function dispose() {
+    watching.disconnect();
+    scheme.removeEventListener("change", recolour);
+    cancelAnimationFrame(asked);
+    disposed(content);
+    corner.children.slice().forEach(disposed);
+    controls?.dispose();
+    renderer?.dispose();
+    element.replaceChildren();
+  }
+
+  resize();
+  if (flights.length) replace(flights, { keepCamera: false });
+  return {
+    show,
+    replace,
+    setCamera,
+    resize,
+    dispose,
+    /** "side" or "ghost". */
+    setCompare(mode) {
+      state.compare = mode;
+      if (state.flights.length) replace(state.flights, { keepCamera: false });
+    },
+    get flights() {
+      return state.flights;
+    },
+    get camera() {
+      return state.camera;
+    },
+    /** What is shown, in numbers. */
+    pose: () => ({ t: state.t, camera: state.camera, flights: state.poses ?? [] }),
+    /** What the graphics hold, for tests of leaks. */
+    memory: () => ({ ...renderer?.info.memory }),
+  };
+}
+
+/** Grounds at one level as one, so that they do not shimmer. */
+function joinedGrounds(grounds) {
+  const found = new Map();
+  for (const one of grounds) {
+    const level = one.centre[2].toFixed(6);
+    const reach = [0, 1].map((c) => Math.abs(one.across[c]) + Math.abs(one.along[c]));
+    const box = found.get(level) ?? { low: [Infinity, Infinity], high: [-Infinity, -Infinity], one };
+    for (const c of [0, 1]) {
+      box.low[c] = Math.min(box.low[c], one.centre[c] - reach[c]);
+      box.high[c] = Math.max(box.high[c], one.centre[c] + reach[c]);
+    }
+    found.set(level, box);
+  }
+  return [...found.values()].map(({ low, high, one }) => ({
+    ...one,
+    centre: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, one.centre[2]],
+    across: [(high[0] - low[0]) / 2, 0, 0],
+    along: [0, (high[1] - low[1]) / 2, 0],
+  }));
+}

@@ -1,0 +1,205 @@
+// What is there to hit, the path flown, and what helps to see depth and direction.
+import * as THREE from "three";
+import { Line2 } from "three/examples/jsm/lines/Line2.js";
+import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+
+const vector = (v) => new THREE.Vector3(...v);
+
+/** Lines of a grid on a rectangle, spaced as told [m], from its centre. */
+function grid(centre, across, along, step, colour, opacity) {
+  const places = [];
+  const a = across.length();
+  const b = along.length();
+  const u = across.clone().normalize();
+  const v = along.clone().normalize();
+  const line = (from, to) => places.push(...from.toArray(), ...to.toArray());
+  const at = (x, y) => centre.clone().addScaledVector(u, x).addScaledVector(v, y);
+  const stops = (half) => {
+    const found = [-half, half];
+    for (let x = Math.ceil(-half / step) * step; x < half; x += step) found.push(x);
+    return found;
+  };
+  for (const x of stops(a)) line(at(x, -b), at(x, b));
+  for (const y of stops(b)) line(at(-a, y), at(a, y));
+  const shape = new THREE.BufferGeometry();
+  shape.setAttribute("position", new THREE.Float32BufferAttribute(places, 3));
+  return new THREE.LineSegments(shape, new THREE.LineBasicMaterial({ color: colour, transparent: true, opacity, depthWrite: false }));
+}
+
+/** A box from a face inwards. */
+function slab(thing, depth, colour, opacity, from = 0) {
+  const across = vector(thing.across);
+  const along = vector(thing.along);
+  const normal = vector(thing.normal);
+  const shape = new THREE.BoxGeometry(2 * across.length(), 2 * along.length(), depth);
+  const paint = new THREE.MeshStandardMaterial({
+    color: colour, transparent: true, opacity, roughness: 0.9, depthWrite: false, side: THREE.DoubleSide,
+  });
+  const mesh = new THREE.Mesh(shape, paint);
+  const axes = new THREE.Matrix4().makeBasis(across.normalize(), along.normalize(), normal);
+  mesh.quaternion.setFromRotationMatrix(axes);
+  mesh.position.copy(vector(thing.centre)).addScaledVector(normal, -from - 0.5 * depth);
+  mesh.renderOrder = 1;
+  return mesh;
+}
+
+/** Something to hit. */
+export function obstacle(thing, colours, unpacked) {
+  const group = new THREE.Group();
+  if (thing.kind === "mesh") {
+    const shape = new THREE.BufferGeometry();
+    shape.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
+    shape.setAttribute("normal", new THREE.BufferAttribute(unpacked(thing.normals), 3));
+    shape.setIndex(Array.from(unpacked(thing.triangles)));
+    group.add(new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
+      color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, side: THREE.DoubleSide,
+    })));
+    return group;
+  }
+  const centre = vector(thing.centre);
+  const lift = vector(thing.normal).multiplyScalar(0.001);
+  const lines = (opacity, colour, step) =>
+    grid(centre.clone().add(lift), vector(thing.across), vector(thing.along), step, colour, opacity);
+  if (thing.kind === "ground") {
+    group.add(slab(thing, 0.004, colours.ground, 0.35), lines(0.55, colours.faint, 0.25));
+  } else if (thing.kind === "mat") {
+    group.add(slab(thing, thing.thickness, colours.mat, 0.3), lines(0.55, colours.mat, 0.1));
+    group.add(slab(thing, 0.04, colours.wall, 0.4, thing.thickness));
+  } else {
+    group.add(slab(thing, 0.04, colours.wall, 0.32), lines(0.6, colours.wall, 0.1));
+  }
+  return group;
+}
+
+/** A faint level grid under flights that have no ground: it is there for depth only. */
+export function reference(box, colours) {
+  const size = box.getSize(new THREE.Vector3());
+  const middle = box.getCenter(new THREE.Vector3());
+  middle.z = box.min.z;
+  const half = (x) => Math.max(0.8, Math.ceil((0.5 * x + 0.4) * 4) / 4);
+  return grid(middle, new THREE.Vector3(half(size.x), 0, 0), new THREE.Vector3(0, half(size.y), 0), 0.25, colours.faint, 0.35);
+}
+
+/** The path of a flight: grey before the first touch, the colour of force in contact, its own after. */
+export class Path {
+  constructor(flight, colours, resolution) {
+    const touches = flight.impacts;
+    const first = touches.length ? touches[0][0] : Infinity;
+    const places = [];
+    const paints = [];
+    const before = new THREE.Color(colours.before);
+    const during = new THREE.Color(colours.force);
+    const after = new THREE.Color(flight.colour);
+    this.times = [];
+    let last = -Infinity;
+    for (let i = 0; i < flight.n; i++) {
+      const t = flight.t[i];
+      if (t - last < 1e-3 && i < flight.n - 1) continue; // 1 ms is a few mm of path
+      last = t;
+      this.times.push(t);
+      places.push(...flight.position.subarray(3 * i, 3 * i + 3));
+      const inside = touches.some(([begin, end]) => t >= begin && t <= end);
+      paints.push(...(inside ? during : t < first ? before : after).toArray());
+    }
+    const make = (opacity, width) => {
+      const shape = new LineGeometry();
+      shape.setPositions(places);
+      shape.setColors(paints);
+      const paint = new LineMaterial({ vertexColors: true, linewidth: width, transparent: true, opacity, depthWrite: false });
+      paint.resolution.copy(resolution);
+      const line = new Line2(shape, paint);
+      line.computeLineDistances();
+      return line;
+    };
+    this.whole = make(0.3, 1.2);
+    this.flown = make(1, 2.6);
+    this.group = new THREE.Group();
+    this.group.add(this.whole, this.flown);
+  }
+
+  /** What was flown until an instant is thick. */
+  show(time) {
+    let count = 0;
+    let high = this.times.length;
+    while (count < high) {
+      const middle = (count + high) >> 1;
+      if (this.times[middle] <= time) count = middle + 1;
+      else high = middle;
+    }
+    this.flown.geometry.instanceCount = Math.max(count - 1, 0);
+  }
+
+  resize(resolution) {
+    this.whole.material.resolution.copy(resolution);
+    this.flown.material.resolution.copy(resolution);
+  }
+}
+
+/** Shadow straight down on a level: cages and body as discs, and a plumb line. */
+export class Shadow {
+  constructor(flight, level, colours) {
+    this.level = level;
+    this.group = new THREE.Group();
+    this.arms = flight.arms;
+    const paint = () => new THREE.MeshBasicMaterial({ color: "#000000", transparent: true, opacity: 0.16, depthWrite: false });
+    const disc = (radius) => {
+      const mesh = new THREE.Mesh(new THREE.CircleGeometry(radius, 36), paint());
+      mesh.renderOrder = 2;
+      this.group.add(mesh);
+      return mesh;
+    };
+    this.body = disc(0.045);
+    this.cages = flight.arms.map((arm) => disc(arm.cage_radius));
+    const shape = new THREE.BufferGeometry();
+    shape.setAttribute("position", new THREE.Float32BufferAttribute([0, 0, 0, 0, 0, 1], 3));
+    this.plumb = new THREE.Line(shape, new THREE.LineBasicMaterial({ color: colours.faint, transparent: true, opacity: 0.6 }));
+    this.group.add(this.plumb);
+    this.turn = new THREE.Quaternion();
+    this.at = new THREE.Vector3();
+  }
+
+  show(pose) {
+    const [w, x, y, z] = pose.quaternion;
+    this.turn.set(x, y, z, w);
+    const level = this.level + 0.003;
+    this.body.position.set(pose.position[0], pose.position[1], level);
+    this.cages.forEach((cage, j) => {
+      this.at.set(...this.arms[j].direction).multiplyScalar(pose.armLengths[j]).applyQuaternion(this.turn);
+      cage.position.set(pose.position[0] + this.at.x, pose.position[1] + this.at.y, level);
+    });
+    this.plumb.position.set(pose.position[0], pose.position[1], level);
+    this.plumb.scale.z = Math.max(pose.position[2] - level, 1e-4);
+  }
+}
+
+/** A letter that faces the camera. */
+function letter(text, colour) {
+  const canvas = document.createElement("canvas");
+  canvas.width = 128;
+  canvas.height = 64;
+  const pen = canvas.getContext("2d");
+  pen.font = "600 40px system-ui, sans-serif";
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  pen.fillStyle = colour;
+  pen.fillText(text, 64, 32);
+  const map = new THREE.CanvasTexture(canvas);
+  map.colorSpace = THREE.SRGBColorSpace;
+  const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map, depthTest: false, transparent: true }));
+  sprite.scale.set(0.9, 0.45, 1);
+  return sprite;
+}
+
+/** Directions of the world, for a corner of the picture: x north, y west, z up. */
+export function compass(colours) {
+  const group = new THREE.Group();
+  const axes = { "x N": [1, 0, 0], "y W": [0, 1, 0], "z up": [0, 0, 1] };
+  Object.entries(axes).forEach(([name, axis]) => {
+    const arrow = new THREE.ArrowHelper(vector(axis), new THREE.Vector3(), 1, colours.ink, 0.28, 0.16);
+    const sign = letter(name, colours.ink);
+    sign.position.set(...axis).multiplyScalar(1.38);
+    group.add(arrow, sign);
+  });
+  return group;
+}
