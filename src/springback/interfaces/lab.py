@@ -7,8 +7,6 @@ checked; whatever is wrong is told in one line, as on the command line.
 from __future__ import annotations
 
 import functools
-import json
-from importlib import resources
 from typing import Any
 from urllib.parse import parse_qsl, urlsplit
 
@@ -26,12 +24,11 @@ from springback.interfaces.lab_settings import (
     controls,
     settings_from,
 )
+from springback.interfaces.page import Page, page_of
 from springback.interfaces.serving import App, Receive, Scope, Send
 
 #: Name of the header by which a page says that its requests overtake one another, and its longest.
 PAGE_HEADER, LONGEST_PAGE = "x-lab-page", 40
-_TYPES = {"css": "text/css", "js": "text/javascript", "txt": "text/plain"}
-_ASSETS = ("springback.js", "springback.css", "LICENSES.txt")
 
 
 def lab_app(desk: Desk) -> App:
@@ -50,7 +47,6 @@ def lab_app(desk: Desk) -> App:
         Route("/", _page),
         Route("/flight", flight),
         Route("/scenario.toml", _scenario),
-        *(Route(f"/{name}", functools.partial(_asset, name)) for name in _ASSETS),
     ]
     refusals: dict[Any, Any] = {
         InputError: _told, NotReady: _not_ready, Overtaken: _overtaken, Busy: _busy,
@@ -114,26 +110,15 @@ async def _scenario(request: Request) -> Response:
 
 async def _page(request: Request) -> Response:
     """The page; its settings are read by itself, from its own address."""
-    return Response(page(), media_type="text/html")
+    ready = page()
+    heads = {"content-security-policy": f"{ready.policy}; frame-ancestors 'none'"}
+    return Response(ready.text, media_type="text/html", headers=heads)
 
 
 @functools.cache
-def page() -> str:
-    """The page as text: generated from the table of settings."""
-    data = json.dumps({"controls": controls()}, allow_nan=False).replace("<", "\\u003c")
-    frame = _file("lab.html").decode()
-    return frame.replace("{{data}}", data)
-
-
-@functools.cache
-def _file(name: str) -> bytes:
-    """A file of the page, which is part of the package."""
-    return resources.files("springback.interfaces").joinpath("web", name).read_bytes()
-
-
-async def _asset(name: str, request: Request) -> Response:
-    kind = _TYPES[name.rpartition(".")[2]]
-    return Response(_file(name), media_type=kind)
+def page() -> Page:
+    """The page, generated from the table of settings."""
+    return page_of("springback: impact lab", "lab", {"controls": controls()}, asks=True)
 
 
 # -- refusals -------------------------------------------------------------------------------------

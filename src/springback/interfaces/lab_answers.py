@@ -97,7 +97,6 @@ def answer(settings: LabSettings) -> dict[str, Any]:
     return {
         "query": query_of(settings),
         "settings": settings.model_dump(),
-        "sentence": " ".join(sentence(settings, robot, f) for robot, f in flights.items()),
         "flights": told,
         "measures": measure_rows(settings, flights),
         "printed_for": printed_for(settings),
@@ -118,6 +117,7 @@ def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
         "robot": robot,
         "label": NAMES[robot],
         "outcome": flight.outcome.word,
+        "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),
         "file": file_name(settings, robot),
         "scene": plain(replace(scene, series=series)),
