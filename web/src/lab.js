@@ -13,6 +13,8 @@ import { palette } from "./colours.js";
 const VIEWS = { impact: "Impact", follow: "Follow", side: "Side", top: "Top", free: "All" };
 /** An impact is first shown where springs are most pressed, so long after the touch [s]. */
 const PRESSED = 0.012;
+/** So long after the last key what is typed counts as said [ms]. */
+const PAUSE = 350;
 const colourOf = (flight) => palette().robots[flight.label === "Quad" ? 1 : 0];
 
 /** @param data {controls}: the table of settings */
@@ -41,7 +43,8 @@ export function startLab(element, data) {
   const drawer = made("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
   const cameras = choice("Camera", CAMERAS.map((mode) => [mode, VIEWS[mode] ?? mode]), "impact", (mode) => scene.setCamera(mode));
   const compare = choice("Two robots", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
-  const spans = choice("Plots show", [["impact", "impact"], ["all", "everything"]], "impact", (which) => {
+  const timeHead = made("h2");
+  const spans = choice("Plots show", [["impact", "impact"], ["all", "all"]], "impact", (which) => {
     whole = which === "all";
     if (answer) drawPlots();
   });
@@ -55,7 +58,7 @@ export function startLab(element, data) {
       made("aside", { class: "settings", id: "settings" }, controls.element, took),
       made("div", { class: "middle" },
         made("div", { class: "frame" }, stage, made("div", { class: "views" }, cameras, compare), preparing), bar, tableBox),
-      made("aside", { class: "curves" }, made("div", { class: "plot-head" }, made("h2", {}, "Over time"), spans), plotBox)),
+      made("aside", { class: "curves" }, made("div", { class: "plot-head" }, timeHead, spans), plotBox)),
     drawer,
   );
 
@@ -66,14 +69,18 @@ export function startLab(element, data) {
   const desk = createDesk(page, { answered, refused, waits, gone });
 
   // -- settings and answers -----------------------------------------------------------------------
+  let typed = 0;
   function changed(name, value, how) {
-    desk.ask(controls.query(), { ...how, since: performance.now() });
+    clearTimeout(typed);
+    const ask = () => desk.ask(controls.query(), { ...how, since: performance.now() });
+    if (how.typing) typed = setTimeout(ask, PAUSE);
+    else ask();
   }
 
   function answered(found, asked) {
     const before = answer;
     answer = found;
-    say([]);
+    if (!asked.aside) say([]);
     preparing.hidden = true;
     if (!asked.typing) controls.show(found.settings);
     else controls.tellProblems([]);
@@ -82,7 +89,7 @@ export function startLab(element, data) {
     scene.replace(found.flights.map((one) => one.scene), { keepCamera: !first && !many });
     for (const flight of scene.flights) flight.colour = colourOf(flight);
     compare.hidden = found.flights.length < 2;
-    spans.hidden = found.settings.mode === "flight";
+    if (first) spans.mark((whole = found.settings.mode === "flight") ? "all" : "impact");
     player.replace({ keepTime: !first });
     if (first) begin();
     drawOutcomes();
@@ -110,7 +117,8 @@ export function startLab(element, data) {
 
   function drawPlots() {
     if (!answer) return;
-    plots.replace(scene.flights, { whole: whole || answer.settings.mode === "flight" });
+    timeHead.textContent = whole ? "Time [s]" : "Time from touch [ms]";
+    plots.replace(scene.flights, { whole });
   }
 
   function drawOutcomes() {
@@ -129,8 +137,8 @@ export function startLab(element, data) {
   /** The settings are not to be flown: told where they stand, the last flight stays. */
   function refused(lines, asked) {
     preparing.hidden = true;
-    const others = controls.tellProblems(lines);
-    say([...(others.length ? others : lines), ...(answer ? ["Shown is the flight before."] : [])]);
+    controls.tellProblems(lines);
+    say([...lines, answer ? "Shown is the flight before." : "The lab is shown as it opens instead."]);
     if (!answer) desk.ask("", { since: performance.now(), aside: true });
   }
 
@@ -146,14 +154,17 @@ export function startLab(element, data) {
   }
 
   // -- link, history, pin -------------------------------------------------------------------------
-  function remember(query, { settled = true, aside = false, restored = false }) {
+  let gesture = false;
+  /** Put settings into the address: what one drag or one word goes through is one step of history. */
+  function remember(query, { settled = false, aside = false, restored = false }) {
     const address = `${location.pathname}${query ? `?${query}` : ""}`;
-    if (!aside && !restored) {
-      const same = `${location.pathname}${location.search}` === address;
-      if (!same && settled) history.pushState(null, "", address);
-      else if (!same) history.replaceState(null, "", address);
+    link.value = location.origin + address;
+    if (aside || restored) return;
+    if (`${location.pathname}${location.search}` !== address) {
+      if (gesture) history.replaceState(null, "", address);
+      else history.pushState(null, "", address);
     }
-    link.value = `${location.origin}${location.pathname}${query ? `?${query}` : ""}`;
+    gesture = !settled;
   }
 
   function go(query, { push = false } = {}) {

@@ -61,11 +61,13 @@ function knob(control, changed) {
       slider.value = Math.round(shareOf(control, number) * SHARES);
       slider.setAttribute("aria-valuetext", `${value} ${unit}`);
     }
-    element.style.setProperty("--share", shareOf(control, number) || 0);
-    const mark = control.marks.find((one) => one.value === number);
-    words.className = mark ? "words printed" : "words";
-    words.textContent = mark ? `= ${mark.words}` : control.marks.length === 1 ? `${control.marks[0].value} is ${control.marks[0].words}` : control.explains;
     tellProblem("");
+  }
+  /** Whose value this is, else what the number means. */
+  function describe() {
+    const mark = control.marks.find((one) => one.value === Number(field.value));
+    words.className = mark ? "words printed" : "words";
+    words.textContent = mark ? `= ${mark.words}` : control.explains;
   }
   function set(value, how) {
     show(value);
@@ -75,6 +77,7 @@ function knob(control, changed) {
     field.setAttribute("aria-invalid", String(Boolean(text)));
     element.classList.toggle("wrong", Boolean(text));
     if (text) words.textContent = text;
+    else describe();
   }
   element.title = control.explains;
   return { element, show, tellProblem };
@@ -139,16 +142,13 @@ export function createControls(controls, changed) {
     hide();
   }
 
-  /** Show problems where they are; gives those that belong to no control. */
+  /** Show problems where they are. */
   function tellProblems(lines) {
-    const others = [];
     for (const part of Object.values(parts)) part.tellProblem("");
     for (const line of lines) {
       const name = line.split(":")[0];
-      if (parts[name]) parts[name].tellProblem(line.slice(name.length + 1).trim());
-      else others.push(line);
+      parts[name]?.tellProblem(line.slice(name.length + 1).trim());
     }
-    return others;
   }
 
   const query = () => controls.filter((one) => values[one.name] !== String(one.default))

@@ -4,7 +4,7 @@ import { palette } from "./colours.js";
 import { touchOf } from "./flight.js";
 import { made } from "./player.js";
 
-const HEIGHT = 116;
+const HEIGHT = 100;
 const ENERGY = "Energy";
 /** What an impact shows around first touch [s]. */
 const WINDOW = [-0.01, 0.13];
@@ -131,7 +131,8 @@ export function createLabPlots(element, { onSeek }) {
 
   function build(panel, whole) {
     const colours = palette();
-    const keys = panel.curves.map((curve) => {
+    const told = !panel.stacked || panel.curves[0].flight === shown[0]; // the second ledger has the colours of the first
+    const keys = panel.curves.filter(() => told).map((curve) => {
       const swatch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
       swatch.setAttribute("viewBox", "0 0 22 8");
       swatch.setAttribute("aria-hidden", "true");
@@ -147,7 +148,7 @@ export function createLabPlots(element, { onSeek }) {
     const one = { box, canvas, panel, signature: signature(panel, whole), bounds: null, zero: 0 };
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
     const curves = panel.stacked ? [...panel.curves].reverse() : panel.curves;
-    const labels = (_, ticks) => ticks.map((t) => (whole ? `${+t.toFixed(3)} s` : `${Math.round(1e3 * (t - one.zero))} ms`));
+    const labels = (_, ticks) => ticks.map((t) => (whole ? String(+t.toFixed(3)) : String(Math.round(1e3 * (t - one.zero)))));
     const splits = (u, _, from, to) => ticksOf(from, to, one.zero, whole);
     one.plot = new uPlot({
       width: Math.max(canvas.clientWidth, 200), height: HEIGHT, padding: [6, 10, 0, 0], legend: { show: false },

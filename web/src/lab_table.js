@@ -28,7 +28,8 @@ export function createLabTable(element) {
       const before = pinned?.measures.find((one) => one.name === row.name);
       const line = made("tr", { "data-measure": row.name }, made("th", { scope: "row" }, row.label, ...(row.unit ? [made("small", {}, ` ${row.unit}`)] : [])));
       for (const [robot] of robots) {
-        line.append(made("td", { "data-robot": robot }, told(row.values[robot])));
+        const beside = [printed && row.printed[robot] ? `paper ${row.printed[robot]}` : "", kept(robot) ? `pinned ${told(before?.values[robot])}` : ""];
+        line.append(made("td", { "data-robot": robot, "data-beside": beside.filter(Boolean).join(", ") }, made("b", {}, told(row.values[robot]))));
         if (printed) line.append(made("td", { class: "printed" }, row.printed[robot] ?? ""));
         if (kept(robot)) line.append(made("td", { class: "pinned" }, told(before?.values[robot])));
       }

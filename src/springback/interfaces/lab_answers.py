@@ -11,10 +11,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.experiments.ledger import ledger
-from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS, TABLE_III, Impact
+from springback.experiments.paper.printed import (
+    RECOVERY_PITCH,
+    SUCCESS,
+    SUCCESS_WORDS,
+    TABLE_III,
+    Impact,
+)
 from springback.experiments.result import Flight, fly
 from springback.interfaces.lab_scenarios import (
-    DURATION,
     NAMES,
     file_name,
     lab_scenario,
@@ -22,6 +27,7 @@ from springback.interfaces.lab_scenarios import (
 )
 from springback.interfaces.lab_settings import DEFAULTS, LabSettings, query_of, shown
 from springback.interfaces.scene import Series, plain, scene_of
+from springback.interfaces.scene_geometry import Drawable
 from springback.simulation.measures import Outcome
 
 #: Heading of the ledger among a scene's series; a series is held, or lost for good.
@@ -44,9 +50,16 @@ TOO_SMALL = 1e-4
 EARTH = 9.81
 #: Of the curves and the pose in time [s], chosen: arms take some 20 ms to spring back.
 RESOLUTION = 2.5e-4
+#: Half a side of the piece of wall that is drawn of an impact [m], chosen.
+PIECE = 0.5
 
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+#: Pitch [deg] and speed [m/s] of the collision of which largest pitches are printed, and these.
+FASTEST = (0.0, 3.5)
+PITCHES = dict(zip(("nose_up", "nose_down"), RECOVERY_PITCH, strict=True))
 
 
 class Shown(NamedTuple):
@@ -79,8 +92,8 @@ FLIGHT = (
     Shown("detection_delay", "noticed after", "ms", 1e3),
     Shown("recovery_time", "at rest after", "s"),
     Shown("height_loss", "height lost", "mm", 1e3),
-    Shown("nose_up", "largest pitch up", "deg", math.degrees(1.0)),
-    Shown("nose_down", "largest pitch down", "deg", math.degrees(1.0)),
+    Shown("nose_up", "largest pitch, nose up", "deg", math.degrees(1.0)),
+    Shown("nose_down", "largest pitch, nose down", "deg", math.degrees(1.0)),
 )
 
 
@@ -120,8 +133,20 @@ def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
         "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),
         "file": file_name(settings, robot),
-        "scene": plain(replace(scene, series=series)),
+        "scene": plain(replace(scene, series=series, obstacles=_trimmed(settings, scene.obstacles))),
     }
+
+
+def _trimmed(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
+    """Of an impact only the piece of wall that robots meet is drawn, so that they are seen large."""
+    if settings.mode != "impact":
+        return things
+    found = []
+    for thing in things:
+        halves = [np.array(half) for half in (thing.across, thing.along)]
+        across, along = (half * min(1.0, PIECE / np.linalg.norm(half)) for half in halves)
+        found.append(thing._replace(across=tuple(across.tolist()), along=tuple(along.tolist())))
+    return tuple(found)
 
 
 def coarsened(flight: Flight) -> Flight:
@@ -200,6 +225,8 @@ def _scaled(value: float | None, one: Shown) -> float | None:
 
 def _printed(settings: LabSettings, robot: str, one: Shown) -> str:
     """A number of Table III as the page shows it: simulated, and tested where that was printed."""
+    if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
+        return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
     row: Impact | None = TABLE_III.get((robot, settings.surface))
     if row is None or not one.printed or settings.mode != "impact":
         return ""
@@ -212,7 +239,7 @@ def printed_for(settings: LabSettings) -> dict[str, Any]:
     """For which settings the printed numbers hold, and whether these are they."""
     if settings.mode == "flight":
         return {
-            "words": "Paper, section Impact Resilience: share of trials recovered.",
+            "words": "Paper, section Impact Resilience: share of trials recovered; pitch of a recovery.",
             "same": _is_default(settings, "yaw", "surface", "recovery", *_ARMS),
         }
     words = f"Paper, Table III: simulation (test), slider, {shown(DEFAULTS.speed)} m/s, straight."
@@ -257,7 +284,7 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
         left = again * m["touch_speed"]
         words += f", leaves it at {left:.2f} m/s after {1e3 * lasted:.0f} ms"
     peak = m["peak_acceleration"] or 0.0
-    words += f", and feels {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
+    words += f", feels {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
     return f"{words}; {_ending(settings, flight)}."
 
 
@@ -266,11 +293,10 @@ def _ending(settings: LabSettings, flight: Flight) -> str:
     m, out = flight.measures, flight.outcome
     if settings.mode == "flight" and out is Outcome.RECOVERED:
         rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
-        return f"it recovers, at rest {rest:.2f} s later and {1e3 * lost:.0f} mm lower at most"
+        return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower at most"
     if out is Outcome.SEPARATED:
         stroke = m["arm_stroke"] or 0.0
-        return f"arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
+        return f"its arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
     if out is Outcome.IN_CONTACT:
-        seconds = DURATION if settings.mode == "flight" else None
-        return "it still touches at the end" + (f", {seconds:g} s on" if seconds else "")
+        return f"still touches when the time is up, at {m['end_time'] or 0.0:.3g} s"
     return flight.message
