@@ -198,6 +198,7 @@ export function startLab(element, data) {
     element.classList.toggle("open", opened);
     drawer.setAttribute("aria-expanded", String(opened));
     drawer.textContent = opened ? "Done" : "Settings";
+    if (opened) stage.scrollIntoView({ block: "start" });
   }
 
   go(location.search.slice(1));

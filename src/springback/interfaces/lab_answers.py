@@ -293,7 +293,7 @@ def _ending(settings: LabSettings, flight: Flight) -> str:
     m, out = flight.measures, flight.outcome
     if settings.mode == "flight" and out is Outcome.RECOVERED:
         rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
-        return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower at most"
+        return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower"
     if out is Outcome.SEPARATED:
         stroke = m["arm_stroke"] or 0.0
         return f"its arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
