@@ -113,6 +113,16 @@ export function largestForce(flight) {
   return most;
 }
 
+/** Size of the sum of all contact forces over the instants [N]. */
+export function wholeForce(flight) {
+  const arms = flight.arms.length;
+  return Float32Array.from(flight.rows, (row) => {
+    const whole = [0, 0, 0];
+    for (let k = 0; row >= 0 && k < 3 * arms; k++) whole[k % 3] += flight.force[row * arms * 3 + k];
+    return Math.hypot(...whole);
+  });
+}
+
 /** A round number not above x: 1, 2 or 5 times a power of ten. */
 export function roundBelow(x) {
   if (!(x > 0)) return 1;

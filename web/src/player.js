@@ -188,7 +188,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
   function prepareReadouts() {
     if (!readouts) return;
-    const rows = ["speed", "acceleration", "compression, largest", "contact force", "thrust, all rotors"];
+    const rows = ["speed", "acceleration", "compression, largest", "contact force, all cages", "thrust, all rotors"];
     const units = ["m/s", "m/s²", "mm", "N", "N"];
     const table = made("table", { class: "numbers" });
     if (state.flights.length > 1) {
@@ -308,6 +308,8 @@ export function startReplay(element, data) {
   const name = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
   const cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
   const compare = choice("Two flights", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
+  const bends = flights.some((flight) => flight.arms.some((arm) => arm.compliant));
+  const arms = choice("Arm travel", [["1", "arms to scale"], ["10", "arm travel × 10"]], "1", (times) => scene.setMagnified(Number(times)));
   const notes = [...new Set(flights.flatMap((flight) => [
     ...flight.notes.map((note) => `${flight.label}: ${note}.`),
     flight.shift ? `${flight.label} is shown ${Math.abs(flight.shift).toFixed(3)} s ${flight.shift < 0 ? "earlier" : "later"} than it flew, so that both touch together.` : "",
@@ -333,7 +335,7 @@ export function startReplay(element, data) {
     made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. Drag in a plot to look closer."));
 
   element.replaceChildren(
-    made("header", { class: "top" }, made("div", {}, made("h1", {}, name), ...outcomes), made("div", { class: "views" }, cameras, ...(many ? [compare] : []))),
+    made("header", { class: "top" }, made("div", {}, made("h1", {}, name), ...outcomes), made("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []))),
     made("main", {}, made("div", { class: "left" }, stage, bar), made("aside", {}, readouts, made("div", { class: "plot-head" }, made("h2", {}, "Over time"), zooms), plotBox, about)),
   );
   element.classList.add("replay");
@@ -345,11 +347,15 @@ export function startReplay(element, data) {
   }
   scene.setCamera("follow");
 
-  // A link may say where to begin: #t=2.76&camera=impact&speed=50
+  // A link may say where to begin: #t=2.76&camera=impact&speed=50&arms=10
   const asked = new URLSearchParams(location.hash.slice(1));
   if (CAMERAS.includes(asked.get("camera"))) {
     cameras.mark(asked.get("camera"));
     scene.setCamera(asked.get("camera"));
+  }
+  if (asked.get("arms") === "10" && bends) {
+    arms.mark("10");
+    scene.setMagnified(10);
   }
   if (asked.get("compare") === "ghost" && many) {
     compare.mark("ghost");

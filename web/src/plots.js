@@ -2,16 +2,15 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { palette } from "./colours.js";
-import { placeOf, valueAt } from "./flight.js";
+import { valueAt, wholeForce } from "./flight.js";
 
 const HEIGHT = 112;
 /** Curves of equal shape within this share of their peak are drawn and named as one. */
-const ALIKE = 1e-3;
+const ALIKE = 5e-3;
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3], [12, 4], [4, 2, 1, 2]];
 /** With two flights, what stands for the curves of all arms. */
 const OF_ALL = {
   "Arm compression": ["largest", (values) => Math.max(...values)],
-  "Contact force": ["all cages", (values) => values.reduce((a, b) => a + b, 0)],
   Thrust: ["all rotors", (values) => values.reduce((a, b) => a + b, 0)],
   Velocity: ["speed", (values) => values[0]],
   Energy: ["motion", (values) => values[0]],
@@ -36,6 +35,9 @@ export function panelsOf(flights) {
 
 function summed(panel, series, flight, k) {
   if (!series.length) return [];
+  if (panel === "Contact force") {
+    return [{ name: `${flight.label}, all cages`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
+  }
   const [word, rule] = OF_ALL[panel] ?? ["", (values) => values[0]];
   const values = Float32Array.from(series[0].values, (_, i) => rule(series.map((one) => one.values[i])));
   const name = word ? `${flight.label}, ${word}` : flight.label;
@@ -135,7 +137,7 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
     const options = {
       width: Math.max(canvas.clientWidth, 200),
       height: HEIGHT,
-      padding: [6, 8, 0, 0],
+      padding: [6, 20, 0, 0],
       legend: { show: false },
       scales: { x: { time: false }, y: { range: (_, low, high) => roomy(low, high) } },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => null } },
@@ -229,11 +231,10 @@ function roomy(low, high) {
   return [low - 0.06 * span, high + 0.08 * span];
 }
 
-/** Ticks of time, with as many digits as tell them apart. */
+/** Ticks of time, with as many digits as they need. */
 function seconds(t, ticks) {
-  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  const digits = Math.max(0, Math.min(6, Math.ceil(-Math.log10(step) - 1e-9)));
+  let digits = 0;
+  const least = 1e-3 * (ticks.length > 1 ? ticks[1] - ticks[0] : 1);
+  while (digits < 6 && ticks.some((x) => Math.abs(x - Number(x.toFixed(digits))) > least)) digits++;
   return `${t.toFixed(digits)} s`;
 }
-
-export { placeOf };

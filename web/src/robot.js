@@ -129,7 +129,7 @@ export class Robot {
     disc.position.z = 0.022 * unit;
     const blades = new THREE.Mesh(new THREE.BoxGeometry(2 * reach, 0.012 * unit, 0.0015), dark);
     blades.position.z = 0.023 * unit;
-    const cagePaint = paint(parts.coil || !faded ? this.flight.colour : this.flight.colour, { roughness: 0.4 });
+    const cagePaint = paint(look.colour, { roughness: 0.4 });
     const cage = new THREE.Mesh(new THREE.TorusGeometry(arm.cage_radius - 0.0035 * unit, 0.0035 * unit, 10, 72), cagePaint);
     end.add(motor, disc, blades, cage);
     for (let k = 0; k < 3; k++) {
@@ -147,22 +147,21 @@ export class Robot {
     return Object.assign(parts, { blades, cagePaint, thrust, spin: arm.spin });
   }
 
-  /** Take a pose of flight.js. */
-  show(pose) {
+  /** Take a pose of flight.js; arms pressed in by `magnified` times what they are. */
+  show(pose, magnified = 1) {
     this.group.position.set(...pose.position);
     const [w, x, y, z] = pose.quaternion;
     this.group.quaternion.set(x, y, z, w);
     this.arms.forEach((arm, j) => {
-      const length = pose.armLengths[j];
+      const pressed = Math.min(magnified * (arm.free - pose.armLengths[j]), 0.4 * arm.free);
+      const length = magnified === 1 ? pose.armLengths[j] : arm.free - pressed;
       arm.end.position.x = length;
       if (arm.coil) arm.coil.scale.x = Math.max(length - arm.collar - arm.seat, 0.004);
       arm.blades.rotation.z = arm.spin * pose.own * 60; // as an eye sees them in slow motion
       const bar = (this.bar * pose.thrust[j]) / this.most;
       arm.thrust.visible = bar > 1e-3;
       arm.thrust.scale.z = Math.max(bar, 1e-3);
-      const glow = pose.contacts[j] ? 0.9 : 0;
-      arm.cagePaint.emissive.set(this.flight.glow);
-      arm.cagePaint.emissiveIntensity = glow;
+      arm.cagePaint.color.set(pose.contacts[j] ? this.flight.glow : this.flight.colour);
     });
   }
 }

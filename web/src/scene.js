@@ -6,13 +6,15 @@ import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from ".
 import { Arrow, Robot, disposed } from "./robot.js";
 import { Path, Shadow, compass, obstacle, reference } from "./surroundings.js";
 
-/** Length of the arrow of the largest force [m]; between two robots side by side at least [m]. */
-const LONGEST_ARROW = 0.32;
-const BESIDE = 1.0;
+/** Length of the arrow of a round force near the largest [m]; between robots side by side [m]. */
+const ROUND_ARROW = 0.22;
+const BETWEEN = 0.2;
 /** Flights touch together where they would not by more than this [s]. */
 const TOGETHER = 5e-3;
 export const CAMERAS = ["follow", "free", "side", "top", "impact"];
 
+/** From the middle of a robot to the outside of its cages [m]. */
+const reachOf = (flight) => Math.max(...flight.arms.map((arm) => arm.length + arm.cage_radius));
 const sum = (a, b) => a.map((x, k) => x + b[k]);
 
 /** Make flights comparable: each its colour, and their first touches together. */
@@ -39,7 +41,7 @@ export function together(scenes, colours, align = true) {
  * @param options.align whether flights that touch at different times are shown as touching together
  */
 export function createScene(element, { flights = [], compare = "side", align = true } = {}) {
-  const state = { compare, align, camera: "follow", t: 0, flights: [], lost: false };
+  const state = { compare, align, magnified: 1, camera: "follow", t: 0, flights: [], lost: false };
   let colours = palette();
   element.classList.add("picture");
   const labels = document.createElement("div");
@@ -118,8 +120,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     if (state.compare !== "side" || state.flights.length < 2) return [[0, 0, 0], [0, 0, 0]];
     const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
     const across = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across) : new THREE.Vector3(0, 1, 0);
-    const half = wall ? Math.min(across.length(), 1.1) : 0.5 * BESIDE;
-    across.normalize().multiplyScalar(Math.max(half, 0.5 * BESIDE));
+    const reach = Math.max(...state.flights.map(reachOf));
+    across.normalize().multiplyScalar(reach + 0.5 * BETWEEN);
     if (across.y < 0) across.negate();
     return [across.toArray(), across.clone().negate().toArray()];
   }
@@ -143,7 +145,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const places = offsets();
     const boxes = new THREE.Box3();
     const most = Math.max(...state.flights.map(largestForce), 0);
-    const scale = most > 0 ? LONGEST_ARROW / most : 0;
+    const scale = most > 0 ? ROUND_ARROW / roundBelow(most) : 0;
     state.floor = floorOf(places);
     actors = state.flights.map((flight, k) => {
       const group = new THREE.Group();
@@ -155,8 +157,6 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007));
       const shadow = new Shadow(flight, state.floor, colours);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
-      const shown = ghost ? [] : flight.obstacles.filter((one) => one.kind !== "ground");
-      shown.forEach((thing) => group.add(obstacle(thing, colours, unpacked)));
       const box = new THREE.Box3();
       const stride = Math.max(1, Math.floor(flight.n / 400));
       for (let i = 0; i < flight.n; i += stride) {
@@ -168,12 +168,15 @@ export function createScene(element, { flights = [], compare = "side", align = t
         labels.append(name);
         return name;
       });
-      return { flight, group, robot, path, arrows, shadow, scale, names, contacts: [] };
+      return { flight, group, robot, path, arrows, shadow, scale, names, ghost, contacts: [] };
     });
-    const grounds = state.flights.flatMap((flight, k) =>
-      flight.obstacles.filter((one) => one.kind === "ground").map((one) => ({ ...one, centre: sum(one.centre, places[k]) })),
-    );
-    joinedGrounds(grounds).forEach((thing) => content.add(obstacle(thing, colours, unpacked)));
+    const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
+    joined(things).forEach((thing) => {
+      const drawn = obstacle(thing, colours, unpacked);
+      drawn.position.set(...(thing.moved ?? [0, 0, 0]));
+      content.add(drawn);
+    });
+    const grounds = things.filter((one) => one.kind === "ground");
     state.box = boxes.clone();
     if (!grounds.length) {
       boxes.min.z = state.floor;
@@ -212,6 +215,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
     if (kinds.has("mat")) entry("mat", "mat");
+    [...kinds].filter((kind) => !["wall", "mat", "ground"].includes(kind)).forEach((name) => entry("own", name));
   }
 
   function placeLabels(width, height) {
@@ -219,7 +223,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
-        name.hidden = !contact || contact.size < 0.5;
+        name.hidden = actor.ghost || !contact || contact.size < 0.5;
         if (name.hidden) return;
         at.set(...contact.point).addScaledVector(new THREE.Vector3(...contact.force), actor.scale);
         at.add(actor.group.position).project(camera);
@@ -247,7 +251,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     state.poses = state.flights.map((flight) => poseAt(flight, t));
     actors.forEach((actor, k) => {
       const pose = state.poses[k];
-      actor.robot.show(pose);
+      actor.robot.show(pose, state.magnified);
       actor.path.show(pose.own);
       actor.shadow.show(pose);
       actor.contacts = pose.contacts;
@@ -288,7 +292,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     state.camera = CAMERAS.includes(mode) ? mode : "follow";
     followed = null;
     if (!renderer || !actors.length) return;
-    const reach = Math.max(...state.flights.flatMap((f) => f.arms.map((a) => a.length + a.cage_radius)));
+    const reach = Math.max(...state.flights.map(reachOf));
     const places = actors.map((actor) => actor.group.position);
     const apart = places.length > 1 ? places[0].distanceTo(places[1]) / 2 : 0;
     const radius = reach + apart + 0.1;
@@ -362,6 +366,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
       state.compare = mode;
       if (state.flights.length) replace(state.flights, { keepCamera: false });
     },
+    /** Arms pressed in by so many times what they are. */
+    setMagnified(times) {
+      state.magnified = times;
+      show(state.t);
+    },
     get flights() {
       return state.flights;
     },
@@ -375,23 +384,36 @@ export function createScene(element, { flights = [], compare = "side", align = t
   };
 }
 
-/** Grounds at one level as one, so that they do not shimmer. */
-function joinedGrounds(grounds) {
+/** An obstacle elsewhere. */
+const moved = (one, by) => (one.kind === "mesh" ? { ...one, moved: by } : { ...one, centre: sum(one.centre, by) });
+
+const dot = (a, b) => a.reduce((total, x, k) => total + x * b[k], 0);
+
+/** Rectangles in one plane as one, so that they have no seam and do not shimmer; the rest as is. */
+function joined(things) {
   const found = new Map();
-  for (const one of grounds) {
-    const level = one.centre[2].toFixed(6);
-    const reach = [0, 1].map((c) => Math.abs(one.across[c]) + Math.abs(one.along[c]));
-    const box = found.get(level) ?? { low: [Infinity, Infinity], high: [-Infinity, -Infinity], one };
-    for (const c of [0, 1]) {
-      box.low[c] = Math.min(box.low[c], one.centre[c] - reach[c]);
-      box.high[c] = Math.max(box.high[c], one.centre[c] + reach[c]);
-    }
-    found.set(level, box);
+  for (const one of things) {
+    const flat = one.kind !== "mesh";
+    const name = flat
+      ? [one.kind, one.thickness, ...one.normal, dot(one.normal, one.centre)].map((x) => (x.toFixed ? x.toFixed(4) : x)).join()
+      : `${one.name} ${one.moved}`;
+    const other = found.get(name);
+    found.set(name, other && flat ? union(other, one) : one);
   }
-  return [...found.values()].map(({ low, high, one }) => ({
-    ...one,
-    centre: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, one.centre[2]],
-    across: [(high[0] - low[0]) / 2, 0, 0],
-    along: [0, (high[1] - low[1]) / 2, 0],
-  }));
+  return [...found.values()];
+}
+
+function union(a, b) {
+  const result = { ...a, centre: a.centre.slice() };
+  for (const axis of ["across", "along"]) {
+    const half = Math.hypot(...a[axis]);
+    const unit = a[axis].map((x) => x / half);
+    const reach = Math.abs(dot(unit, b.across)) + Math.abs(dot(unit, b.along));
+    const off = dot(unit, b.centre) - dot(unit, a.centre);
+    const low = Math.min(-half, off - reach);
+    const high = Math.max(half, off + reach);
+    result[axis] = unit.map((x) => (x * (high - low)) / 2);
+    result.centre = result.centre.map((x, k) => x + (unit[k] * (low + high)) / 2);
+  }
+  return result;
 }

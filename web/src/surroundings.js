@@ -64,10 +64,10 @@ export function obstacle(thing, colours, unpacked) {
   if (thing.kind === "ground") {
     group.add(slab(thing, 0.004, colours.ground, 0.35), lines(0.55, colours.faint, 0.25));
   } else if (thing.kind === "mat") {
-    group.add(slab(thing, thing.thickness, colours.mat, 0.3), lines(0.55, colours.mat, 0.1));
-    group.add(slab(thing, 0.04, colours.wall, 0.4, thing.thickness));
+    group.add(slab(thing, thing.thickness, colours.mat, 0.2), lines(0.55, colours.mat, 0.1));
+    group.add(slab(thing, 0.04, colours.wall, 0.25, thing.thickness));
   } else {
-    group.add(slab(thing, 0.04, colours.wall, 0.32), lines(0.6, colours.wall, 0.1));
+    group.add(slab(thing, 0.04, colours.wall, 0.22), lines(0.5, colours.wall, 0.1));
   }
   return group;
 }

@@ -37,6 +37,8 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Names that everybody writes so.
 NAMES = {"arq": "ARQ", "quad": "Quad"}
+#: Energies that move by less than this share of the one that moves most are not plotted; chosen.
+SEEN = 1e-4
 #: Recomputed forces may differ from the columns by this share of the peak; chosen: rounding.
 AGREES = 1e-6
 
@@ -125,7 +127,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     c, count = flight.columns, len(model.airframe.arms)
     places = kept(c, count)
     feels = felt(model, c, places)
-    touches = feels.point[feels.normal > 0.0]
+    touches = feels.point[np.isfinite(feels.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     things = drawn(flight.scenario.world.obstacles, own, place, touches)
     thrust = _thrust(flight, model, c["t"][places])
@@ -205,10 +207,11 @@ def _series(
     stored["gravity"] = stored["gravity"] - stored["gravity"][0]
     words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
              "contact": "contacts", "gravity": "height"}  # fmt: skip
+    moves = {name: float(np.ptp(stored[name])) for name in words}
     found += [
         Series("Energy", word, "J", stored[name])
         for name, word in words.items()
-        if np.ptp(stored[name]) > 0.0
+        if moves[name] > SEEN * max(moves.values())
     ]
     found += [Series("Thrust", f"rotor {j}", "N", thrust[:, j - 1]) for j, _ in arms]
     return tuple(found)
