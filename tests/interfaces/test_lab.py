@@ -118,6 +118,7 @@ WRONG = {
     "stiffness=50.001": "stiffness: must be at most 50 N/mm (got 50.001 N/mm); 0.5 to 50 N/mm",
     "stiffness=5+kg": "stiffness: has the wrong unit (got '5 kg'); expected N/mm",
     "pitch=9**9**9**9": "pitch: must be a number in deg (got '9**9**9**9')",
+    "pitch=../x": "pitch: must be a number in deg (got '../x')",
     "pitch=": "pitch: must be a number in deg (got '')",
     "pitch=__import__('os').getcwd()": "pitch: must be a number in deg",
     "surface=../../etc/passwd": "surface: must be wall, mat or own (got '../../etc/passwd')",

@@ -50,6 +50,8 @@ TOO_SMALL = 1e-4
 EARTH = 9.81
 #: Of the curves and the pose in time [s], chosen: arms take some 20 ms to spring back.
 RESOLUTION = 2.5e-4
+#: Instants of one flight at most, but for touches (chosen): a robot that leans on a wall steps finely.
+MOST = 6000
 #: Half a side of the piece of wall that is drawn of an impact [m], chosen.
 PIECE = 0.5
 
@@ -152,12 +154,16 @@ def _trimmed(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawa
 def coarsened(flight: Flight) -> Flight:
     """A flight with fewer instants: what a page shows, and what goes to it.
 
-    Of all steps within `RESOLUTION` one stays, and so do touches, separations and the peak.
+    Of all steps within `RESOLUTION`, or more where that leaves too many, one stays; and so do
+    touches, separations and the peak.
     """
     c, m = flight.columns, flight.measures
     t = c["t"]
-    bins = np.floor(t / RESOLUTION)
-    keep = np.concatenate([[True], bins[1:] > bins[:-1]])
+    keep, resolution = np.ones(len(t), dtype=bool), RESOLUTION
+    while resolution == RESOLUTION or keep.sum() > MOST:
+        bins = np.floor(t / resolution)
+        keep[1:] = bins[1:] > bins[:-1]
+        resolution *= 2.0
     touching = sum(c[name] for name in c if name.startswith("fn")) > 0.0
     changes = np.flatnonzero(touching[1:] != touching[:-1])
     keep[np.concatenate([changes, changes + 1, [len(t) - 1]])] = True

@@ -23,8 +23,8 @@ from springback.vehicle.parameters import Vehicle
 
 #: Time before and after first touch that an impact shows [s], chosen: contacts last up to 0.1 s.
 BEFORE, AFTER = 0.025, 0.3
-#: Of a flight with run-up, recovery and return [s], chosen.
-DURATION = 8.0
+#: Of a flight with run-up, recovery and return, and of one whose pilot flies on [s], chosen.
+DURATION, UNANSWERED = 8.0, 5.0
 #: Height of all of it [m], the paper's.
 HEIGHT = 1.0
 GRAVITY = 9.81
@@ -156,7 +156,7 @@ def _flight(s: LabSettings, robot: str) -> Table:
         "simulation": {"duration": DURATION},
     }
     if s.recovery == "none":
-        return given
+        return given | {"simulation": {"duration": UNANSWERED}}
     return given | {"recovery": {"response": {"way": s.recovery}}}
 
 

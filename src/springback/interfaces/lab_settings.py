@@ -27,7 +27,7 @@ from springback.vehicle.library import ARQ
 
 #: Letters of a value, and of all settings together, that are looked at at all (chosen).
 LONGEST_VALUE, LONGEST_QUERY = 32, 800
-_WITH_UNIT = re.compile(r"[+-]?[0-9.]+(e[+-]?[0-9]{1,3})? *[a-z%° /·]{1,12}", re.IGNORECASE)
+_WITH_UNIT = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]{1,3})? *[a-z%° /·]{1,12}", re.IGNORECASE)
 
 WAYS: tuple[str, ...] = get_args(Answering.model_fields["way"].annotation)
 

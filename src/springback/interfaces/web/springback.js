@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 77b526e8ae5e06865a0bff9aee786eec7d7ad64c2e98fd2fdad64f37e43cfdf7
+/*! springback, MIT licence; sources 05afda66ae0580edb0618d38078560570de3ce23d5a54834b729fb27a49b6653
 
 It holds:
 
