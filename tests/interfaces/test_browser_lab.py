@@ -3,6 +3,8 @@
 It needs Chromium, its driver and selenium, and is skipped where one is missing.
 """
 
+# ruff: noqa: E402  # what is optional is asked for before what needs it
+
 import shutil
 import threading
 import time
@@ -25,7 +27,9 @@ from springback.interfaces.lab_desk import Desk
 from springback.interfaces.lab_settings import DEFAULTS, settings_from
 from springback.interfaces.serving import bound, guarded
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+CHROMIUM = (
+    shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+)
 DRIVER = shutil.which("chromedriver")
 pytestmark = [
     pytest.mark.skipif(not CHROMIUM or not DRIVER, reason="needs Chromium and chromedriver"),
@@ -44,7 +48,9 @@ def lab() -> Iterator[str]:
     desk = Desk(prepared=(DEFAULTS,))
     desk.open()
     server = uvicorn.Server(
-        uvicorn.Config(guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off")
+        uvicorn.Config(
+            guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off"
+        )
     )
     listening = bound("127.0.0.1", 0)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
@@ -85,7 +91,8 @@ def opened(browser: Any, url: str) -> None:
 
 def shown(browser: Any) -> dict[str, Any]:
     """Everything that a reader sees of the flight, in plain data."""
-    return dict(browser.execute_script("""
+    return dict(
+        browser.execute_script("""
         const S = window.springback;
         return {
           query: S.answer.query, settings: S.answer.settings,
@@ -94,7 +101,8 @@ def shown(browser: Any) -> dict[str, Any]:
           table: document.querySelector(".measures").innerText,
           peaks: S.plots.curve("Acceleration"), energy: S.plots.curve("Energy, ARQ"),
           link: document.querySelector("#link").value,
-        };"""))
+        };""")
+    )
 
 
 def slide(browser: Any, name: str, share: int) -> None:
@@ -106,18 +114,25 @@ def slide(browser: Any, name: str, share: int) -> None:
 
 
 def errors(browser: Any) -> list[str]:
-    logged = [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+    logged = [
+        entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"
+    ]
     return [text for text in logged if "422" not in text]
 
 
-def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(browser: Any, lab: str) -> None:
+def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
+    browser: Any, lab: str
+) -> None:
     opened(browser, lab)
     before = shown(browser)
     assert before["link"] == lab
     assert "ARQ meets the wall at 1.85 m/s" in before["outcomes"]
 
     slide(browser, "stiffness", 200)
-    until(lambda: browser.execute_script("return window.springback.answer.query") != "", "a new answer")
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") != "",
+        "a new answer",
+    )
     after = shown(browser)
     assert after["query"].startswith("stiffness=")
     assert after["settings"]["stiffness"] < 5.0
@@ -127,7 +142,9 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(browser:
     assert arq["peak"] < before["peaks"][0]["peak"]  # a softer spring
     assert quad["peak"] == before["peaks"][1]["peak"]  # the rigid twin has none
     python = answer(settings_from([tuple(after["query"].split("="))]))  # type: ignore[list-item]
-    peak = next(row for row in python["measures"] if row["name"] == "peak_acceleration")["values"]["arq"]
+    peak = next(row for row in python["measures"] if row["name"] == "peak_acceleration")["values"][
+        "arq"
+    ]
     assert arq["peak"] == pytest.approx(peak, rel=1e-6)
 
     link = browser.find_element(By.ID, "link").get_attribute("value")
@@ -142,10 +159,16 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(browser:
         browser.switch_to.window(first)
 
     browser.back()
-    until(lambda: browser.execute_script("return window.springback.answer.query") == "", "the way back")
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") == "",
+        "the way back",
+    )
     assert shown(browser) == before
     browser.forward()
-    until(lambda: browser.execute_script("return window.springback.answer.query") != "", "the way forth")
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") != "",
+        "the way forth",
+    )
     assert shown(browser) == after
     assert errors(browser) == []
 
@@ -154,7 +177,14 @@ def test_the_robots_move_when_it_plays(browser: Any, lab: str) -> None:
     opened(browser, lab)
     before = browser.execute_script("return window.springback.pose()")
     browser.find_element(By.CSS_SELECTOR, ".player .play").click()
-    moved = until(lambda: (now := browser.execute_script("return window.springback.pose()"))["t"] > before["t"] + 1e-3 and now, "playing")
+    moved = until(
+        lambda: (
+            (now := browser.execute_script("return window.springback.pose()"))["t"]
+            > before["t"] + 1e-3
+            and now
+        ),
+        "playing",
+    )
     assert moved["flights"][0]["position"] != before["flights"][0]["position"]
     assert moved["flights"][0]["armLengths"] != before["flights"][0]["armLengths"]
     browser.execute_script("window.springback.player.pause()")
@@ -163,7 +193,11 @@ def test_the_robots_move_when_it_plays(browser: Any, lab: str) -> None:
 def test_nonsense_in_a_field_is_told_and_the_flight_stays(browser: Any, lab: str) -> None:
     opened(browser, lab)
     before = shown(browser)
-    for text, words in (("99", "must be at most 6 m/s (got 99 m/s); 0.5 to 6 m/s"), ("NaN", "must be finite"), ("../x", "must be a number in m/s (got '../x')")):
+    for text, words in (
+        ("99", "must be at most 6 m/s (got 99 m/s); 0.5 to 6 m/s"),
+        ("NaN", "must be finite"),
+        ("../x", "must be a number in m/s (got '../x')"),
+    ):
         field = browser.find_element(By.ID, "set-speed")
         field.send_keys(Keys.CONTROL, "a")
         field.send_keys(text, Keys.ENTER)
@@ -175,13 +209,18 @@ def test_nonsense_in_a_field_is_told_and_the_flight_stays(browser: Any, lab: str
     field.send_keys(Keys.CONTROL, "a")
     field.send_keys("2", Keys.ENTER)
     until(lambda: not alert.is_displayed(), "the message to go")
-    until(lambda: browser.execute_script("return window.springback.answer.settings.speed") == 2, "2 m/s")
+    until(
+        lambda: browser.execute_script("return window.springback.answer.settings.speed") == 2,
+        "2 m/s",
+    )
     assert field.get_attribute("aria-invalid") == "false"
 
 
 def test_a_wrong_link_is_told_and_the_lab_opens_all_the_same(browser: Any, lab: str) -> None:
     opened(browser, f"{lab}?stiffness=1e9")
-    assert "stiffness: must be at most 50 N/mm" in browser.find_element(By.CSS_SELECTOR, ".alert").text
+    assert (
+        "stiffness: must be at most 50 N/mm" in browser.find_element(By.CSS_SELECTOR, ".alert").text
+    )
     assert shown(browser)["query"] == ""
 
 
@@ -190,7 +229,10 @@ def test_a_pinned_flight_stays_beside_the_next(browser: Any, lab: str) -> None:
     kept = next(c["peak"] for c in shown(browser)["peaks"] if c["name"] == "ARQ")
     browser.find_element(By.ID, "pin").click()
     slide(browser, "damping", 900)
-    until(lambda: "damping" in browser.execute_script("return window.springback.answer.query"), "a new answer")
+    until(
+        lambda: "damping" in browser.execute_script("return window.springback.answer.query"),
+        "a new answer",
+    )
     peaks = {curve["name"]: curve["peak"] for curve in shown(browser)["peaks"]}
     assert peaks["ARQ, pinned"] == kept != peaks["ARQ"]
     assert "pinned" in shown(browser)["table"]
@@ -202,7 +244,12 @@ def test_scenes_that_are_replaced_leave_nothing_behind(browser: Any, lab: str) -
     for share in (300, 400, 500, 600, 700):
         slide(browser, "stiffness", share)
         shares = browser.execute_script("return window.springback.latency.length")
-        until(lambda shares=shares: browser.execute_script("return window.springback.latency.length") > shares, "a new answer")
+        until(
+            lambda shares=shares: (
+                browser.execute_script("return window.springback.latency.length") > shares
+            ),
+            "a new answer",
+        )
         time.sleep(0.3)
         memory.append(browser.execute_script("return window.springback.scene.memory().geometries"))
     assert max(memory) <= 1.5 * min(memory) + 20

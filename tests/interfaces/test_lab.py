@@ -1,5 +1,7 @@
 """The impact lab without a browser: settings, links, scenarios, answers, refusals, many at once."""
 
+# ruff: noqa: E402  # what is optional is asked for before what needs it
+
 import asyncio
 import base64
 import contextlib
@@ -82,7 +84,10 @@ def test_a_link_carries_settings_to_the_last_bit(one: LabSettings) -> None:
 
 def test_a_link_says_what_differs_and_nothing_else() -> None:
     assert query_of(DEFAULTS) == ""
-    assert query_of(setting(stiffness="2.6", pitch="-30", speed=DEFAULTS.speed)) == "pitch=-30&stiffness=2.6"
+    assert (
+        query_of(setting(stiffness="2.6", pitch="-30", speed=DEFAULTS.speed))
+        == "pitch=-30&stiffness=2.6"
+    )
     assert setting(stiffness="2600 N/m").stiffness == 2.6
 
 
@@ -91,12 +96,18 @@ def test_defaults_and_the_papers_values_are_in_range(name: str) -> None:
     knob = KNOBS[name]
     assert knob.least <= getattr(DEFAULTS, name) <= knob.most
     assert all(knob.least <= mark.value <= knob.most for mark in knob.marks)
-    assert setting(**{name: f"{knob.most} {knob.unit}" if knob.unit in ("m/s", "deg", "g") else knob.most})
+    assert setting(
+        **{name: f"{knob.most} {knob.unit}" if knob.unit in ("m/s", "deg", "g") else knob.most}
+    )
 
 
 def test_marks_are_the_numbers_of_the_package() -> None:
     arms = ARQ.vehicle.arms
-    table = {"stiffness": 1e-3 * arms.stiffness, "damping": arms.damping, "arm_mass": 1e3 * arms.mass}  # type: ignore[operator]
+    table = {
+        "stiffness": 1e-3 * arms.stiffness,
+        "damping": arms.damping,
+        "arm_mass": 1e3 * arms.mass,
+    }  # type: ignore[operator]
     for name, value in table.items():
         assert [mark.value for mark in KNOBS[name].marks] == [pytest.approx(value)], name
         assert getattr(DEFAULTS, name) == pytest.approx(value), name
@@ -146,7 +157,9 @@ def test_wrong_settings_are_told_in_one_line(query: str) -> None:
 @pytest.mark.parametrize("surface", ["wall", "mat"])
 def test_as_it_opens_it_is_the_papers_slider_test(robot: str, reading: Any, surface: str) -> None:
     ours = fly(lab_scenario(setting(surface=surface), robot), trajectory=False)
-    papers = fly(slider_tables(reading, surface, 1.85, fitted_dissipation(surface)), trajectory=False)
+    papers = fly(
+        slider_tables(reading, surface, 1.85, fitted_dissipation(surface)), trajectory=False
+    )
     for name in ("restitution_at_separation", "peak_acceleration", "contact_time", "travel"):
         assert ours.measures[name] == pytest.approx(papers.measures[name], rel=1e-9), name
 
@@ -178,7 +191,9 @@ ODD = [
 
 
 @pytest.mark.parametrize("words", ODD)
-def test_the_downloaded_scenario_flies_to_the_same_bits(words: dict[str, Any], tmp_path: Path) -> None:
+def test_the_downloaded_scenario_flies_to_the_same_bits(
+    words: dict[str, Any], tmp_path: Path
+) -> None:
     asked, robot = setting(**words), words["robot"]
     file = tmp_path / "lab.toml"
     file.write_text(lab_toml(asked, robot), encoding="utf-8")
@@ -212,12 +227,18 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
         assert pressed == pytest.approx(rows["arm_stroke"]["values"][robot], abs=0.02)
         energy = sum(values for (panel, _), values in series.items() if panel == "Energy")
         assert energy == pytest.approx(energy[0], rel=1e-3)  # nothing puts energy in on a slider
-        assert {name for panel, name in series if panel == "Energy"} >= {"motion", "contact", "lost in contact"}
+        assert {name for panel, name in series if panel == "Energy"} >= {
+            "motion",
+            "contact",
+            "lost in contact",
+        }
         printed = TABLE_III[robot, "wall"]
         words = f"{printed.restitution:.3g} ({printed.restitution_test:.3g})"
         assert rows["restitution_at_separation"]["printed"][robot] == words
         assert one["well"]
-        assert one["sentence"].startswith(one["label"] + " meets the wall at 1.85 m/s, leaves it at")
+        assert one["sentence"].startswith(
+            one["label"] + " meets the wall at 1.85 m/s, leaves it at"
+        )
     assert told["printed_for"]["same"]
     assert not answer(setting(speed=2))["printed_for"]["same"]
 
@@ -252,7 +273,9 @@ def test_of_one_page_only_the_newest_request_is_flown() -> None:
     desk = Desk(give, threads=1)
     desk._ready.add(kind_of(DEFAULTS))
     threading.Timer(0.3, gate.set).start()
-    found = asked(desk, *((setting(speed=1 + k), "page") for k in range(4)), (setting(speed=5.5), "other"))
+    found = asked(
+        desk, *((setting(speed=1 + k), "page") for k in range(4)), (setting(speed=5.5), "other")
+    )
     # the first is under way when the others come; of these the last counts
     assert [type(one) for one in found] == [bytes, Overtaken, Overtaken, bytes, bytes]
     assert flown == [1.0, 4.0, 5.5]
@@ -303,7 +326,9 @@ def port() -> Iterator[int]:
     desk = Desk(prepared=(DEFAULTS,))
     desk.open()
     server = uvicorn.Server(
-        uvicorn.Config(guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off")
+        uvicorn.Config(
+            guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off"
+        )
     )
     listening = bound("127.0.0.1", 0)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
@@ -317,10 +342,14 @@ def port() -> Iterator[int]:
     listening.close()
 
 
-def get(port: int, path: str, method: str = "GET", body: str | None = None, **headers: str) -> tuple[int, dict[str, str], bytes]:
+def get(
+    port: int, path: str, method: str = "GET", body: str | None = None, **headers: str
+) -> tuple[int, dict[str, str], bytes]:
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
     try:
-        connection.request(method, path, body, {name.replace("_", "-"): value for name, value in headers.items()})
+        connection.request(
+            method, path, body, {name.replace("_", "-"): value for name, value in headers.items()}
+        )
         response = connection.getresponse()
         return response.status, {k.lower(): v for k, v in response.getheaders()}, response.read()
     finally:
@@ -332,12 +361,15 @@ def test_the_page_may_load_nothing_from_elsewhere(port: int) -> None:
     assert (status, heads["content-type"]) == (200, "text/html; charset=utf-8")
     assert heads["content-security-policy"].startswith("default-src 'none'")
     assert heads["x-content-type-options"] == "nosniff"
-    assert b"<link rel=\"stylesheet\"" not in body
+    assert b'<link rel="stylesheet"' not in body
     assert b"src=" not in body.split(b'id="data"')[0]
 
 
 def test_twenty_clients_at_once_get_each_their_own_answer(port: int) -> None:
-    queries = [f"robot={('arq', 'quad', 'both')[k % 3]}&speed={1 + 0.2 * k:.2f}&pitch={k}&stiffness={1 + k}" for k in range(20)]
+    queries = [
+        f"robot={('arq', 'quad', 'both')[k % 3]}&speed={1 + 0.2 * k:.2f}&pitch={k}&stiffness={1 + k}"
+        for k in range(20)
+    ]
 
     def told(query: str) -> Any:
         for _ in range(200):
@@ -381,7 +413,9 @@ def test_wrong_settings_are_refused_with_the_line(port: int, query: str) -> None
     ("/scenario.toml?robot=quad&of=arq", {}, 422, b"of: must be quad"),
     ("/flight?of=arq", {}, 422, b"of: unknown key"),
 ])  # fmt: skip
-def test_hostile_requests_are_refused(port: int, path: str, how: dict[str, str], status: int, words: bytes) -> None:
+def test_hostile_requests_are_refused(
+    port: int, path: str, how: dict[str, str], status: int, words: bytes
+) -> None:
     found = get(port, path, **how)
     assert found[0] == status, found[2][:300]
     assert words in found[2]
@@ -435,7 +469,9 @@ def test_the_command_serves_until_interrupted_and_writes_nothing(tmp_path: Path)
     (["--port", "99999"], "error: --port 99999: must be from 0 to 65535; 0 takes a free one"),
     (["--host", "no.such.host.invalid"], "error: --host no.such.host.invalid: is not a name or address of this machine"),
 ])  # fmt: skip
-def test_where_it_cannot_be_served_is_told_in_one_line(words: list[str], line: str, tmp_path: Path) -> None:
+def test_where_it_cannot_be_served_is_told_in_one_line(
+    words: list[str], line: str, tmp_path: Path
+) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "springback", "lab", "--no-browser", *words], cwd=tmp_path,
         capture_output=True, text=True, timeout=60, check=False,

@@ -18,10 +18,10 @@ const PARTS = {
 const faded = (colour, share) => colour + Math.round(255 * share).toString(16).padStart(2, "0");
 
 /** The least of 1, 1.5, 2, 3, 5, 7 times a power of ten that is not below x. */
-function roundAbove(x) {
+function roundAbove(x, digits = [1, 1.5, 2, 3, 5, 7, 10]) {
   if (!(x > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(x));
-  return power * [1, 1.5, 2, 3, 5, 7, 10].find((digit) => digit * power >= x * 0.999999);
+  return power * digits.find((digit) => digit * power >= x * 0.999999);
 }
 
 /** Bounds that stay where they are while curves still fit and fill them. */
@@ -206,7 +206,7 @@ export function createLabPlots(element, { onSeek }) {
 }
 
 function ticksOf(from, to, zero, whole) {
-  const step = whole ? roundAbove((to - from) / 8) : 0.02;
+  const step = whole ? roundAbove((to - from) / 8, [1, 2, 5, 10]) : 0.02;
   const found = [];
   for (let k = Math.ceil((from - zero * !whole) / step); ; k++) {
     const t = k * step + (whole ? 0 : zero);

@@ -1,6 +1,6 @@
-"""The energy ledger over time: where the energy of a flight is, and where it went, instant by instant.
+"""The energy ledger over time: where energy is and where it went, instant by instant.
 
-Measures tell the ledger at the end of a flight; its course is not among the columns of a trajectory.
+Measures tell the ledger at the end of a flight; its course is no column of a trajectory.
 A flight is its scenario, though: flown again it takes the very same steps, and this time its ledger
 is read.
 """
@@ -18,6 +18,7 @@ from springback.simulation.guided import fly_guided, noise_table, ticks_of
 from springback.vehicle.state import Airframe, Arm
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Columns = dict[str, Array]
 
 #: Columns of a ledger beside time, in the order in which energy wanders: held, then put in, then
 #: lost.  They are named after the measures that tell their last values, and are in J.
@@ -39,8 +40,8 @@ def ledger(scenario: Scenario) -> dict[str, Array]:
         lost (`LOST`), all in J since the start.
     """
     flown = _flown(scenario)
-    trace = flown.trace
-    assert trace is not None
+    assert flown.trace is not None
+    trace = _by_name(flown.trace)
     columns = {"t": trace["time"], "work_thrust": trace["work.thrust"]}
     columns |= {name: trace[f"work.{name.removeprefix('loss_')}"] for name in LOST}
     columns |= _stored(flown.model.airframe, flown.model.world.gravity, trace)
@@ -66,7 +67,11 @@ def _flown(scenario: Scenario) -> Flown:
     return fly_guided(model, start, board.cabin, noise).flown
 
 
-def _stored(airframe: Airframe, gravity: float, trace: Trace) -> dict[str, Array]:
+def _by_name(trace: Trace) -> Columns:
+    return {name: trace.values[:, k] for k, name in enumerate(trace.columns)}
+
+
+def _stored(airframe: Airframe, gravity: float, trace: Columns) -> dict[str, Array]:
     """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns."""
     velocity = _vectors(trace, "state.velocity")
     spin = _vectors(trace, "state.angular_velocity")
@@ -107,12 +112,12 @@ def _in_stops(arm: Arm, length: Array) -> Array:
     return energy
 
 
-def _vectors(trace: Trace, stem: str) -> Array:
+def _vectors(trace: Columns, stem: str) -> Array:
     """Shape (instants, 3)."""
     return np.stack([trace[f"{stem}.{axis}"] for axis in "xyz"], axis=1)
 
 
-def _rotations(trace: Trace) -> Array:
+def _rotations(trace: Columns) -> Array:
     """Body to world, shape (instants, 3, 3)."""
     w, x, y, z = (trace[f"state.attitude.{part}"] for part in "wxyz")
     rows = [

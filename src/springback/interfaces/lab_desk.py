@@ -71,7 +71,7 @@ AT_START = (
 )  # fmt: skip
 
 
-class NotReady(Exception):  # noqa: N818  # it is a state of affairs, and no error
+class NotReady(Exception):  # it is a state of affairs, and no error
     """The kernels of a request are being compiled."""
 
     def __init__(self, kind: Kind, waited: float) -> None:
@@ -80,11 +80,11 @@ class NotReady(Exception):  # noqa: N818  # it is a state of affairs, and no err
         self.kind, self.waited = kind, waited
 
 
-class Overtaken(Exception):  # noqa: N818
+class Overtaken(Exception):
     """A newer request of the same page has come."""
 
 
-class Busy(Exception):  # noqa: N818
+class Busy(Exception):
     """Too many requests wait."""
 
 

@@ -132,7 +132,7 @@ def _reach(vehicle: Vehicle, pitch: float, yaw: float, slides: bool) -> float:
         radius = vehicle.arms.at("cage_radius", j)
         edge = radius * along if slides else radius * math.hypot(n[0], n[1])
         ends.append(vehicle.arms.at("length", j) * along + edge)
-    return max(ends)
+    return float(max(ends))
 
 
 # -- flight ---------------------------------------------------------------------------------------
