@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest bench lock clean
+.PHONY: run test lint types layers pytest bench lock web clean
 
 run:
 	@tools/environment all
@@ -33,6 +33,10 @@ bench:
 lock:
 	uv lock
 	uv export --quiet --all-extras --no-hashes --no-emit-project --output-file constraints.txt
+
+# The script of the pages, after a change under web/; needs node, which nothing else does.
+web:
+	cd web && npm ci --ignore-scripts --no-audit --no-fund && node build.mjs
 
 clean:
 	rm -rf .venv $(OUT)

@@ -168,11 +168,13 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
     };
     const plot = new uPlot(options, data, canvas);
     let pressed = null;
-    plot.over.addEventListener("pointerdown", (event) => (pressed = event.offsetX));
-    plot.over.addEventListener("click", (event) => {
-      if (pressed === null || Math.abs(event.offsetX - pressed) < 5) onSeek(plot.posToVal(event.offsetX, "x"));
+    plot.over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
+    plot.over.addEventListener("pointerup", (event) => {
+      const left = plot.over.getBoundingClientRect().left;
+      if (pressed !== null && Math.abs(event.clientX - pressed) < 5) onSeek(plot.posToVal(event.clientX - left, "x"));
       pressed = null;
     });
+    plot.over.addEventListener("pointercancel", () => (pressed = null));
     return plot;
   }
 

@@ -23,9 +23,9 @@ function rod(radius, sides = 14) {
 
 /** An arrow of length 1 along x would lose its head when stretched: shaft and head apart. */
 export class Arrow {
-  constructor(colour, radius) {
+  constructor(colour, radius, opacity) {
     this.group = new THREE.Group();
-    const paint = new THREE.MeshBasicMaterial({ color: colour, depthTest: false, transparent: true, opacity: 0.95 });
+    const paint = new THREE.MeshBasicMaterial({ color: colour, depthTest: false, transparent: true, opacity });
     this.shaft = new THREE.Mesh(rod(radius, 10), paint);
     this.head = new THREE.Mesh(new THREE.ConeGeometry(3 * radius, 8 * radius, 14).rotateZ(-Math.PI / 2), paint);
     this.size = 8 * radius;

@@ -4,13 +4,14 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
 import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { Arrow, Robot, disposed } from "./robot.js";
-import { Path, Shadow, compass, obstacle, reference } from "./surroundings.js";
+import { Path, Shadow, compass, obstacle, rail, reference } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; between robots side by side [m]. */
 const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
 /** Flights touch together where they would not by more than this [s]. */
 const TOGETHER = 5e-3;
+const FOLLOWING = ["follow", "side", "top"];
 export const CAMERAS = ["follow", "free", "side", "top", "impact"];
 
 /** From the middle of a robot to the outside of its cages [m]. */
@@ -82,9 +83,6 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls.enableDamping = false;
     controls.minDistance = 0.15;
     controls.maxDistance = 30;
-    controls.addEventListener("start", () => {
-      if (state.camera !== "follow" && state.camera !== "free") state.camera = "free";
-    });
     controls.addEventListener("change", draw);
   }
 
@@ -116,13 +114,18 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   // -- flights ------------------------------------------------------------------------------------
 
+  /** Level and along the first wall, to the left of who flies north; y without a wall. */
+  function leftward() {
+    const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
+    const left = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across).normalize() : new THREE.Vector3(0, 1, 0);
+    return left.y < 0 ? left.negate() : left;
+  }
+
   function offsets() {
     if (state.compare !== "side" || state.flights.length < 2) return [[0, 0, 0], [0, 0, 0]];
-    const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
-    const across = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across) : new THREE.Vector3(0, 1, 0);
+    const across = leftward();
     const reach = Math.max(...state.flights.map(reachOf));
-    across.normalize().multiplyScalar(reach + 0.5 * BETWEEN);
-    if (across.y < 0) across.negate();
+    across.multiplyScalar(reach + 0.5 * BETWEEN);
     return [across.toArray(), across.clone().negate().toArray()];
   }
 
@@ -154,9 +157,10 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const ghost = k > 0 && state.compare === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
-      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007));
+      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
+      if (flight.guide.length) group.add(rail(flight, colours));
       const box = new THREE.Box3();
       const stride = Math.max(1, Math.floor(flight.n / 400));
       for (let i = 0; i < flight.n; i += stride) {
@@ -182,7 +186,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       boxes.min.z = state.floor;
       content.add(reference(boxes, colours));
     }
-    tellLegend(scale, most);
+    tellLegend();
   }
 
   /** The level that shadows fall on: the ground, else somewhat below the flight. */
@@ -194,7 +198,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return lowest - 0.45;
   }
 
-  function tellLegend(scale, most) {
+  function tellLegend() {
+    const most = Math.max(...state.flights.map(largestForce), 0);
     legend.replaceChildren();
     const entry = (kind, text) => {
       const line = document.createElement("span");
@@ -210,16 +215,18 @@ export function createScene(element, { flights = [], compare = "side", align = t
     }
     if (most > 0) {
       const round = roundBelow(most);
-      entry("force", `contact force, ${round} N is ${Math.round(1000 * scale * round) / 10} cm`);
+      entry("force", `contact force, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
+    if (state.magnified !== 1) entry("travel", `arm travel × ${state.magnified}, not to scale`);
     if (kinds.has("mat")) entry("mat", "mat");
     [...kinds].filter((kind) => !["wall", "mat", "ground"].includes(kind)).forEach((name) => entry("own", name));
   }
 
   function placeLabels(width, height) {
     const at = new THREE.Vector3();
+    const taken = [];
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
@@ -231,6 +238,9 @@ export function createScene(element, { flights = [], compare = "side", align = t
         name.textContent = `${contact.size.toFixed(contact.size < 10 ? 1 : 0)} N`;
         const x = Math.min(Math.max(((at.x + 1) / 2) * width, 24), width - 24);
         const y = Math.min(Math.max(((1 - at.y) / 2) * height - 12, 10), height - 10);
+        name.hidden = taken.some(([a, b]) => Math.abs(a - x) < 50 && Math.abs(b - y) < 18);
+        if (name.hidden) return;
+        taken.push([x, y]);
         name.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
       });
     }
@@ -261,7 +271,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         else arrow.hide();
       });
     });
-    if (renderer && actors.length && state.camera === "follow") {
+    if (renderer && actors.length && FOLLOWING.includes(state.camera)) {
       const now = middle();
       if (followed) {
         const moved = now.clone().sub(followed);
@@ -301,12 +311,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
     const before = new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
     if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
-    else if (state.camera === "side") look(centre, new THREE.Vector3(0, -farFrom(whole), 0.001));
-    else if (state.camera === "top") look(centre, new THREE.Vector3(-0.001, -0.002, 1).multiplyScalar(farFrom(whole)));
     else if (state.camera === "impact") look(impactPlace(), new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
-      look(followed.clone(), before.clone().multiplyScalar(farFrom(radius)));
+      const from = { follow: before, side: leftward().negate().setZ(0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
+      look(followed.clone(), from.clone().normalize().multiplyScalar(farFrom(radius)));
     }
     draw();
   }
@@ -369,6 +378,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     /** Arms pressed in by so many times what they are. */
     setMagnified(times) {
       state.magnified = times;
+      tellLegend();
       show(state.t);
     },
     get flights() {

@@ -81,6 +81,23 @@ export function reference(box, colours) {
   return grid(middle, new THREE.Vector3(half(size.x), 0, 0), new THREE.Vector3(0, half(size.y), 0), 0.25, colours.faint, 0.35);
 }
 
+/** The rail of a slider, through where the main body is. */
+export function rail(flight, colours) {
+  const axis = vector(flight.guide).normalize();
+  const along = [];
+  for (let i = 0; i < flight.n; i += Math.max(1, Math.floor(flight.n / 200))) {
+    along.push(axis.dot(vector(flight.position.subarray(3 * i, 3 * i + 3))));
+  }
+  const from = Math.min(...along) - 0.5;
+  const length = Math.max(...along) + 0.5 - from;
+  const shape = new THREE.CylinderGeometry(0.008, 0.008, length, 12).rotateZ(-Math.PI / 2).translate(length / 2, 0, 0);
+  const mesh = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({ color: colours.metal, transparent: true, opacity: 0.5 }));
+  mesh.quaternion.setFromUnitVectors(new THREE.Vector3(1, 0, 0), axis);
+  const start = vector(flight.position.subarray(0, 3));
+  mesh.position.copy(start).addScaledVector(axis, from - axis.dot(start));
+  return mesh;
+}
+
 /** The path of a flight: grey before the first touch, the colour of force in contact, its own after. */
 export class Path {
   constructor(flight, colours, resolution) {

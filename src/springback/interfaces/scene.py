@@ -36,7 +36,9 @@ from springback.simulation.record import Model
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Names that everybody writes so.
-NAMES = {"arq": "ARQ", "quad": "Quad"}
+NAMES = {
+    "arq": "ARQ", "quad": "Quad", "arq-slider": "ARQ on slider", "quad-slider": "Quad on slider",
+}  # fmt: skip
 #: Energies that move by less than this share of the one that moves most are not plotted; chosen.
 SEEN = 1e-4
 #: Recomputed forces may differ from the columns by this share of the peak; chosen: rounding.

@@ -40,9 +40,12 @@ def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
     """First touch and last separation of every impact [s]."""
     t = flight.columns["t"]
     found = intervals(t, _felt(flight), flight.scenario.simulation.dwell)
-    # Steps land on the instants of touch and separation, at which the force is still, or again, 0.
-    ends = [(max(first - 1, 0), min(last + 1, len(t) - 1)) for first, last in found]
-    return tuple((float(t[begin]), float(t[end])) for begin, end in ends)
+    ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
+    if ends:  # of the first, the measures know the very instants; columns, the step
+        begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
+        whole = end is not None and found[0][1] < len(t) - 1
+        ends[0] = (begin or ends[0][0], end if end is not None and whole else ends[0][1])
+    return tuple(ends)
 
 
 def _felt(flight: Flight) -> Any:
