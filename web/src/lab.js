@@ -138,7 +138,7 @@ export function startLab(element, data) {
   function refused(lines, asked) {
     preparing.hidden = true;
     controls.tellProblems(lines);
-    say([...lines, answer ? "Shown is the flight before." : "The lab is shown as it opens instead."]);
+    say([...lines.map((line) => `${line}.`), answer ? "Shown is the flight before." : "The lab is shown as it opens instead."]);
     if (!answer) desk.ask("", { since: performance.now(), aside: true });
   }
 

@@ -42,7 +42,8 @@ function knob(control, changed) {
   });
   const words = made("p", { class: "words", id: `${id}-words` });
   const marks = made("div", { class: "marks" }, ...control.marks.map((mark, k) => {
-    const near = control.marks.some((one, i) => i < k && Math.abs(shareOf(control, one.value) - shareOf(control, mark.value)) < 0.07);
+    const wide = (one) => String(one.value).length * 0.013 + 0.01; // share of the rail that half a label takes, about
+    const near = control.marks.some((one, i) => i < k && Math.abs(shareOf(control, one.value) - shareOf(control, mark.value)) < wide(one) + wide(mark));
     const tick = made("button", {
       type: "button", class: near ? "tight" : "", title: `${mark.value} ${unit}, ${mark.words}`, "aria-label": `${control.label} ${mark.value} ${unit}, ${mark.words}`,
       onclick: () => set(mark.value, { settled: true }),
