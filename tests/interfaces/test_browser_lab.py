@@ -133,6 +133,7 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
     first = browser.current_window_handle
     browser.switch_to.new_window("tab")
     try:
+        resized(browser, 1000, 700)
         opened(browser, link)
         assert shown(browser) == after
     finally:
@@ -218,18 +219,18 @@ def test_a_pinned_flight_stays_beside_the_next(browser: Any, lab: str) -> None:
 
 
 def test_scenes_that_are_replaced_leave_nothing_behind(browser: Any, lab: str) -> None:
+    held = "return window.springback.scene.memory().geometries"
+    answers = "return window.springback.latency.length"
     opened(browser, lab)
-    memory = []
+    memory = [until(lambda: browser.execute_script(held), "the picture")]
     for share in (300, 450, 600):
+        before = browser.execute_script(answers)
         slide(browser, "stiffness", share)
-        shares = browser.execute_script("return window.springback.latency.length")
-        until(
-            lambda shares=shares: (
-                browser.execute_script("return window.springback.latency.length") > shares
-            ),
-            "a new answer",
+        until(lambda before=before: browser.execute_script(answers) > before, "a new answer")
+        browser.execute_async_script(
+            "requestAnimationFrame(() => requestAnimationFrame(arguments[0]))"
         )
-        memory.append(browser.execute_script("return window.springback.scene.memory().geometries"))
+        memory.append(until(lambda: browser.execute_script(held), "the picture"))
     assert max(memory) <= 1.5 * min(memory) + 20
 
 

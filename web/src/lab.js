@@ -80,6 +80,7 @@ export function startLab(element, data) {
   function answered(found, asked) {
     const before = answer;
     answer = found;
+    element.classList.add("ready");
     if (!asked.aside) say([]);
     preparing.hidden = true;
     if (!asked.typing) controls.show(found.settings);
@@ -201,6 +202,7 @@ export function startLab(element, data) {
     if (opened) stage.scrollIntoView({ block: "start" });
   }
 
+  controls.show(Object.fromEntries(data.controls.map((one) => [one.name, one.default])));
   go(location.search.slice(1));
   window.springback = {
     scene, player, plots, controls, latency,
