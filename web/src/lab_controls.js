@@ -1,0 +1,159 @@
+// The controls of the lab, made from the table that the server sends: sliders with a field and the
+// paper's values as marks, and choices.  What a value may be is the server's to say.
+import { choice, made } from "./player.js";
+
+const SHARES = 1000;
+
+const rounded = (value, step) => Number((Math.round(value / step) * step).toFixed(6));
+
+/** Where a value lies on a slider, from 0 to 1. */
+function shareOf(control, value) {
+  const { least, most, logarithmic } = control;
+  const share = logarithmic ? Math.log(value / least) / Math.log(most / least) : (value - least) / (most - least);
+  return Math.min(Math.max(share, 0), 1);
+}
+
+function valueAt(control, share) {
+  const { least, most, step, logarithmic } = control;
+  const value = logarithmic ? least * (most / least) ** share : least + (most - least) * share;
+  const digits = logarithmic ? 10 ** Math.max(Math.floor(Math.log10(value)) - 1, Math.log10(step)) : step;
+  return Math.min(Math.max(rounded(value, Math.max(digits, step)), least), most);
+}
+
+function knob(control, changed) {
+  const id = `set-${control.name}`;
+  const unit = control.unit.replace("^1.5", "¹·⁵");
+  const slider = made("input", {
+    type: "range", min: 0, max: SHARES, step: 1, id: `${id}-slider`, "aria-label": control.label,
+    oninput: () => set(valueAt(control, Number(slider.value) / SHARES), { moving: true }),
+    onchange: () => changed(control.name, field.value, { settled: true }),
+    onkeydown: (event) => {
+      const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!by) return;
+      event.preventDefault();
+      const now = Number(field.value);
+      if (Number.isFinite(now)) set(Math.min(Math.max(rounded(now + by * control.step, control.step), control.least), control.most), { settled: true });
+    },
+  });
+  const field = made("input", {
+    type: "text", inputmode: "decimal", id, autocomplete: "off", spellcheck: "false", maxlength: 40,
+    "aria-describedby": `${id}-words`, oninput: () => changed(control.name, field.value.trim(), { typing: true }),
+    onchange: () => changed(control.name, field.value.trim(), { settled: true }),
+  });
+  const words = made("p", { class: "words", id: `${id}-words` });
+  const marks = made("div", { class: "marks" }, ...control.marks.map((mark, k) => {
+    const wide = (one) => String(one.value).length * 0.013 + 0.01; // share of the rail that half a label takes, about
+    const near = control.marks.some((one, i) => i < k && Math.abs(shareOf(control, one.value) - shareOf(control, mark.value)) < wide(one) + wide(mark));
+    const tick = made("button", {
+      type: "button", class: near ? "tight" : "", title: `${mark.value} ${unit}, ${mark.words}`, "aria-label": `${control.label} ${mark.value} ${unit}, ${mark.words}`,
+      onclick: () => set(mark.value, { settled: true }),
+    }, made("span", {}, String(mark.value)));
+    tick.style.setProperty("--share", shareOf(control, mark.value));
+    return tick;
+  }));
+  const element = made("div", { class: "knob", "data-name": control.name },
+    made("label", { for: id }, control.label), made("span", { class: "field" }, field, made("span", { class: "unit" }, unit)),
+    made("div", { class: "rail" }, slider, marks), words);
+
+  function show(value) {
+    const number = Number(value);
+    if (field.value.trim() !== String(value)) field.value = String(value);
+    if (Number.isFinite(number)) {
+      slider.value = Math.round(shareOf(control, number) * SHARES);
+      slider.setAttribute("aria-valuetext", `${value} ${unit}`);
+    }
+    tellProblem("");
+  }
+  /** Whose value this is, else what the number means. */
+  function describe() {
+    const mark = control.marks.find((one) => one.value === Number(field.value));
+    words.className = mark ? "words printed" : "words";
+    words.textContent = mark ? `= ${mark.words}` : control.explains;
+  }
+  function set(value, how) {
+    show(value);
+    changed(control.name, String(value), how);
+  }
+  function tellProblem(text) {
+    field.setAttribute("aria-invalid", String(Boolean(text)));
+    element.classList.toggle("wrong", Boolean(text));
+    if (text) words.textContent = text;
+    else describe();
+  }
+  element.title = control.explains;
+  return { element, show, tellProblem };
+}
+
+function chosen(control, changed) {
+  const many = Object.keys(control.words).length > 3;
+  const words = made("p", { class: "words" }, control.explains);
+  const set = (value) => changed(control.name, value, { settled: true });
+  if (!many) {
+    const group = choice(control.label, Object.entries(control.words), control.default, set);
+    const element = made("div", { class: "picked", "data-name": control.name, title: control.explains }, made("span", { class: "label" }, control.label), group);
+    return { element, show: group.mark, tellProblem: () => {} };
+  }
+  const select = made("select", { id: `set-${control.name}`, onchange: () => set(select.value) },
+    ...Object.entries(control.words).map(([value, name]) => made("option", { value }, name)));
+  const element = made("div", { class: "picked", "data-name": control.name, title: control.explains }, made("label", { for: `set-${control.name}` }, control.label), select, words);
+  return { element, show: (value) => (select.value = value), tellProblem: (text) => (words.textContent = text || control.explains) };
+}
+
+/**
+ * A form with all controls.
+ *
+ * @param controls the table, from springback.interfaces.lab_settings.controls
+ * @param changed gets name, text and {moving, typing, settled}
+ * @returns {element, values, query, show, tellProblems}: values are texts as they stand
+ */
+export function createControls(controls, changed) {
+  const values = {};
+  const parts = {};
+  const groups = new Map();
+  const told = (name, value, how) => {
+    values[name] = value;
+    hide();
+    changed(name, value, how);
+  };
+  for (const control of controls) {
+    values[control.name] = String(control.default);
+    parts[control.name] = (control.kind === "knob" ? knob : chosen)(control, told);
+    if (!groups.has(control.group)) groups.set(control.group, []);
+    groups.get(control.group).push(parts[control.name].element);
+  }
+  const sections = [...groups].map(([name, elements]) =>
+    made("section", {}, ...(name ? [made("h2", {}, name)] : []), ...elements));
+  const element = made("form", { class: "controls", onsubmit: (event) => event.preventDefault() }, ...sections);
+
+  /** What has no effect is not shown. */
+  function hide() {
+    for (const control of controls) {
+      const acts = Object.entries(control.when).every(([other, words]) => words.includes(values[other]));
+      parts[control.name].element.hidden = !acts;
+    }
+    sections.forEach((section) => (section.hidden = ![...section.querySelectorAll("[data-name]")].some((one) => !one.hidden)));
+  }
+
+  /** Show settings as the server tells them. */
+  function show(settings) {
+    for (const [name, value] of Object.entries(settings)) {
+      values[name] = String(value);
+      parts[name]?.show(value);
+    }
+    hide();
+  }
+
+  /** Show problems where they are. */
+  function tellProblems(lines) {
+    for (const part of Object.values(parts)) part.tellProblem("");
+    for (const line of lines) {
+      const name = line.split(":")[0];
+      parts[name]?.tellProblem(line.slice(name.length + 1).trim());
+    }
+  }
+
+  const query = () => controls.filter((one) => values[one.name] !== String(one.default))
+    .map((one) => `${one.name}=${encodeURIComponent(values[one.name])}`).join("&");
+  hide();
+  return { element, values, query, show, tellProblems };
+}
