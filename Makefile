@@ -26,6 +26,12 @@ layers:
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
 
+.PHONY: docs
+docs:
+	@tools/environment docs
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
+	@echo "open docs/_build/index.html"
+
 bench:
 	@tools/environment dev
 	$(BIN)/python -m benchmarks.run

@@ -1,16 +1,62 @@
-"""Examples and README do what they say."""
+"""Examples do what they say, and what README and documentation say to type is typed here.
 
+Each page is followed in an empty folder.  What takes minutes, needs another machine or waits for a
+person is only looked at: its options must exist and its values be of the right kind.  `LOOKED_AT`
+says why, and where it is run in earnest.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import inspect
 import re
 import runpy
+import shlex
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any, NamedTuple
 
+import click
 import numpy as np
 import pytest
 
 import springback
+from experiments.campaign.made_up import filled
+from springback.experiments.campaign.plan import read_plan
+from springback.experiments.campaign.running import run_campaign
+from springback.interfaces.cli import cli
 
 ROOT = Path(__file__).parents[1]
+PAGES = [
+    ROOT / "README.md",
+    *sorted(p for p in (ROOT / "docs").rglob("*.md") if not {"_build", "decisions"} & {*p.parts}),
+]
+#: Commands that are not run, and why.
+LOOKED_AT = {
+    "reproduce": "minutes; tests/paper flies what it compares",
+    "study": "minutes; tests/experiments/test_why.py and test_detection_study.py",
+    "map": "a minute; tests/interfaces/test_cli_map.py",
+    "campaign": "thousands of flights; tests/interfaces/test_cli_campaign.py",
+    "refly": "needs such a campaign; tests/interfaces/test_cli_campaign.py",
+    "check": "thousands of ticks in plain Python; tests/test_examples.py",
+    "view": "serves until it is stopped; tests/interfaces/test_view.py",
+    "lab": "serves until it is stopped; tests/interfaces/test_lab.py",
+    "animate": "half a minute; tests/interfaces/test_animation.py",
+}
+#: Commands that come with other parts of the program.
+AWAITED = {"view", "lab", "animate"}
+#: Programs of others: not ours to test.
+OTHERS = {"pip", "dask", "uv", "make"}
+#: Flights that are shorter here than on the page: 20 s and 4 s of closed loop.
+SHORTER = {"steps.toml": "simulation.duration=0.2", "run_up.toml": "simulation.duration=0.2"}
+#: Scenarios that are read and checked with their overrides, but not flown, and why.
+READ = {"collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it"}
+#: Python that is not run, by a word in it, and why.
+NOT_RUN = {"dask_jobqueue": "needs a Slurm cluster"}
+
+
+# -- examples --------------------------------------------------------------------------------------
 
 
 def test_own_obstacle_example_hits_the_pole() -> None:
@@ -68,11 +114,173 @@ def test_own_pilots_keep_to_what_every_pilot_should() -> None:
     assert findings[-1].name == "compiles to the same flight"
 
 
-def test_tables_of_the_guide_are_valid(tmp_path: Path) -> None:
-    """docs/own.md: its vehicle and its surface fly together."""
-    blocks = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/own.md").read_text(), re.S)
-    path = tmp_path / "own.toml"
-    path.write_text("\n".join(blocks))
-    scenario = springback.read_scenario(path)
-    assert scenario.vehicle.arm_count == 3
-    assert scenario.vehicle.arms.at("compliant", 2) is False
+# -- pages -----------------------------------------------------------------------------------------
+
+
+class Typed(NamedTuple):
+    """Something a reader would type."""
+
+    kind: str  # python, toml, shell, text (an answer), words (a command in a sentence)
+    text: str
+    saved_as: str  # of a file, "" if the page does not say
+    line: int
+
+
+def typed(page: Path) -> Iterator[Typed]:
+    """Code of a page in its order; an indented block and one in fences without a language are for a shell."""
+    lines = [*page.read_text().splitlines(), ""]
+    said, k = "", 0
+    while k < len(lines):
+        fence = re.match(r"```(\S*)", lines[k])
+        if fence:
+            end = next(j for j in range(k + 1, len(lines)) if lines[j].startswith("```"))
+            body = "\n".join(lines[k + 1 : end])
+            name = re.search(r"Save as `(.+?)`", said)
+            if fence[1] in ("python", "toml", "sh", "text"):
+                kind = "shell" if fence[1] == "sh" else fence[1]
+                yield Typed(kind, body, name[1] if name else "", k + 1)
+            said, k = "", end + 1
+        elif lines[k].startswith("    ") and not said.strip():
+            if lines[k].strip():
+                yield Typed("shell", lines[k].strip(), "", k + 1)
+            k += 1
+        else:
+            said = lines[k] if lines[k].strip() else ""
+            if lines[k].strip():
+                for command in re.findall(r"`(springback [a-z][^`]*)`", lines[k]):
+                    yield Typed("words", command, "", k + 1)
+            k += 1
+
+
+def options_exist(words: list[str]) -> None:
+    """Parse a command line as the program would, and leave it at that."""
+    group: Any = cli
+    context = click.Context(cli, info_name="springback")
+    while isinstance(group, click.Group):
+        name, group, words = group.resolve_command(context, words)
+        if isinstance(group, click.Group):
+            context = group.make_context(name, words[:0], parent=context, resilient_parsing=True)
+    group.make_context(name, list(words), parent=context)
+
+
+@pytest.fixture(scope="module")
+def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of rows that no flight made, with all columns of a campaign."""
+    folder = tmp_path_factory.mktemp("campaign") / "results"
+    filled(folder, parts=2, size=8)
+    return folder
+
+
+class Reader:
+    """Somebody who follows a page."""
+
+    def __init__(self, folder: Path, campaign: Path) -> None:
+        self.folder, self.campaign = folder, campaign
+        self.names: dict[str, Any] = {"__name__": "__main__"}
+        shutil.copytree(ROOT / "examples", folder / "examples")
+        for example in (ROOT / "examples").iterdir():
+            if example.is_file():
+                shutil.copy(example, folder)
+
+    def run(self, this: Typed) -> None:
+        getattr(self, this.kind)(this)
+
+    def toml(self, this: Typed) -> None:
+        """A plan, a scenario, or a table of one, which is laid over a plain scenario."""
+        if "[[vary]]" in this.text:
+            (self.folder / "campaign.toml").write_text(this.text)
+            read_plan(self.folder / "campaign.toml")
+            return
+        whole = re.search(r"^vehicle =|^\[vehicle\]", this.text, re.M)
+        path = self.folder / (this.saved_as or "scenario.toml")
+        path.write_text(this.text if whole else f'vehicle = "arq"\n{this.text}')
+        springback.read_scenario(path)
+
+    def text(self, this: Typed) -> None:
+        """What the page says that a flight of its scenario says."""
+        assert repr(springback.fly("scenario.toml")) == this.text
+
+    def python(self, this: Typed) -> None:
+        if any(word in this.text for word in NOT_RUN):
+            compile(this.text, "page", "exec")
+            return
+        path = self.folder / f"line_{this.line}.py"
+        path.write_text(this.text)
+        exec(compile(this.text, str(path), "exec"), self.names)
+
+    def words(self, this: Typed) -> None:
+        """A command in a sentence; capitals and dots stand for something else."""
+        if not re.search(r"[A-Z…]{2}|…|\.\.\.", this.text):
+            with contextlib.suppress(click.MissingParameter):
+                self.look_at(shlex.split(this.text, comments=True)[1:])
+
+    def look_at(self, words: list[str]) -> None:
+        if words[0] in AWAITED and words[0] not in cli.commands:
+            return
+        options_exist(words)
+
+    def shell(self, this: Typed) -> None:
+        words = shlex.split(this.text, comments=True)
+        if not words:
+            return
+        if words[:2] == ["python", "-m"]:
+            module = ROOT / words[2].replace(".", "/")
+            assert module.with_suffix(".py").is_file() or module.is_dir(), this.text
+            return
+        if words[0] == "python":
+            assert (ROOT / words[1]).is_file(), this.text
+            return
+        if words[0] == "make":
+            assert re.search(rf"^{words[1]}:", (ROOT / "Makefile").read_text(), re.M), this.text
+        if words[0] in OTHERS:
+            return
+        assert words[0] == "springback", f"line {this.line}: {this.text}"
+        if words[1] in LOOKED_AT:
+            self.look_at(words[1:])
+            return
+        if words[1] in ("query", "summary"):
+            words[2] = str(self.campaign)
+            words += ["--no-figures"] if words[1] == "summary" else []
+        if words[1] == "fly" and Path(words[2]).name in READ:
+            self.look_at(words[1:])
+            overrides = [word for word in words[3:] if re.match(r"[\w.]+=", word)]
+            springback.read_scenario(words[2], overrides)
+            return
+        if words[1] == "fly":
+            words += ["--no-figures", "--force"]
+            words += [SHORTER[Path(words[2]).name]] if Path(words[2]).name in SHORTER else []
+        cli.main(words[1:], prog_name="springback", standalone_mode=False)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_what_a_page_says_to_type_works(
+    page: Path, tmp_path: Path, campaign: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reader = Reader(tmp_path, campaign)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(springback, "run_campaign", looked_at_campaign(campaign))
+    for this in typed(page):
+        try:
+            reader.run(this)
+        except Exception as error:
+            raise AssertionError(f"{page.name}, line {this.line}: {this.text}") from error
+
+
+def looked_at_campaign(folder: Path) -> Any:
+    """In place of `run_campaign`, which flies for minutes: the plan is checked, rows are there."""
+
+    def stands_in(*arguments: Any, **named: Any) -> springback.Campaign:
+        given = inspect.signature(run_campaign).bind(*arguments, **named)
+        assert isinstance(given.arguments["plan"], springback.Plan)
+        return springback.Campaign(folder)
+
+    return stands_in
+
+
+def test_pages_do_say_something_to_type() -> None:
+    """Against a reader that overlooks everything."""
+    found = [this for page in PAGES for this in typed(page)]
+    assert sum(this.kind == "shell" for this in found) > 60
+    assert sum(this.kind == "python" for this in found) >= 10
+    assert sum(this.kind == "toml" for this in found) > 6
+    assert sum(this.text.startswith("springback fly") for this in found) > 15

@@ -1,0 +1,300 @@
+"""The documentation is built without a warning, opens without a network, and says what is so."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import inspect
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any, get_args
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+import springback
+from springback.settings import Settings
+
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+PAGES = sorted(p for p in DOCS.rglob("*.md") if "_build" not in p.parts)
+#: Tags that make a browser fetch something, and the attribute that says what.
+LOADS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "audio": "src"}
+
+pytest.importorskip("sphinx", reason="the extra docs is not installed")
+
+
+# -- as built -------------------------------------------------------------------------------------
+
+
+class Page(HTMLParser):
+    """What a built page has in it."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.path, self.ids, self.links, self.loads = path, set(), [], []
+        self.headings, self.without_words, self.text, self.formulas = [], [], [], 0
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        given = {name: value or "" for name, value in attributes}
+        if "id" in given:
+            self.ids.add(given["id"])
+        if tag == "a" and "href" in given:
+            self.links.append(given["href"])
+        if tag in LOADS and LOADS[tag] in given:
+            self.loads.append(given[LOADS[tag]])
+        if tag == "link" and given.get("rel") in ("stylesheet", "icon", "preload", "preconnect"):
+            self.loads.append(given["href"])
+        if tag == "img" and not given.get("alt"):
+            self.without_words.append(given.get("src"))
+        if re.fullmatch(r"h[1-6]", tag):
+            self.headings.append(int(tag[1]))
+        self.formulas += tag == "math"
+
+    def handle_data(self, data: str) -> None:
+        self.text.append(data)
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Page]:
+    """All pages, built as `make docs` builds them."""
+    out = tmp_path_factory.mktemp("docs")
+    words = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(out / "kept")]
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", *words, str(DOCS), str(out / "html")],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    found = sorted((out / "html").rglob("*.html"))
+    return {str(path.relative_to(out / "html")): Page(path) for path in found}
+
+
+def test_every_page_is_built_and_can_be_reached(built: dict[str, Page]) -> None:
+    known = {str(p.relative_to(DOCS).with_suffix(".html")) for p in PAGES}
+    assert known <= built.keys()
+    seen, ahead = set(), ["index.html"]
+    while ahead:
+        name = ahead.pop()
+        if name in seen or name not in built:
+            continue
+        seen.add(name)
+        here = built[name].path
+        root = here.parents[len(Path(name).parts) - 1]
+        for link in built[name].links:
+            if link and not urlsplit(link).scheme and urlsplit(link).path:
+                there = (here.parent / unquote(urlsplit(link).path)).resolve()
+                if there.suffix == ".html" and there.is_relative_to(root):
+                    ahead.append(str(there.relative_to(root)))
+    assert known <= seen
+
+
+def test_links_within_lead_somewhere(built: dict[str, Page]) -> None:
+    by_path = {page.path.resolve(): page for page in built.values()}
+    lost = []
+    for name, page in built.items():
+        for link in page.links:
+            parts = urlsplit(link)
+            if parts.scheme or link in ("", "#"):
+                continue
+            there = (page.path.parent / unquote(parts.path)).resolve() if parts.path else page.path
+            target = by_path.get(there.resolve())
+            if not there.exists() or (target and parts.fragment and not named(target, parts)):
+                lost.append((name, link))
+    assert lost == []
+
+
+def named(page: Page, parts: Any) -> bool:
+    return unquote(parts.fragment) in page.ids
+
+
+def test_pages_load_nothing_from_the_network(built: dict[str, Page]) -> None:
+    for name, page in built.items():
+        for address in page.loads:
+            parts = urlsplit(address)
+            assert not parts.scheme or parts.scheme == "data", (name, address)
+            assert not parts.netloc, (name, address)
+            assert parts.scheme or (page.path.parent / unquote(parts.path)).exists(), name
+    styles = next(iter(built.values())).path.parent.rglob("*.css")
+    for style in styles:
+        assert not re.search(r"url\(\s*['\"]?(https?:)?//|@import", style.read_text()), style
+
+
+def test_pages_are_ready_for_readers(built: dict[str, Page]) -> None:
+    for name, page in built.items():
+        if name in ("genindex.html", "search.html", "py-modindex.html"):
+            continue
+        assert page.headings.count(1) == 1, name
+        assert all(b - a <= 1 for a, b in zip(page.headings, page.headings[1:], strict=False)), name
+        assert page.without_words == [], name
+        assert not re.search(r"\bTODO\b|\bFIXME\b|\bXXX\b", "".join(page.text)), name
+    assert sum(page.formulas for page in built.values()) > 200
+
+
+def test_every_public_name_has_its_entry(built: dict[str, Page]) -> None:
+    ids = set().union(*(page.ids for page in built.values()))
+    for name, chapter in springback._PUBLIC.items():
+        assert f"springback.{chapter}.{name}" in ids, name
+
+
+# -- as written -----------------------------------------------------------------------------------
+
+
+def resolved(path: str) -> Any:
+    """What a dotted name stands for; a field of settings or of a NamedTuple counts."""
+    parts = path.split(".")
+    for k in range(len(parts), 0, -1):
+        try:
+            thing: Any = importlib.import_module(".".join(parts[:k]))
+        except ImportError:
+            continue
+        for part in parts[k:]:
+            if part in getattr(thing, "model_fields", {}):
+                return thing.model_fields[part]
+            if part in getattr(thing, "__dataclass_fields__", {}):
+                return thing.__dataclass_fields__[part]
+            thing = getattr(thing, part)
+        return thing
+    raise AssertionError(path)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(DOCS)))
+def test_names_of_springback_exist(page: Path) -> None:
+    for path in re.findall(r"`(springback(?:\.\w+)+)`", page.read_text()):
+        assert resolved(path) is not None
+
+
+def glossary() -> Iterator[tuple[str, list[str], str, list[str]]]:
+    """Symbol, keys in a scenario, name in code, units."""
+    row = r"^\| (.*?) \| .*? \| (.*?) \| `(.*?)` \| (.*?) \|$"
+    for symbol, keys, code, units in re.findall(row, (DOCS / "glossary.md").read_text(), re.M):
+        yield symbol, re.findall(r"`(.*?)`", keys), code, units.split(", ")
+
+
+def tables_of(annotation: Any) -> list[type[Settings]]:
+    if isinstance(annotation, type) and issubclass(annotation, Settings):
+        return [annotation]
+    return [inner for part in get_args(annotation) for inner in tables_of(part)]
+
+
+def fields(cls: type[Settings], path: str) -> list[Any]:
+    """The fields of that dotted path, in whichever of several tables has it."""
+    first, _, rest = path.partition(".")
+    field = cls.model_fields.get(first)
+    if field is None:
+        return []
+    if not rest:
+        return [field]
+    inner = [*tables_of(field.annotation), *(t for m in field.metadata for t in tables_of(m))]
+    return [found for table in inner for found in fields(table, rest)]
+
+
+def unit_of(field: Any) -> str | None:
+    """The unit of a settings field, where it has one (`springback.quantities`)."""
+    given = [*field.metadata, *(m for part in get_args(field.annotation) for m in get_args(part))]
+    for validator in (getattr(part, "func", None) for part in given):
+        if isinstance(validator, functools.partial):
+            return str(validator.keywords.get("unit"))
+        if getattr(validator, "__module__", "") == "springback.quantities":
+            return str(inspect.getclosurevars(validator).nonlocals["unit"])
+    return None
+
+
+def test_glossary_leads_to_code_and_to_scenarios() -> None:
+    rows = list(glossary())
+    assert len(rows) > 45
+    plain = str.maketrans({"²": "^2", "³": "^3"})
+    for symbol, keys, code, units in rows:
+        assert resolved(code) is not None, symbol
+        for key in keys:
+            found = fields(springback.Scenario, key)
+            assert found, f"{symbol}: no scenario has {key}"
+            known = {unit_of(field) for field in found} - {None}
+            wanted = {unit.translate(plain) if unit != "–" else "" for unit in units}
+            # A surface's stiffness has a unit that depends on its exponent, so none in the code.
+            assert known <= wanted or units == ["N/mⁿ"], (symbol, key, known, wanted)
+
+
+def test_equations_have_their_place_in_the_story() -> None:
+    index = (DOCS / "paper/equations.md").read_text()
+    rows = re.findall(r"^\| \((\d+)\) \| \[.*?\]\(\.\./story/(\w+\.md)#(eq-\d+)\)", index, re.M)
+    assert len(rows) == index.count("\n| (")
+    shown = {}
+    for page in (DOCS / "story").glob("*.md"):
+        for numbers in re.findall(r"\\tag\{(.*?)\}", page.read_text()):
+            for number in numbers.split(", "):
+                assert number not in shown, f"({number}) stands in two chapters"
+                shown[number] = page.name
+    for number, page, anchor in rows:
+        assert f"({anchor})=" in (DOCS / "story" / page).read_text()
+        if number != "2":  # at rest (10) is (2)
+            assert shown.pop(number) == page
+    assert not shown, "an equation of a chapter is not in the index"
+
+
+def test_restitution_table_is_what_the_law_gives() -> None:
+    text = (DOCS / "story/contact.md").read_text()
+    head = re.search(r"^\| \$c_a\$ .*$", text, re.M)
+    assert head is not None
+    speeds = [float(v) for v in re.findall(r"at ([\d.]+) m/s", head[0])]
+    rows = re.findall(r"^\| (0\.\d+) \((\w+)\) \| (.*?) \|$", text, re.M)
+    assert [name for _, name, _ in rows] == ["mat", "wall"]
+    for c_a, name, cells in rows:
+        surface = {"mat": springback.MAT, "wall": springback.WALL}[name]
+        assert float(c_a) == pytest.approx(surface.dissipation_value(), abs=5e-4)
+        for speed, cell in zip(speeds, cells.split(" | "), strict=True):
+            exact = springback.restitution(surface.dissipation_value(), speed)
+            assert float(cell) == pytest.approx(exact, abs=1e-3)
+
+
+def test_resolution_of_arm_lengths_is_as_told() -> None:
+    from springback.sensing.hall import resolution
+    from springback.sensing.parameters import HallSettings
+
+    sensors = HallSettings().device(1e-3, springback.ARQ.vehicle)
+    text = (DOCS / "story/sensing.md").read_text()
+    pressed = re.search(r"^\| compression \| (.*?) \|$", text, re.M)
+    counts = re.search(r"^\| one count of the converter \| (.*?) \|$", text, re.M)
+    assert pressed is not None
+    assert counts is not None
+    for at, count in zip(pressed[1].split(" | "), counts[1].split(" | "), strict=True):
+        said = float(count.removesuffix(" mm"))
+        exact = 1e3 * resolution(sensors, 1e-3 * float(at.removesuffix(" mm")))
+        assert said == pytest.approx(exact, rel=0.05)
+
+
+def test_scatter_is_as_told() -> None:
+    import math
+
+    from springback.experiments.trials import Scatter
+
+    text, s = (DOCS / "story/experiments.md").read_text(), Scatter()
+    assert "| start: position, velocity, heading | 3 cm, 5 cm/s, 2° |" in text
+    assert (s.position, s.velocity, round(math.degrees(s.heading), 9)) == (0.03, 0.05, 2.0)
+    assert "| wall: distance, turn | 2 cm, 1° |" in text
+    assert (s.wall_distance, round(math.degrees(s.wall_yaw), 9)) == (0.02, 1.0)
+    assert "| true over believed: mass, inertia | 2 %, 5 % (logarithms) |" in text
+    assert (s.mass, s.inertia, s.gains) == (0.02, 0.05, 0.05)
+    assert len(s.drawn("arq", 0.0, 2.0, 0, 0).gains) == 5
+
+
+def test_figures_of_the_chapters_are_those_that_are_drawn(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the extra plot is not installed")
+    from matplotlib.testing.compare import compare_images
+
+    subprocess.run(
+        [sys.executable, str(DOCS / "figures/chapters.py"), str(tmp_path)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    drawn = sorted(tmp_path.glob("*.png"))
+    assert [path.name for path in drawn] == ["contact.png", "hall.png", "quintic.png"]
+    for path in drawn:
+        kept = tmp_path / "kept" / path.name
+        kept.parent.mkdir(exist_ok=True)
+        kept.write_bytes((DOCS / "figures" / path.name).read_bytes())
+        assert compare_images(str(kept), str(path), tol=5.0) is None, path.name
