@@ -36,7 +36,6 @@ suppress_warnings = ["myst.xref_missing_text"]
 
 highlight_language = "none"
 nitpicky = True
-nitpick_ignore = [("py:obj", "springback.contact.impulse")]  # moved to dynamics.impulse
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_inherit_docstrings = False

@@ -45,7 +45,7 @@ LOOKED_AT = {
     "animate": "half a minute; tests/interfaces/test_animation.py",
 }
 #: Commands that come with other parts of the program.
-AWAITED = {"view", "lab", "animate"}
+AWAITED: set[str] = set()
 #: Programs of others: not ours to test.
 OTHERS = {"pip", "dask", "uv", "make"}
 #: Flights that are shorter here than on the page: 20 s and 4 s of closed loop.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from springback.contact.parameters import SurfaceSettings
 
 #: c_a fitted to the restitution of Quad alone (Table III, simulation) at 1.85 m/s by the exact
-#: relation; # the paper prints only a range, 0.01 to 0.5 (docs/decisions/0004).
+#: relation; the paper prints only a range, 0.01 to 0.5 (docs/decisions/0004).
 QUAD_SPEED = 1.85
 QUAD_RESTITUTION = {"wall": 0.547, "mat": 0.598}
 

@@ -2,7 +2,7 @@
 
 One set of numbers covers the laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and
 never adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The
-impulse law has no force at all; its velocity jump lives in `springback.contact.impulse`.
+impulse law has no force at all; its velocity jump lives in `springback.dynamics.impulse`.
 """
 
 from __future__ import annotations

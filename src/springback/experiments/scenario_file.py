@@ -30,7 +30,7 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
 
     Raises:
         InputError: For a word that is no ``key=value``, or that points into something that is no
-        table.
+            table.
     """
     result: Any = given
     for word in overrides:
