@@ -106,5 +106,5 @@ def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
         from springback.interfaces import canvas
         from springback.interfaces.plots_map import map_figure
 
-        written += canvas.save(map_figure(envelope), folder / "map")
+        written += canvas.save(map_figure(envelope), folder / "map", numbers=False)
     return written

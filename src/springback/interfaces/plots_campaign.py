@@ -94,9 +94,14 @@ def _line(axes: Axes, one: Marginal, robot: str, look: dict[str, Any]) -> Any:
             x = x + 0.14 * (names.index(robot) - 0.5 * (len(names) - 1))
         reach = np.maximum(0.0, [y - low, high - y])
         style = {**look, "ls": "none"} if not one.scale.edges else look
-        return axes.errorbar(x, y, yerr=reach, ms=4.0, capsize=2.0, elinewidth=0.9, **style)
-    axes.fill_between(x, low, high, color=look["color"], alpha=0.18, lw=0.0)
-    return axes.plot(x, y, ms=3.2, **look)[0]
+        return axes.errorbar(
+            x, y, yerr=reach, ms=4.0, capsize=2.0, elinewidth=0.9, label=ROBOTS.get(robot, robot),
+            **style,
+        )  # fmt: skip
+    name = ROBOTS.get(robot, robot)
+    bounds = f"_{name}, 95 % interval"
+    axes.fill_between(x, low, high, color=look["color"], alpha=0.18, lw=0.0, label=bounds)
+    return axes.plot(x, y, ms=3.2, label=name, **look)[0]
 
 
 def _ticks(axes: Axes, scale: Scale) -> None:
