@@ -134,7 +134,8 @@ class _Places:
     def __init__(self, ax: Axes, which: str) -> None:
         axis: Axis = getattr(ax, f"{which}axis")
         locator: Any = axis.get_major_locator()
-        self.at = [float(v) for v in locator.locs] if isinstance(locator, FixedLocator) else []
+        fixed = isinstance(locator, FixedLocator)
+        self.at: list[float] = [float(v) for v in locator()] if fixed else []
         words = axis.get_major_formatter().format_ticks(self.at) if self.at else []
         self.words = [_words(word) for word in words]
         self.worded = any(not _is_number(word) for word in self.words)
@@ -247,10 +248,8 @@ def _line(line: Line2D, ax: Axes, x: _Places, y: _Places) -> Iterator[Row]:
 
 
 def _mesh(mesh: QuadMesh, x: _Places, y: _Places) -> Iterator[Row]:
-    corners, values = (
-        np.asarray(mesh.get_coordinates()),
-        np.ma.atleast_2d(np.ma.asarray(mesh.get_array())),
-    )
+    corners = np.asarray(mesh.get_coordinates())
+    values: Any = np.ma.atleast_2d(np.ma.asarray(mesh.get_array()))
     middles = 0.25 * (corners[1:, 1:] + corners[:-1, 1:] + corners[1:, :-1] + corners[:-1, :-1])
     head = _colour_head(mesh)
     for (row, column), value in np.ndenumerate(np.ma.filled(values.astype(float), np.nan)):
