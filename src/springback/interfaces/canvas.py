@@ -32,6 +32,8 @@ LOOKS: tuple[Look, ...] = (
 """Of curves in one panel, in this order."""
 WIDTH = 4.8
 """Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
+COLUMN, TWO_COLUMNS = 3.5, 7.16
+"""[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
 RESOLUTION = 200
 """Of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.house"]
@@ -63,6 +65,11 @@ def picture(draw: Callable[P, Figure], *args: P.args, **kwargs: P.kwargs) -> tup
     with style.context(STYLE):
         figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
         return png(figure), csv_of(figure)
+
+
+def printed_width(figure: Figure) -> float:
+    """How wide a figure is in print [in]."""
+    return COLUMN if figure.get_size_inches()[0] <= WIDTH else TWO_COLUMNS
 
 
 def png(figure: Figure) -> bytes:

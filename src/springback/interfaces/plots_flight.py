@@ -46,7 +46,7 @@ from springback.vehicle.library import VEHICLES
 NAMES = {"quad": "Quad", "arq": "ARQ pre-col", "arq after drops": "ARQ post-col"}
 """Columns of Table IV, as printed."""
 FLIGHT_LOOKS: dict[str, Look] = {
-    "quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-"), "arq after drops": (GREEN, (0, (1.2, 1.0))),
+    "quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-"), "arq after drops": (GREEN, (0, (1.2, 2.4))),
 }  # fmt: skip
 MARKERS = {"quad": "s", "arq": "o", "arq after drops": "^"}
 WANTED: Look = (INK, (0, (6, 2, 1, 2)))

@@ -84,7 +84,7 @@ def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
 @styled
 def success_figure(results: ResilienceResults) -> Figure:
     """Shares of recovered trials with Wilson's intervals, and what the paper prints."""
-    figure = HouseFigure(figsize=(WIDTH, 2.7))
+    figure = HouseFigure(figsize=(WIDTH, 3.0))
     ax = figure.subplots()
     order = sorted(CONDITIONS, key=lambda c: (c[1], c[0]))
     for robot, shift in zip(ROBOTS, (-0.14, 0.14), strict=True):
@@ -113,7 +113,7 @@ def success_figure(results: ResilienceResults) -> Figure:
     ax.set_xlabel("Speed and pitch at contact")
     ax.set_ylabel("Recovered [%]")
     ax.grid(visible=False, axis="x")
-    figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=4)
+    figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
 
 
@@ -161,7 +161,7 @@ def fast_figure(sample: Sample) -> Figure:
                 )  # fmt: skip
         axes[2, 0].plot([], [], color=PRINTED[0], ls=PRINTED[1], lw=0.9, label="printed extremes")
     axes[0, 0].set_title(_condition(sample.robot, sample.pitch, sample.speed))
-    axes[0, 1].set_title("Contact (shaded)")
+    axes[0, 1].set_title("In contact")
     axes[-1, 0].set_xlabel("Time from first touch [s]")
     axes[-1, 1].set_xlabel("From touch [ms]")
     figure.align_ylabels(axes[:, 0])
@@ -282,7 +282,7 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     flight = next(r.flight for r in results.repeated(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
     figure = HouseFigure(figsize=(WIDTH, 3.5))
-    axes = figure.subplots(2, 2, sharey="row", width_ratios=(2.6, 1.0))
+    axes = figure.subplots(2, 2, sharex="col", sharey="row", width_ratios=(2.6, 1.0))
     close = _within(curves, (-0.1, ZOOMED))
     rows = [("x", STATES[0], 1.0), ("pitch", STATES[2], math.degrees(1.0))]
     for (whole, zoom), (name, label, scale) in zip(axes, rows, strict=True):

@@ -141,7 +141,7 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     column[1].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     column[1].plot(
         1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=7, ls="none",
-        zorder=4, label="end of contact, printed",
+        zorder=4, label="the same, printed",
     )  # fmt: skip
     column[2].axhline(-printed.peak_acceleration, label="_printed value", **line)
 
