@@ -1,0 +1,158 @@
+"""Results of flights, read back from the folders that `springback fly` writes."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.experiments.result import Flight
+from springback.experiments.scenario import Scenario, scenario_from
+from springback.simulation.measures import Outcome
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def read_result(folder: str | Path) -> Flight:
+    """A flight as it was written, with its scenario, measures, trajectory and diary.
+
+    Args:
+        folder: With ``summary.json``, ``trajectory.parquet`` and, of a flight with a pilot,
+            ``diary.parquet``.
+
+    Raises:
+        InputError: In one line, if the folder is no result, or what is in it is torn or foreign.
+    """
+    folder = Path(folder)
+    if not folder.exists():
+        raise InputError(f"{folder}: there is no such folder")
+    if not folder.is_dir():
+        raise InputError(f"{folder}: is a file; give the folder that springback fly wrote")
+    summary = _summary(folder / "summary.json")
+    path = folder / "trajectory.parquet"
+    if not path.is_file():
+        raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
+    scenario = _scenario(folder / "summary.json", summary)
+    columns, units = _table(path)
+    _check(path, columns, _wanted(scenario.vehicle.arm_count))
+    diary: dict[str, Array] = {}
+    path = folder / "diary.parquet"
+    if path.is_file():
+        diary, more = _table(path)
+        _check(path, diary, ["t"])
+        units |= more
+    outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
+    return Flight(scenario, outcome, measures, columns, units, diary)
+
+
+def _summary(path: Path) -> Mapping[str, Any]:
+    if not path.is_file():
+        raise InputError(
+            f"{path}: is missing; {path.parent} is no result folder as springback fly writes it"
+        )
+    try:
+        read = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, ValueError, RecursionError) as error:
+        raise InputError(f"{path}: cannot be read as JSON ({_first_line(error)})") from None
+    if not isinstance(read, dict):
+        raise InputError(f"{path}: is no summary of a flight: it must be a JSON object")
+    for name, kind in {"scenario": dict, "measures": dict, "outcome": str}.items():
+        if not isinstance(read.get(name), kind):
+            raise InputError(
+                f"{path}: {name}: is missing or of another kind; this is no summary of one flight"
+            )
+    return read
+
+
+def _first_line(error: BaseException) -> str:
+    text = str(error).strip().splitlines() or [type(error).__name__]
+    return text[0][:200]
+
+
+def _scenario(path: Path, summary: Mapping[str, Any]) -> Scenario:
+    try:
+        return scenario_from(summary["scenario"])
+    except (InputError, TypeError, ValueError) as error:
+        by = f"; it was written by springback {str(summary.get('springback', '?'))[:20]}"
+        raise InputError(f"{path}: scenario: {_first_line(error)}{by}") from None
+
+
+def _outcome(path: Path, summary: Mapping[str, Any]) -> Outcome:
+    known = {outcome.word: outcome for outcome in Outcome}
+    if summary["outcome"] not in known:
+        raise InputError(
+            f"{path}: outcome: {summary['outcome'][:40]!r} is none of {', '.join(known)}"
+        )
+    return known[summary["outcome"]]
+
+
+def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | None]:
+    measures: dict[str, float | None] = {}
+    for name, value in summary["measures"].items():
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        if value is not None and not (number and math.isfinite(value)):
+            raise InputError(
+                f"{folder / 'summary.json'}: measures.{name[:40]}: must be a number or null "
+                f"(got {str(value)[:40]!r})"
+            )
+        measures[name] = None if value is None else float(value)
+    if "touch_time" not in measures:
+        raise InputError(f"{folder / 'summary.json'}: measures.touch_time: is missing")
+    return measures
+
+
+def _wanted(arms: int) -> list[str]:
+    """Columns of a trajectory that are needed."""
+    numbers = range(1, arms + 1)
+    names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
+    names += [f"{kind}{axis}" for kind in "vwa" for axis in "xyz"]
+    return names + [f"{kind}{j}" for kind in ("l", "dl", "fn", "ff") for j in numbers]
+
+
+def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns of a Parquet file, and their units."""
+    import duckdb
+
+    try:
+        with duckdb.connect() as connection:
+            connection.execute("SET threads = 1")
+            read = connection.read_parquet(str(path)).fetchnumpy()
+            told = connection.execute(
+                "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [str(path)]
+            ).fetchone()
+    except duckdb.Error as error:
+        raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
+    columns: dict[str, Array] = {}
+    for name, values in read.items():
+        if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
+            raise InputError(f"{path}: column {name}: has missing values")
+        try:
+            columns[name] = np.ascontiguousarray(values, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(f"{path}: column {name}: must hold numbers") from None
+    try:
+        units = json.loads(told[0]) if told else {}
+    except ValueError:
+        units = {}
+    known = units if isinstance(units, dict) else {}
+    return columns, {name: str(known.get(name, "")) for name in columns}
+
+
+def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
+    """Refuse columns that are not those of a flight."""
+    missing = [name for name in wanted if name not in columns]
+    if missing:
+        raise InputError(f"{path}: has no column {', '.join(missing[:6])}; it is of another kind")
+    t = columns["t"]
+    if len(t) < 2:
+        raise InputError(f"{path}: has {len(t)} instants; a flight has at least 2")
+    for name in wanted:
+        if not np.isfinite(columns[name]).all():
+            raise InputError(f"{path}: column {name}: must be finite numbers")
+    if not (np.diff(t) > 0.0).all():
+        raise InputError(f"{path}: column t: must increase from row to row, in s")
