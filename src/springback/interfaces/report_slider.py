@@ -112,7 +112,7 @@ def slider_sections(results: SliderResults) -> list[Section]:
     part = WORDS.title("part")
     kept = {key: found for key, found in blocks.items() if found}
     return [
-        Section(key, WORDS.title(key), found, part if k == 0 else "")
+        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key == "answer")
         for k, (key, found) in enumerate(kept.items())
     ]
 
