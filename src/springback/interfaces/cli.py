@@ -348,7 +348,7 @@ def _table(rows: list[Any]) -> str:
     return "\n".join(lines)
 
 
-from springback.interfaces import cli_campaign, cli_map, cli_study  # noqa: E402, F401
+from springback.interfaces import cli_campaign, cli_film, cli_map, cli_study  # noqa: E402, F401
 
 
 def main() -> None:
