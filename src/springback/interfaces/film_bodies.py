@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.interfaces.scene import Scene
+from springback.interfaces.scene import ArmShape, Scene
 from springback.interfaces.scene_geometry import Drawable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -122,24 +123,24 @@ def ring(centre: Array, radius: float, turn: Array) -> Array:
     return centre + radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1) @ turn[:, :2].T
 
 
-def ends(scene: Scene, now: Pose, *, free: bool = False) -> Array:
+def ends(arms: Sequence[ArmShape], now: Pose, *, free: bool = False) -> Array:
     """Ends of the arms, where cages and rotors are, as they are or at their free length."""
-    lengths = np.array([arm.length for arm in scene.arms]) if free else now.lengths
-    directions = np.array([arm.direction for arm in scene.arms])
+    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
+    directions = np.array([arm.direction for arm in arms])
     return np.asarray(now.position + (lengths[:, None] * directions) @ now.rotation.T)
 
 
-def arm_line(scene: Scene, now: Pose, j: int) -> Array:
+def arm_line(arm: ArmShape, now: Pose, length: float) -> Array:
     """An arm from the main body to the rotor: a helix if it gives way, else straight."""
-    along = now.rotation @ np.array(scene.arms[j].direction)
-    if not scene.arms[j].compliant:
-        return now.position + np.outer([0.0, now.lengths[j]], along)
+    along = now.rotation @ np.array(arm.direction)
+    if not arm.compliant:
+        return now.position + np.outer([0.0, length], along)
     across = np.cross(now.rotation[:, 2], along)
-    reach = BODY + HELIX * (now.lengths[j] - BODY - COIL_END)
+    reach = BODY + HELIX * (length - BODY - COIL_END)
     turn = 2.0 * np.pi * COILS * HELIX
     around = np.outer(np.sin(turn), across) + np.outer(1.0 - np.cos(turn), now.rotation[:, 2])
     spiral = now.position + np.outer(reach, along) + COIL_RADIUS * around
-    return np.vstack([now.position, spiral, now.position + now.lengths[j] * along])
+    return np.vstack([now.position, spiral, now.position + length * along])
 
 
 def body_outline(now: Pose) -> tuple[Array, Array]:

@@ -137,13 +137,13 @@ class Panel:
         """
         view, scene = self.view, self.scene
         self.trail.set_data(*view(np.vstack([past, now.position])).T)
-        tips, free = ends(scene, now), ends(scene, now, free=True)
+        tips, free = ends(scene.arms, now), ends(scene.arms, now, free=True)
         for j, arm in enumerate(scene.arms):
             rest = ring(free[j], arm.cage_radius, now.rotation)
             pressed = abs(arm.length - now.lengths[j]) > PRESSED
             self.free[j].set_data(*view(rest if pressed else rest[:0]).T)
             self.cages[j].set_data(*view(ring(tips[j], arm.cage_radius, now.rotation)).T)
-            self.arms[j].set_data(*view(arm_line(scene, now, j)).T)
+            self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
             bar = THRUST_BAR * now.thrust[j] / max(scene.most_thrust, 1e-9) * now.rotation[:, 2]
             self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
         mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
