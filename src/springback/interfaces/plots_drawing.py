@@ -69,7 +69,7 @@ def robots_figure() -> Figure:
         now = Pose(np.zeros(3), np.eye(3), lengths, lengths, still, still)
         _robot(ax, AXES, arms, now, COLOURS[robot])
         for j, (arm, tip) in enumerate(zip(arms, ends(arms, now), strict=True), start=1):
-            ax.text(*(1.12 * tip[:2]), f"{j}", ha="center", va="center", weight="bold")
+            ax.text(*(1.32 * tip[:2]), f"{j}", ha="center", va="center", weight="bold")
             if j == 1:
                 _measured(ax, tip, arm)
         for axis, (x, y) in {"x": (0.30, 0.0), "y": (0.0, 0.30)}.items():
@@ -81,18 +81,17 @@ def robots_figure() -> Figure:
         ax.set_xlabel("forward x [m]")
     axes[0].set_ylabel("left y [m]")
     axes[0].set_xlim(-0.34, 0.36)
-    axes[0].set_ylim(-0.34, 0.36)
+    axes[0].set_ylim(-0.37, 0.36)
     return figure
 
 
 def _measured(ax: Axes, tip: Any, arm: ArmShape) -> None:
     """Arm length and cage radius, in words beside the first arm."""
     ax.text(
-        0.98, 0.02, f"arms {1e3 * arm.length:.0f} mm\ncages {1e3 * arm.cage_radius:.0f} mm",
-        ha="right", va="bottom", transform=ax.transAxes,
-        bbox={"facecolor": "white", "alpha": 0.8, "lw": 0.0, "pad": 1.0},
+        0.5, 0.02, f"arms {1e3 * arm.length:.0f} mm, cages {1e3 * arm.cage_radius:.0f} mm",
+        ha="center", va="bottom", transform=ax.transAxes,
     )  # fmt: skip
-    edge = tip[:2] + arm.cage_radius * np.array([0.6, 0.8])
+    edge = tip[:2] + arm.cage_radius * np.array([-0.6, 0.8])
     ax.annotate("", edge, tip[:2], arrowprops={"arrowstyle": "-", "color": GREY, "lw": 0.9})
 
 
@@ -172,11 +171,11 @@ def _forces(ax: Axes, scene: Scene, view: View, now: Pose) -> None:
             turn = float(np.degrees(np.arctan2(*(line[1] - line[0])[::-1])))
             ax.plot(*line[1], marker=(3, 0, turn - 90.0), color=colour, ms=7, zorder=7,
                     label=f"_{name}, tip")  # fmt: skip
-            label = {"normal force": "f_n", "friction": "f_f"}[name]
+            label = {"normal force": "normal", "friction": "friction"}[name]
             foot, side = view(at), (0.025 if name == "normal force" else 0.075)
             up = 1.0 if foot[1] > view(now.position)[1] else -1.0
             ax.text(
-                foot[0] + 0.02, foot[1] + up * side - 0.012, f"{label} = {size:.0f} N",
+                foot[0] + 0.02, foot[1] + up * side - 0.012, f"{label} {size:.0f} N",
                 color=colour, weight="bold", zorder=8,
                 bbox={"facecolor": "white", "alpha": 0.85, "lw": 0.0, "pad": 1.0},
             )  # fmt: skip

@@ -43,14 +43,13 @@ def ablation_figure(results: WhyResults) -> Figure:
         for (i, j), value in np.ndenumerate(share):
             cell = results.successes(rows[i], robot).get(CONDITIONS[j])
             flown = robot in rows[i].robots
-            text = str(cell.successes) if cell else "unflown" if flown else ""
-            size = 7.0 if cell else 5.0
+            text = str(cell.successes) if cell else "–" if flown else ""
             dark = bool(cell) and value < 0.5
-            axes.text(j, i, text, ha="center", va="center", size=size,
+            axes.text(j, i, text, ha="center", va="center", size=8,
                       color="white" if dark else INK)  # fmt: skip
-        axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=7)
-        axes.set_title(TITLES[robot])
-        axes.set_xlabel("Pitch at contact [deg], speed [m/s]")
+        axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=8)
+        axes.set_title(f"{TITLES[robot]}: trials that succeed (– cannot be flown)", size=8)
+        axes.set_xlabel("Pitch at contact [deg], speed [m/s]", size=8)
         axes.tick_params(length=0)
         axes.grid(visible=False)
         for edge in axes.spines.values():
@@ -59,7 +58,7 @@ def ablation_figure(results: WhyResults) -> Figure:
             if rows[i].cause != rows[i - 1].cause:
                 axes.axhline(i - 0.5, color=GREY, lw=0.6)
     labels = [f"{v.cause}: {v.name}" for v in rows]
-    panels[0].set_yticks(range(len(rows)), labels, size=7)
+    panels[0].set_yticks(range(len(rows)), labels, size=8)
     return figure
 
 
@@ -84,7 +83,7 @@ def ranges_figure(results: WhyResults) -> Figure:
         axes.set_ylim(-0.05, 1.08)
         axes.set_yticks([0.0, 0.5, 1.0])
     for axes in grid[:, 0]:
-        axes.set_ylabel("Share of trials [-]")
+        axes.set_ylabel("Share [-]")
     for axes in list(grid.flat)[len(RANGES) :]:
         axes.set_visible(False)
     grid.flat[0].legend(loc="lower left")

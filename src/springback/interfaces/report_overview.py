@@ -130,7 +130,7 @@ def _deviation(row: Row) -> float:
 
 
 def _farthest(row: Row) -> Cell:
-    name = row.quantity.replace("_", " ")
+    name = row.quantity if " " in row.quantity else row.quantity.replace("_", " ")
     return Cell(name, detail=percent(row.deviation), mark=row.mark)
 
 

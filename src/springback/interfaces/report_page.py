@@ -97,7 +97,7 @@ class Picture:
     def size(self) -> tuple[int, int]:
         """Width and height on the page [CSS pixels]."""
         width, height = self.figure.get_size_inches()
-        return round(125 * width), round(125 * height)
+        return round(150 * width), round(150 * height)
 
 
 class Point(NamedTuple):

@@ -338,7 +338,9 @@ def _drawings(results: SliderResults) -> Blocks:
     ]
     if hit:
         words = WORDS.say("contact_picture", reading=DRAWN)
-        figure = plots_drawing.contact_figure(scene_of(hit[0]))
+        if hit[0].scenario.model.contact_point == "paper":
+            words += " " + WORDS.say("contact_along_arm")
+        figure = plots_drawing.contact_figure(scene_of(hit[0], label=plots_slider.ROBOTS["arq"]))
         blocks.append(Picture("contact_drawn", words, figure))
     return tuple(blocks)
 
