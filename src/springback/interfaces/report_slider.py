@@ -321,7 +321,7 @@ def _method(results: SliderResults) -> Blocks:
     )
     return (
         *first,
-        *_drawings(results),
+        *(_drawings(results) if results.cases else ()),
         WORDS.say("fit"),
         Table(WORDS.say("readings_caption"), WORDS.head("readings"), readings),
         Table(WORDS.say("definitions"), WORDS.head("definitions"), definitions),
