@@ -56,7 +56,7 @@ def animate(
     """
     if len(results) not in (1, 2):
         raise InputError(
-            f"RESULT: give one folder or two to be shown side by side ({len(results)})"
+            f"RESULT: give one folder, or two to be shown side by side ({len(results)})"
         )
     for name, value in {"--from": begin, "--to": end, "--fps": fps, "--slow": slow}.items():
         if value is not None and not abs(value) < 1e9:

@@ -267,9 +267,12 @@ def _image(image: AxesImage, x: _Places, y: _Places) -> Iterator[Row]:
 
 
 def _colour_head(image: Any) -> str:
-    bar = image.colorbar
+    """The label of colours: their own, or that of the figure's colour bar."""
     own = str(image.get_label())
-    return str(bar.ax.get_ylabel()) if bar is not None else own.removeprefix("_") or VALUE
+    if own and not UNNAMED.fullmatch(own):
+        return own.removeprefix("_")
+    bars = (ax.get_ylabel() for ax in image.axes.figure.axes if ax.get_label() == "<colorbar>")
+    return next(bars, VALUE)
 
 
 def _band(vertices: Any, x: _Places, y: _Places) -> Iterator[Row]:

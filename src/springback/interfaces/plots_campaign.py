@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
 
 from springback.experiments.campaign.marginals import FieldMap, Marginal, Scale
 from springback.interfaces.canvas import BLUE, GREEN, PINK, RED, SHADE, HouseFigure, styled
@@ -108,6 +109,7 @@ def _ticks(axes: Axes, scale: Scale) -> None:
     axes.set_xlabel(label(scale))
     if scale.logarithmic:
         axes.set_xscale("log")
+        _log_ticks(axes.xaxis, scale)
     if scale.labels and not scale.edges:
         long = sum(map(len, scale.labels)) > LONG
         slant: dict[str, Any] = {"rotation": 20, "ha": "right"} if long else {}
@@ -116,6 +118,14 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.grid(visible=False, axis="x")
     elif scale.labels and len(scale.labels) <= 7:
         axes.set_xticks(shown(scale, scale.edges))
+
+
+def _log_ticks(axis: Any, scale: Scale) -> None:
+    """Three labels along a logarithmic field: its ends and the middle."""
+    low, *_, high = (float(edge) for edge in shown(scale, scale.edges))
+    ticks = [low, math.sqrt(low * high), high]
+    axis.set_ticks(ticks, [f"{tick:.2g}" for tick in ticks])
+    axis.set_minor_locator(NullLocator())
 
 
 @styled
@@ -159,6 +169,7 @@ def _map_ticks(axis: Any, scale: Scale) -> None:
     if not scale.labels:
         if scale.logarithmic:
             axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+            _log_ticks(axis, scale)
         return
     words = scale.labels
     if scale.edges:

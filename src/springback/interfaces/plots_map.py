@@ -23,7 +23,7 @@ ROBOTS = {"quad": "Quad", "arq": "ARQ"}
 #: What an axis means, for parameters whose name does not say it.
 MEANINGS = {
     "speed": "Speed at contact [m/s]",
-    "pitch": "Pitch at contact [deg], positive nose down",
+    "pitch": "Pitch at contact, nose down [deg]",
 }
 #: Marks of what the paper prints of its tests, section Impact Resilience: a share, or words.
 PRINTED_MARKS = {

@@ -48,7 +48,7 @@ def ablation_figure(results: WhyResults) -> Figure:
             axes.text(j, i, text, ha="center", va="center", size=8,
                       color="white" if dark else INK)  # fmt: skip
         axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=8)
-        axes.set_title(f"{TITLES[robot]}: trials that succeed (– cannot be flown)", size=8)
+        axes.set_title(f"{TITLES[robot]}: successes (– unflown)", size=9)
         axes.set_xlabel("Pitch at contact [deg], speed [m/s]", size=8)
         axes.tick_params(length=0)
         axes.grid(visible=False)

@@ -110,6 +110,7 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
             _marks(rows),
         ),
         summary=True,
+        answers=True,
     )
 
 

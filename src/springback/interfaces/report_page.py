@@ -157,9 +157,10 @@ def page(title: str, sections: Sequence[Section], lead: str = REPRODUCTION) -> s
 
 
 def _symbols(text: str) -> Markup:
-    """Text, escaped, with the symbols of the paper set as such."""
+    """Text, escaped, with minus signs and the symbols of the paper set as such."""
     known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
-    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
+    signed = re.sub(r"(?<![\w.)-])-(?=\d)", "−", str(escape(text)))
+    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
 
 
 def rounded(value: float | None, decimals: int) -> str:
