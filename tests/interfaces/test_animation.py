@@ -24,14 +24,12 @@ from springback.interfaces.scene import Scene, scene_of
 SMALL = (200, 180)
 
 
-def slid(vehicle: str = "arq") -> Any:
-    """A robot slides into a wall, its motors off."""
+def thrown(**wall: Any) -> Any:
+    """ARQ is thrown level into a wall, its rotors at hover thrust."""
+    wall = wall or {"distance": "2.75 m"}
     return fly(scenario_from({
-        "name": "slider", "vehicle": vehicle, "thrust": "off",
-        "model": {"slider": [1, 0, 0]},
-        "world": {"gravity": 0.0, "obstacles": [
-            {"type": "wall", "distance": "2.75 m", "surface": "wall"},
-        ]},
+        "name": "thrown", "vehicle": "arq", "thrust": "hover",
+        "world": {"obstacles": [{"type": "wall", "surface": "wall", **wall}]},
         "start": {"position": ["2.3 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
         "simulation": {"duration": "0.3 s"},
     }))  # fmt: skip
@@ -41,7 +39,7 @@ def slid(vehicle: str = "arq") -> Any:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("film") / "arq"
     with output_folder(out) as place:
-        write_flight(slid(), place, figures=False)
+        write_flight(thrown(), place, figures=False)
     return out
 
 
@@ -121,8 +119,12 @@ def test_cages_and_forces_are_at_the_wall(scene: Scene) -> None:
 
 
 def test_the_obstacle_that_is_hit_stands_on_the_right() -> None:
-    turned = slid()
-    assert film_bodies.views(scene_of(turned))[0].right == pytest.approx([1.0, 0.0, 0.0])
+    assert film_bodies.views(scene_of(thrown()))[0].right == pytest.approx([1.0, 0.0, 0.0])
+    turned = thrown(position=[2.9, 0, 0], normal=[-1, -1, 0])
+    side, above = film_bodies.views(scene_of(turned))
+    for view in (side, above):
+        assert view.right == pytest.approx([math.sqrt(0.5), math.sqrt(0.5), 0.0])
+    assert above.up == pytest.approx([-math.sqrt(0.5), math.sqrt(0.5), 0.0])
 
 
 def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
@@ -190,6 +192,7 @@ def frames_of(path: Path) -> tuple[int, float]:
         durations = []
         for k in range(film.n_frames):  # type: ignore[attr-defined]
             film.seek(k)
+            film.load()
             durations.append(film.info["duration"])
         assert film.info.get("loop") == 0
         return len(durations), 1e-3 * sum(durations)
@@ -216,6 +219,9 @@ def test_two_flights_and_mp4(folder: Path, tmp_path: Path) -> None:
     for path in made:
         assert animate(folder, folder, "--out", path, *words).exit_code == 0
     assert made[0].read_bytes() == made[1].read_bytes()
+    header = made[0].read_bytes()
+    (movie,) = [header.index(b"mvhd") + 8]  # version and flags, then the time of creation
+    assert header[movie : movie + 4] == b"\0\0\0\0"
     with av.open(str(made[0])) as film:
         pictures = [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
     assert pictures[0].shape == (180, 200, 3)

@@ -146,10 +146,11 @@ def _mp4(frames: Frames, path: Path, fps: float) -> None:
     from fractions import Fraction
 
     import av
+    from av.container import Flags
 
     held = [*frames, *[frames[-1]] * round(HOLD * fps)]
-    options = {"movflags": "+faststart", "fflags": "+bitexact"}
-    with av.open(str(path), "w", options=options) as film:
+    with av.open(str(path), "w", options={"movflags": "+faststart"}) as film:
+        film.flags |= int(Flags.bitexact)  # no time of creation
         stream = film.add_stream("libx264", rate=Fraction(fps).limit_denominator(1000))
         stream.height, stream.width = frames[0].shape[:2]
         stream.pix_fmt, stream.thread_count = "yuv420p", 1

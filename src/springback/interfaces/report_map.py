@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from springback.experiments.envelope import LEVEL, Envelope, Place
 from springback.interfaces.plots_map import ROBOTS, map_figure
-from springback.interfaces.report_page import Cell, Picture, Section, Table, Words, page, plain
+from springback.interfaces.report_page import (
+    Blocks,
+    Cell,
+    Picture,
+    Section,
+    Table,
+    Words,
+    page,
+    plain,
+)
 
 WORDS = Words.of("map")
 
@@ -19,7 +28,7 @@ def map_page(envelope: Envelope) -> str:
     picture = WORDS.say("picture", level=plain(100 * LEVEL), **axes)
     reaches = tuple(_named(envelope.sentence(robot) + ".") for robot in envelope.robots)
     asked = WORDS.say("asked", robots=_names(envelope), trials=envelope.trials, **axes)
-    short = (asked, *reaches, Picture("map", picture, map_figure(envelope)))
+    short: Blocks = (asked, *reaches, Picture("map", picture, map_figure(envelope)))
     tables = tuple(_table(envelope, robot) for robot in envelope.robots)
     sections = [
         Section("overview", WORDS.title("overview"), short, summary=True),
