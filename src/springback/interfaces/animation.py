@@ -150,7 +150,8 @@ def _mp4(frames: Frames, path: Path, fps: float) -> None:
 
     held = [*frames, *[frames[-1]] * round(HOLD * fps)]
     with av.open(str(path), "w", options={"movflags": "+faststart"}) as film:
-        film.flags |= int(Flags.bitexact)  # no time of creation
+        bitexact: Any = Flags.bitexact.value
+        film.flags |= bitexact  # no time of creation
         stream = film.add_stream("libx264", rate=Fraction(fps).limit_denominator(1000))
         stream.height, stream.width = frames[0].shape[:2]
         stream.pix_fmt, stream.thread_count = "yuv420p", 1

@@ -25,7 +25,7 @@ def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
     Args:
         groups: Compared numbers by the name of their group, of which nothing was fitted.
     """
-    figure = HouseFigure(figsize=(WIDTH, 0.95 + 0.36 * max(len(groups), 1)))
+    figure = HouseFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
     ax = figure.subplots()
     within = f"within {100 * AGREEMENT:g} %"
     ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1, label="_" + within)
