@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import Any
 
+from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -51,7 +52,8 @@ def complaints(figure: Figure) -> list[str]:
     """Small, clipped or overlapping words; axes without a unit."""
     found = list(_unlabelled(figure))
     agg = FigureCanvasAgg(figure)
-    agg.draw()
+    with style.context(canvas.STYLE):  # ticks that are new are made when drawn
+        agg.draw()
     renderer = agg.get_renderer()
     printed = canvas.printed_width(figure) / figure.get_size_inches()[0]
     whole, texts = figure.bbox, _texts(figure)

@@ -220,8 +220,9 @@ def test_two_flights_and_mp4(folder: Path, tmp_path: Path) -> None:
         assert animate(folder, folder, "--out", path, *words).exit_code == 0
     assert made[0].read_bytes() == made[1].read_bytes()
     header = made[0].read_bytes()
-    (movie,) = [header.index(b"mvhd") + 8]  # version and flags, then the time of creation
+    movie = header.index(b"mvhd") + 8  # after version and flags, the time of creation
     assert header[movie : movie + 4] == b"\0\0\0\0"
+    assert b"Lavf" not in header  # nor by whom
     with av.open(str(made[0])) as film:
         pictures = [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
     assert pictures[0].shape == (180, 200, 3)
