@@ -230,8 +230,8 @@ def test_a_summary_with_its_page(place: Path, here: Here) -> None:
     assert "arq less quad, over 150 pairs of the same luck" in done.stdout
     names = {path.name for path in (place / "page").iterdir()}
     assert names == {
-        "summary.json", "summary.html", "marginals.png", "marginals.pdf",
-        "map-speed-surface.png", "map-speed-surface.pdf",
+        "summary.json", "summary.html", "marginals.png", "marginals.pdf", "marginals.csv",
+        "map-speed-surface.png", "map-speed-surface.pdf", "map-speed-surface.csv",
     }  # fmt: skip
     told = json.loads((place / "page/summary.json").read_text())
     assert [robot["flights"] for robot in told["robots"]] == [150, 150]

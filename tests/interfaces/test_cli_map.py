@@ -33,7 +33,9 @@ def test_a_small_map_end_to_end(tmp_path: Path) -> None:
     done = run(*words, "--out", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     out = tmp_path / "out"
-    assert {path.name for path in out.iterdir()} == {"map.json", "map.csv", "map.png", "map.pdf"}
+    assert {path.name for path in out.iterdir()} == {
+        "map.html", "map.json", "map.csv", "map.png", "map.pdf"
+    }  # fmt: skip
     assert "arq: at least 95 % in 2 of 2 cells that can be flown (2 cannot)" in done.stdout
     assert "pitch [deg]" in done.stdout
     assert "speed [m/s]" in done.stdout

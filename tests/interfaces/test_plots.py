@@ -1,6 +1,6 @@
 """Figures of made-up flights: units on every axis, nothing that a flight may lack brings them down.
 
-Nothing here is flown or compiled: trajectories are formulas, measures are typed in.
+Nothing here is flown: trajectories are formulas, measures are typed in.
 """
 
 import hashlib
@@ -64,10 +64,12 @@ def made_up_flight(
         "vx": 1.85 - 2.7 * phase * hit,
     }
     columns |= {"vy": zero, "vz": zero, "ax": -100.0 * bump, "ay": zero, "az": zero}
+    columns |= {"qw": zero + 1.0} | dict.fromkeys(("qx", "qy", "qz", "wx", "wy", "wz"), zero)
     for j in range(1, arms + 1):
         front = float(j <= 2)
         columns |= {
             f"l{j}": 0.19 - stroke * front * bump,
+            f"dl{j}": zero,
             f"fn{j}": 150.0 * front * bump,
             f"ff{j}": zero,
         }
@@ -293,8 +295,9 @@ def test_the_users_own_style_is_neither_used_nor_changed() -> None:
 
 
 def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None:
-    (png, pdf) = canvas.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
-    assert [png.name, pdf.name] == ["energy.v1.png", "energy.v1.pdf"]
+    files = canvas.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
+    assert [file.name for file in files] == ["energy.v1.png", "energy.v1.pdf", "energy.v1.csv"]
+    png, pdf, _ = files
     assert b"Date" not in pdf.read_bytes()
     assert b"tEXt" not in png.read_bytes()
     assert b"/FontFile2" in pdf.read_bytes()  # TrueType, embedded
@@ -310,7 +313,7 @@ def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None
         [sys.executable, "-c", program, __file__, str(tmp_path / "b")],
         capture_output=True, text=True, check=True, env={"PYTHONHASHSEED": "7", "PYTHONPATH": ":".join(sys.path)},
     )  # fmt: skip
-    assert done.stdout.split() == [hashlib.sha256(f.read_bytes()).hexdigest() for f in (png, pdf)]
+    assert done.stdout.split() == [hashlib.sha256(f.read_bytes()).hexdigest() for f in files]
 
 
 def test_notebooks_show_figures() -> None:

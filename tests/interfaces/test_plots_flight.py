@@ -45,6 +45,7 @@ from springback.interfaces import (
     canvas,
     files,
     plots,
+    plots_drawing,
     plots_flight,
     plots_guided,
     plots_resilience,
@@ -252,10 +253,10 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
 ) -> None:
     monkeypatch.setattr(canvas, "picture", lambda draw, _: draw.__name__)
     assert files._pictures(touching(flight)) == {
-        "flight.png": "flight_figure", "energy.png": "energy_figure", "impact.png": "impact_figure",
+        "flight": "flight_figure", "energy": "energy_figure", "impact": "impact_figure",
     }  # fmt: skip
-    assert "impact.png" not in files._pictures(flight)
-    assert "impact.png" not in files._pictures(replace(touching(flight), diary={}))
+    assert "impact" not in files._pictures(flight)
+    assert "impact" not in files._pictures(replace(touching(flight), diary={}))
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:
@@ -361,8 +362,8 @@ def test_the_files_are_there(folder: Path) -> None:
     tables = {"comparison.csv", "endurance.csv", "steps.csv", "circles.csv"}
     assert names == {"report.html", "comparison.json"} | tables | {
         f"figures/{name}.{kind}"
-        for name in ("endurance", "table_iv", "steps", "circles")
-        for kind in ("png", "pdf")
+        for name in ("overview", "endurance", "table_iv", "steps", "circles")
+        for kind in ("png", "pdf", "csv")
     }
 
 
@@ -473,6 +474,7 @@ def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
         plots_slider: ("slider", "sweep", "readings", "readme"),
         plots_flight: ("steps", "circles", "table_iv", "endurance"),
         plots_resilience: ("success",),
+        plots_drawing: ("robots", "contact"),
     }.items():
         for name in names:
             monkeypatch.setattr(module, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))

@@ -16,6 +16,8 @@ from typing import Any, ParamSpec
 from matplotlib import style
 from matplotlib.figure import Figure
 
+from springback.interfaces.figure_data import csv_of
+
 P = ParamSpec("P")
 Look = tuple[str, Any]
 """Colour and line style of a curve."""
@@ -30,6 +32,8 @@ LOOKS: tuple[Look, ...] = (
 """Of curves in one panel, in this order."""
 WIDTH = 4.8
 """Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
+COLUMN, TWO_COLUMNS = 3.5, 7.16
+"""[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
 RESOLUTION = 200
 """Of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.house"]
@@ -56,10 +60,16 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     return drawn
 
 
-def picture(draw: Callable[P, Figure], *args: P.args, **kwargs: P.kwargs) -> bytes:
-    """The PNG file of a figure that is wanted for nothing else: laid out once, not twice."""
+def picture(draw: Callable[P, Figure], *args: P.args, **kwargs: P.kwargs) -> tuple[bytes, str]:
+    """PNG file and numbers (CSV) of a figure wanted for nothing else: laid out once, not twice."""
     with style.context(STYLE):
-        return png(draw.__wrapped__(*args, **kwargs))  # type: ignore[attr-defined]
+        figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
+        return png(figure), csv_of(figure)
+
+
+def printed_width(figure: Figure) -> float:
+    """How wide a figure is in print [in]."""
+    return COLUMN if figure.get_size_inches()[0] <= WIDTH else TWO_COLUMNS
 
 
 def png(figure: Figure) -> bytes:
@@ -70,12 +80,15 @@ def png(figure: Figure) -> bytes:
     return buffer.getvalue()
 
 
-def save(figure: Figure, path: Path) -> list[Path]:
-    """Write a figure as PNG and PDF, with no dates in them: the same figure gives the same files.
+def save(figure: Figure, path: Path, *, numbers: bool = True) -> list[Path]:
+    """Write a figure as PNG and PDF, and what it shows as CSV, with no dates in them.
+
+    The same figure gives the same files.
 
     Args:
         figure: Any figure.
         path: Without suffix; the folder is made if it is not there.
+        numbers: Whether the CSV is wanted; not where a file of that name holds them already.
 
     Returns:
         The files written.
@@ -86,4 +99,7 @@ def save(figure: Figure, path: Path) -> list[Path]:
     nobody = {"Creator": None, "Producer": None, "CreationDate": None}
     with style.context(STYLE):
         figure.savefig(files[1], format="pdf", metadata=nobody)
+    if numbers:
+        files.append(path.with_name(path.name + ".csv"))
+        files[-1].write_text(csv_of(figure), encoding="utf-8")
     return files

@@ -348,7 +348,14 @@ def _table(rows: list[Any]) -> str:
     return "\n".join(lines)
 
 
-from springback.interfaces import cli_campaign, cli_lab, cli_map, cli_study, cli_view  # noqa: E402, F401
+from springback.interfaces import (  # noqa: E402, F401
+    cli_campaign,
+    cli_film,
+    cli_lab,
+    cli_map,
+    cli_study,
+    cli_view,
+)
 
 
 def main() -> None:

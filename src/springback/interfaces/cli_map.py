@@ -33,7 +33,7 @@ from springback.interfaces.cli import (
 @click.option(
     "--set", "settings", multiple=True, metavar="KEY=VALUE", help="The same in all trials."
 )
-@click.option("--out", type=OUT, help="Folder for map.json, map.csv, map.png, map.pdf.")
+@click.option("--out", type=OUT, help="Folder for map.html, .json, .csv, .png, .pdf.")
 @click.option("--dry-run", is_flag=True, help="Only say what would be flown.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option
@@ -90,8 +90,9 @@ def map_command(
 
 
 def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
-    """Write ``map.json``, ``map.csv`` and, if wanted, ``map.png`` and ``map.pdf``."""
+    """Write ``map.json``, ``map.csv`` and, if wanted, the figure and the page ``map.html``."""
     import csv
+    from importlib.util import find_spec
 
     from springback.interfaces.files import write_json
 
@@ -106,5 +107,10 @@ def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
         from springback.interfaces import canvas
         from springback.interfaces.plots_map import map_figure
 
-        written += canvas.save(map_figure(envelope), folder / "map")
+        written += canvas.save(map_figure(envelope), folder / "map", numbers=False)
+        if find_spec("jinja2") is not None:
+            from springback.interfaces.report_map import map_page
+
+            written.append(folder / "map.html")
+            written[-1].write_text(map_page(envelope), encoding="utf-8")
     return written

@@ -86,7 +86,7 @@ def _written(results: Any, data: dict[str, Any], folder: Path, figures: bool) ->
         from springback.interfaces import plots_detection as plots
         from springback.interfaces.canvas import save
 
-        save(plots.roc_figure(results), folder / "roc")
+        save(plots.roc_figure(results), folder / "roc", numbers=False)
         save(plots.delay_figure(results), folder / "delay")
         save(plots.direction_figure(results), folder / "direction")
 

@@ -72,7 +72,8 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     """Write ``summary.json``, ``trajectory.parquet``, with a pilot ``diary.parquet``, and figures.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
-    flight beside what was wanted, and ``impact.png`` the collision if there was one.
+    flight beside what was wanted, and ``impact.png`` the collision if there was one.  What each
+    shows is in a CSV file of the same name.
 
     Args:
         flight: Any.
@@ -96,20 +97,21 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
             written.append(path)
     if figures:
-        for name, picture in _pictures(flight).items():
-            (folder / name).write_bytes(picture)
-            written.append(folder / name)
+        for stem, (picture, numbers) in _pictures(flight).items():
+            written += [folder / f"{stem}.png", folder / f"{stem}.csv"]
+            written[-2].write_bytes(picture)
+            written[-1].write_text(numbers, encoding="utf-8")
     return written
 
 
-def _pictures(flight: Flight) -> dict[str, bytes]:
-    """The figures of a flight by file name."""
+def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:
+    """The figures of a flight by name: PNG files, and what they show as CSV."""
     from springback.interfaces import canvas, plots
 
     found = {
-        "flight.png": canvas.picture(plots.flight_figure, flight),
-        "energy.png": canvas.picture(plots.energy_figure, flight),
+        "flight": canvas.picture(plots.flight_figure, flight),
+        "energy": canvas.picture(plots.energy_figure, flight),
     }
     if flight.diary and flight.measures["touch_time"] is not None:
-        found["impact.png"] = canvas.picture(plots.impact_figure, flight)
+        found["impact"] = canvas.picture(plots.impact_figure, flight)
     return found

@@ -165,7 +165,7 @@ def _waterfall(ax: Axes, steps: list[tuple[str, float, str]]) -> None:
         sign = "−" if value < 0.0 else ""
         ax.annotate(
             f"{sign}{abs(value):.3g} J{share}", (max(level, level + value), y), (4, 0),
-            textcoords="offset points", va="center", fontsize=8,
+            textcoords="offset points", va="center", fontsize=9,
         )  # fmt: skip
         level += value
     ax.set_yticks(range(len(steps)), [name for name, _, _ in steps])

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
 
 from springback.experiments.campaign.marginals import FieldMap, Marginal, Scale
 from springback.interfaces.canvas import BLUE, GREEN, PINK, RED, SHADE, HouseFigure, styled
@@ -94,15 +95,21 @@ def _line(axes: Axes, one: Marginal, robot: str, look: dict[str, Any]) -> Any:
             x = x + 0.14 * (names.index(robot) - 0.5 * (len(names) - 1))
         reach = np.maximum(0.0, [y - low, high - y])
         style = {**look, "ls": "none"} if not one.scale.edges else look
-        return axes.errorbar(x, y, yerr=reach, ms=4.0, capsize=2.0, elinewidth=0.9, **style)
-    axes.fill_between(x, low, high, color=look["color"], alpha=0.18, lw=0.0)
-    return axes.plot(x, y, ms=3.2, **look)[0]
+        return axes.errorbar(
+            x, y, yerr=reach, ms=4.0, capsize=2.0, elinewidth=0.9, label=ROBOTS.get(robot, robot),
+            **style,
+        )  # fmt: skip
+    name = ROBOTS.get(robot, robot)
+    bounds = f"_{name}, 95 % interval"
+    axes.fill_between(x, low, high, color=look["color"], alpha=0.18, lw=0.0, label=bounds)
+    return axes.plot(x, y, ms=3.2, label=name, **look)[0]
 
 
 def _ticks(axes: Axes, scale: Scale) -> None:
     axes.set_xlabel(label(scale))
     if scale.logarithmic:
         axes.set_xscale("log")
+        _log_ticks(axes.xaxis, scale)
     if scale.labels and not scale.edges:
         long = sum(map(len, scale.labels)) > LONG
         slant: dict[str, Any] = {"rotation": 20, "ha": "right"} if long else {}
@@ -111,6 +118,14 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.grid(visible=False, axis="x")
     elif scale.labels and len(scale.labels) <= 7:
         axes.set_xticks(shown(scale, scale.edges))
+
+
+def _log_ticks(axis: Any, scale: Scale) -> None:
+    """Three labels along a logarithmic field: its ends and the middle."""
+    low, *_, high = (float(edge) for edge in shown(scale, scale.edges))
+    ticks = [low, math.sqrt(low * high), high]
+    axis.set_ticks(ticks, [f"{tick:.2g}" for tick in ticks])
+    axis.set_minor_locator(NullLocator())
 
 
 @styled
@@ -154,6 +169,7 @@ def _map_ticks(axis: Any, scale: Scale) -> None:
     if not scale.labels:
         if scale.logarithmic:
             axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+            _log_ticks(axis, scale)
         return
     words = scale.labels
     if scale.edges:

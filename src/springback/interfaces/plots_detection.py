@@ -85,17 +85,18 @@ def roc_figure(results: DetectionResults) -> Figure:
             colour, line = LOOKS[k]
             ax.plot(rates, chances, color=colour, ls=line, label=f"{speed:g} m/s")
             usual = min(points, key=lambda p: abs(np.log(p.threshold / default_threshold(trigger))))
-            ax.plot(usual.bound, usual.probability, "o", color=colour, mec="white", ms=6, zorder=3)
+            ax.plot(usual.bound, usual.probability, "o", color=colour, mec="white", ms=6, zorder=3,
+                    label=f"_{speed:g} m/s, default threshold")  # fmt: skip
         least = 3600.0 / results.free_time(robot) * 3.0
-        ax.axvspan(1.0, least, color=SHADE, lw=0.0, zorder=0.1)
+        ax.axvspan(1.0, least, color=SHADE, lw=0.0, zorder=0.1, label="_none seen")
         ax.set_xscale("log")
         ax.set_xlim(0.5 * least, 1.2 * MANY)
         ax.xaxis.set_major_locator(LogLocator(10.0))
         ax.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
         ax.xaxis.set_minor_formatter(NullFormatter())
         ax.set_ylim(-0.04, 1.06)
-        ax.set_xlabel("False alarms per hour")
-        ax.set_ylabel(f"Noticed in {1e3 * IN_TIME:g} ms")
+        ax.set_xlabel("False alarms [1/h]")
+        ax.set_ylabel(f"Noticed in {1e3 * IN_TIME:g} ms [-]")
     _legend(figure)
     return figure
 
@@ -119,14 +120,25 @@ def delay_figure(results: DetectionResults) -> Figure:
                 continue
             low, middle, high = 1e3 * np.array(delays).T
             colour, line = LOOKS[k]
-            ax.fill_between(x, low, high, color=colour, alpha=0.15, lw=0.0)
+            ax.fill_between(
+                x, low, high, color=colour, alpha=0.15, lw=0.0,
+                label=f"_{speed:g} m/s, least to most",
+            )  # fmt: skip
             ax.plot(x, middle, color=colour, ls=line, label=f"{speed:g} m/s")
         loud = [scale * p.threshold for p in points if p.false_alarms]
         if loud:
             ax.axvspan(
-                0.5 * scale * points[0].threshold, max(loud), color=SHADE, lw=0.0, zorder=0.1
+                0.5 * scale * points[0].threshold,
+                max(loud),
+                color=SHADE,
+                lw=0.0,
+                zorder=0.1,
+                label="_false alarms",
             )
-        ax.axvline(scale * default_threshold(trigger), color=INK, lw=0.9, ls=(0, (6, 2, 1, 2)))
+        ax.axvline(
+            scale * default_threshold(trigger), color=INK, lw=0.9, ls=(0, (6, 2, 1, 2)),
+            label="_default threshold",
+        )  # fmt: skip
         ax.set_xscale("log")
         ax.xaxis.set_major_locator(LogLocator(10.0))
         ax.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
@@ -167,12 +179,14 @@ def direction_figure(results: DetectionResults) -> Figure:
                     spread = np.linspace(-0.07, 0.07, len(errors))
                     name = f"{speed:g} m/s" if j == 0 else None
                     x = j + shifts[k] + spread
-                    ax.plot(x, errors, ".", color=colour, ms=3.0, alpha=0.55, mew=0.0)
+                    ax.plot(x, errors, ".", color=colour, ms=3.0, alpha=0.55, mew=0.0,
+                            label=f"_{speed:g} m/s")  # fmt: skip
                     ax.plot([], [], "o", color=colour, ms=4.0, label=name)
                     if errors:
                         middle = float(np.median(errors))
-                        ax.plot(j + shifts[k] + np.array([-0.1, 0.1]), [middle] * 2, color=colour)
-            ax.axhline(5.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
+                        ax.plot(j + shifts[k] + np.array([-0.1, 0.1]), [middle] * 2, color=colour,
+                                label=f"_{speed:g} m/s, median")  # fmt: skip
+            ax.axhline(5.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_5 deg")
             ax.set_title(f"{NAMES[robot]}: off the {to}")
             ax.set_yscale("symlog", linthresh=5.0, linscale=1.4)
             ax.set_ylim(0.0, 60.0)

@@ -46,7 +46,7 @@ from springback.vehicle.library import VEHICLES
 NAMES = {"quad": "Quad", "arq": "ARQ pre-col", "arq after drops": "ARQ post-col"}
 """Columns of Table IV, as printed."""
 FLIGHT_LOOKS: dict[str, Look] = {
-    "quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-"), "arq after drops": (GREEN, (0, (1.2, 1.0))),
+    "quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-"), "arq after drops": (GREEN, (0, (1.2, 2.4))),
 }  # fmt: skip
 MARKERS = {"quad": "s", "arq": "o", "arq after drops": "^"}
 WANTED: Look = (INK, (0, (6, 2, 1, 2)))
@@ -135,6 +135,9 @@ def circles_figure(results: FlightResults) -> Figure:
     planes[0].set_ylabel("y [m]")
     for ax, (name, unit) in zip(panels[:, 0], ERRORS.items(), strict=True):
         ax.set_ylabel(f"{name} [{unit}]")
+    for row in panels:
+        for ax, pace in zip(row, PACES, strict=True):
+            ax.set_label(f"{pace} circle, reference less flown")
     for ax in panels[0]:
         ax.set_title("reference less flown")
     below.align_ylabels(panels[:, 0])
@@ -148,12 +151,12 @@ def _circle_column(plane: Axes, column: Sequence[Axes], flown: Mapping[str, Flig
         if k == 0:
             look: dict[str, Any] = {"color": WANTED[0], "ls": WANTED[1], "lw": 0.9, "zorder": 2.5}
             plane.plot(d["ref_x"], d["ref_y"], label="reference", **look)
-            plane.plot(d["ref_x"][0], d["ref_y"][0], "o", color=INK, ms=4, zorder=3)
+            plane.plot(d["ref_x"][0], d["ref_y"][0], "o", color=INK, ms=4, zorder=3, label="_start")
         _, x, y = _drawn(c["t"], c["x"], c["y"])
         plane.plot(x, y, color=colour, ls=line, lw=1.2, label=NAMES[robot])
         t, *errors = _drawn(*circle_errors_over_time(flight).values())
         for ax, error in zip(column, errors, strict=True):
-            ax.plot(t, error, color=colour, ls=line, lw=1.2)
+            ax.plot(t, error, color=colour, ls=line, lw=1.2, label=f"_{NAMES[robot]}")
             ax.set_xlim(0.0, t[-1])
     plane.set_aspect("equal")
     plane.set_xlabel("x [m]")
@@ -217,7 +220,7 @@ def _ratios(ax: Axes, cells: Sequence[Ratio], kind: str) -> None:
     ax.axvspan(
         1 - BAND, 1 + BAND, color=SHADE, lw=0.0, zorder=0.1, label=f"±{100 * BAND:.0f} % of print"
     )
-    ax.axvline(1.0, color=INK, lw=0.9)
+    ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
     for k, robot in enumerate(NAMES):
         own = [cell for cell in cells if cell.robot == robot]
         if not own:
@@ -267,8 +270,15 @@ def endurance_figure() -> Figure:
         colour, line = FLIGHT_LOOKS[robot]
         payloads, times = endurance_points(robot)
         ax.plot(payloads, times / 60.0, color=colour, ls=line, label=NAMES[robot].split()[0])
-        ax.axvline(printed.largest_payload, color=colour, ls=DOTTED, lw=1.1, zorder=1.5)
-        ax.plot(0.0, printed.hover_time / 60.0, "D", color=colour, clip_on=False, **DIAMOND)
+        name = NAMES[robot].split()[0]
+        ax.axvline(
+            printed.largest_payload, color=colour, ls=DOTTED, lw=1.1, zorder=1.5,
+            label=f"_{name}, largest payload, printed",
+        )  # fmt: skip
+        ax.plot(
+            0.0, printed.hover_time / 60.0, "D", color=colour, clip_on=False,
+            label=f"_{name}, hover time, printed", **DIAMOND,
+        )  # fmt: skip
     ax.plot([], [], color=INK, ls=DOTTED, lw=1.1, label="largest payload, printed")
     ax.plot([], [], "D", color=INK, label="hover time, printed", **DIAMOND)
     ax.set_xlim(0.0, None)

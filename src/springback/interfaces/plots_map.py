@@ -23,7 +23,7 @@ ROBOTS = {"quad": "Quad", "arq": "ARQ"}
 #: What an axis means, for parameters whose name does not say it.
 MEANINGS = {
     "speed": "Speed at contact [m/s]",
-    "pitch": "Pitch at contact [deg], positive nose down",
+    "pitch": "Pitch at contact, nose down [deg]",
 }
 #: Marks of what the paper prints of its tests, section Impact Resilience: a share, or words.
 PRINTED_MARKS = {
@@ -114,7 +114,7 @@ def _cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
         for row, column in np.argwhere(np.isfinite(shares)):
             cell = envelope.cells[Place(robot, int(column), int(row))]
             ax.text(
-                x[column] - abs(across), y[row] - abs(up), str(cell.successes), fontsize=5.5,
+                x[column] - abs(across), y[row] - abs(up), str(cell.successes), fontsize=7.5,
                 ha="left", va="bottom", color="white" if shares[row, column] < 0.6 else INK,
             )  # fmt: skip
     ax.set_xlim(*sorted(edges(x)[[0, -1]]))

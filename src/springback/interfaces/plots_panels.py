@@ -57,10 +57,10 @@ def stacked(
     shaded = list(shades)
     for ax, panel in zip(axes, panels, strict=True):
         for start, end in shaded:
-            ax.axvspan(start, end, color=SHADE, lw=0.0, zorder=0.1)
+            ax.axvspan(start, end, color=SHADE, lw=0.0, zorder=0.1, label="_contact")
         _draw(ax, panel)
     if shaded:
-        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=8)
+        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=9)
     axes[-1].set_xlabel(time)
     begin = min(float(curve.t[0]) for panel in panels for curve in panel.curves)
     end = max(float(curve.t[-1]) for panel in panels for curve in panel.curves)

@@ -84,7 +84,7 @@ def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
 @styled
 def success_figure(results: ResilienceResults) -> Figure:
     """Shares of recovered trials with Wilson's intervals, and what the paper prints."""
-    figure = HouseFigure(figsize=(WIDTH, 2.7))
+    figure = HouseFigure(figsize=(WIDTH, 3.0))
     ax = figure.subplots()
     order = sorted(CONDITIONS, key=lambda c: (c[1], c[0]))
     for robot, shift in zip(ROBOTS, (-0.14, 0.14), strict=True):
@@ -110,9 +110,10 @@ def success_figure(results: ResilienceResults) -> Figure:
     ax.set_xticks(range(len(order)), names)
     ax.set_xlim(-0.5, len(order) - 0.5)
     ax.set_ylim(-8.0, 108.0)
+    ax.set_xlabel("Speed and pitch at contact")
     ax.set_ylabel("Recovered [%]")
     ax.grid(visible=False, axis="x")
-    figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=4)
+    figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
 
 
@@ -140,7 +141,10 @@ def fast_figure(sample: Sample) -> Figure:
             low, high = max(start - touch, span[0]), min(end - touch, span[1])
             if low < high:
                 for ax in column:
-                    ax.axvspan(scale * low, scale * high, color=SHADE, lw=0.0, zorder=0.1)
+                    ax.axvspan(
+                            scale * low, scale * high, color=SHADE, lw=0.0, zorder=0.1,
+                            label="_contact",
+                        )  # fmt: skip
         column[-1].set_xlim(scale * span[0], scale * span[1])
         for ax in column[:-1]:
             ax.sharex(column[-1])
@@ -151,10 +155,13 @@ def fast_figure(sample: Sample) -> Figure:
     if (sample.pitch, sample.speed) == FASTEST:
         for ax in axes[2]:
             for value in RECOVERY_PITCH:
-                ax.axhline(value, color=PRINTED[0], ls=PRINTED[1], lw=0.9, zorder=1.5)
+                ax.axhline(
+                    value, color=PRINTED[0], ls=PRINTED[1], lw=0.9, zorder=1.5,
+                    label="_printed extremes",
+                )  # fmt: skip
         axes[2, 0].plot([], [], color=PRINTED[0], ls=PRINTED[1], lw=0.9, label="printed extremes")
     axes[0, 0].set_title(_condition(sample.robot, sample.pitch, sample.speed))
-    axes[0, 1].set_title("Contact (shaded)")
+    axes[0, 1].set_title("In contact")
     axes[-1, 0].set_xlabel("Time from first touch [s]")
     axes[-1, 1].set_xlabel("From touch [ms]")
     figure.align_ylabels(axes[:, 0])
@@ -181,7 +188,9 @@ def _collision(
             aimed = np.degrees(curves["aimed_pitch"])
             ax.plot(t, aimed, color=AIMED[0], ls=AIMED[1], lw=1.2, label="asked for, with feedback")
         for (name, when), marker in zip(events.items(), ("o", "^"), strict=False):
-            ax.axvline(scale * when, color=GREY, lw=0.8, ls=(0, (3, 2)), zorder=1.4)
+            ax.axvline(
+                scale * when, color=GREY, lw=0.8, ls=(0, (3, 2)), zorder=1.4, label=f"_{name}"
+            )
             at = float(np.interp(when, curves["t"], flown[k]))
             ax.plot(
                 scale * when, at, marker, color=INK, mec="white", mew=0.6, ms=6, ls="none",
@@ -245,7 +254,8 @@ def side_figure(samples: Sequence[Sample]) -> Figure:
 def _poses(ax: Axes, sample: Sample, curves: dict[str, Array], scale: Normalize) -> None:
     """Main body, arms and e_z, again and again; arms at the paper's constant L* = L/√2."""
     reach = sample.flight.scenario.vehicle.lengths()[0] / math.sqrt(2.0)
-    ax.axvspan(sample.luck.wall_distance, sample.luck.wall_distance + 1.0, color=GREY, lw=0.0)
+    wall = sample.luck.wall_distance
+    ax.axvspan(wall, wall + 1.0, color=GREY, lw=0.0, label="_wall")
     t, shades = curves["t"], ScalarMappable(scale, COLOURS)
     for when in np.arange(t[0], t[-1], POSES):
         x, z, pitch = (float(np.interp(when, t, curves[name])) for name in ("x", "z", "pitch"))
@@ -253,8 +263,12 @@ def _poses(ax: Axes, sample: Sample, curves: dict[str, Array], scale: Normalize)
         up = np.array([math.sin(pitch), math.cos(pitch)])
         centre, order, colour = np.array([x, z]), 3.0 + when, shades.to_rgba(when)
         back, front = centre - reach * along, centre + reach * along
-        ax.plot(*zip(back, front, strict=True), color=colour, lw=1.6, zorder=order)
-        ax.plot(*zip(centre, centre + AXIS * up, strict=True), color=INK, lw=1.1, zorder=order)
+        at = f"at {when:.2f} s"
+        for name, ends, ink, lw in (
+            ("arms", (back, front), colour, 1.6), ("e_z", (centre, centre + AXIS * up), INK, 1.1),
+        ):  # fmt: skip
+            line = zip(*ends, strict=True)
+            ax.plot(*line, color=ink, lw=lw, zorder=order, label=f"_{name} {at}")
         for place, radius in ((centre, BODY), (back, ARM), (front, ARM)):
             ax.add_patch(Circle(tuple(place), radius, fc=colour, ec=INK, lw=0.6, zorder=order))
 
@@ -268,15 +282,23 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     flight = next(r.flight for r in results.repeated(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
     figure = HouseFigure(figsize=(WIDTH, 3.5))
-    axes = figure.subplots(2, 2, sharey="row", width_ratios=(2.6, 1.0))
+    axes = figure.subplots(2, 2, sharex="col", sharey="row", width_ratios=(2.6, 1.0))
     close = _within(curves, (-0.1, ZOOMED))
     rows = [("x", STATES[0], 1.0), ("pitch", STATES[2], math.degrees(1.0))]
     for (whole, zoom), (name, label, scale) in zip(axes, rows, strict=True):
         colour = LOOKS[robot][0]
-        whole.plot(*thinned(curves["t"] + touch, scale * curves[name]), color=colour, lw=0.9)
-        zoom.plot(close["t"], scale * close[name], color=colour)
-        zoom.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
-        whole.axvspan(touch - 0.1, touch + ZOOMED, color=ORANGE, alpha=0.45, lw=0.0, zorder=0.2)
+        whole.plot(
+            *thinned(curves["t"] + touch, scale * curves[name]),
+            color=colour,
+            lw=0.9,
+            label="_flown",
+        )
+        zoom.plot(close["t"], scale * close[name], color=colour, label="_flown")
+        zoom.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_first touch")
+        whole.axvspan(
+            touch - 0.1, touch + ZOOMED, color=ORANGE, alpha=0.45, lw=0.0, zorder=0.2,
+            label="_the first",
+        )  # fmt: skip
         whole.set_ylabel(label)
         whole.yaxis.set_major_locator(MaxNLocator(5))
         for spine in zoom.spines.values():

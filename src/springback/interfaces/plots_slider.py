@@ -116,14 +116,15 @@ def _slider_curves(
     past = c["x"] - np.interp(touch, c["t"], c["x"])
     curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
     inside = (t > 1.1 * span[0]) & (t < 1.02 * span[1])  # the rest would only stretch the scales
-    for ax, values in zip(column, curves, strict=False):
-        ax.plot(t[inside], values[inside], color=look[0], ls=look[1])
-    name = "computed" if case.robot == "quad" else f"reading {case.reading.name}"
-    column[0].lines[-1].set_label(short(name))
+    name = short("computed" if case.robot == "quad" else f"reading {case.reading.name}")
+    for k, (ax, values) in enumerate(zip(column, curves, strict=False)):
+        shown = name if k == 0 else f"_{name}"
+        ax.plot(t[inside], values[inside], color=look[0], ls=look[1], label=shown)
     left = case.flight.measures.get("contact_time")
     if left is not None:
         speed = float(np.interp(touch + left, c["t"], c["vx"]))
-        column[1].plot(1e3 * left, speed, "o", color=look[0], mec="white", ms=5, zorder=3)
+        column[1].plot(1e3 * left, speed, "o", color=look[0], mec="white", ms=5, zorder=3,
+                       label=f"_{name}, end of contact")  # fmt: skip
 
 
 def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
@@ -132,17 +133,17 @@ def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
     after = -printed.restitution * SLIDER_SPEED
     line: dict[str, Any] = {"color": INK, "lw": 0.9, "ls": (0, (6, 2, 1, 2))}
     for ax in column:
-        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
+        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_contact begins")
     column[0].axhline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="contact begins")
     column[0].axhline(1e3 * printed.travel, **line, label="printed value")
-    column[1].axhline(after, **line)
+    column[1].axhline(after, label="_printed value", **line)
     column[1].margins(y=0.12)
     column[1].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
     column[1].plot(
         1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=7, ls="none",
-        zorder=4, label="end of contact, printed",
+        zorder=4, label="the same, printed",
     )  # fmt: skip
-    column[2].axhline(-printed.peak_acceleration, **line)
+    column[2].axhline(-printed.peak_acceleration, label="_printed value", **line)
 
 
 @styled
@@ -157,7 +158,10 @@ def sweep_figure(results: SliderResults) -> Figure:
     for n in names:
         bars.append((short(f"ARQ, reading {n}"), looks[n][0], [points[n, v].arq for v in speeds]))
     _bars(upper, speeds, bars)
-    gaps = [("", looks[n][0], [points[n, v].gap for v in speeds]) for n in names]
+    gaps = [
+        (f"_{short(f'ARQ, reading {n}')}", looks[n][0], [points[n, v].gap for v in speeds])
+        for n in names
+    ]
     _bars(lower, speeds, gaps, first=1)
     last = SWEEP_SPEEDS[-1]
     lower.hlines(
@@ -212,7 +216,7 @@ def readings_figure(results: SliderResults) -> Figure:
             1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1,
             label=f"within {100 * AGREEMENT:.0f} % of print",
         )  # fmt: skip
-        ax.axvline(1.0, color=INK, lw=0.9)
+        ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
         for k, name in enumerate(names):
             shift = 0.5 * (k / max(len(names) - 1, 1) - 0.5)
             colour, look = looks[name][0], marks[k % len(marks)]
@@ -221,9 +225,10 @@ def readings_figure(results: SliderResults) -> Figure:
                     (rows.get((surface, name, line[which])), y) for y, line in enumerate(lines)
                 ]
                 known = [(1.0 + share, y + shift) for share, y in found if share is not None]
+                label = short(f"reading {name}")
                 ax.plot(
                     [x for x, _ in known], [y for _, y in known], look, ms=6, mew=1.2, color=colour,
-                    mfc=face, label=None if which == 2 else short(f"reading {name}"),
+                    mfc=face, label=label if which == 1 else f"_{label}, at return",
                 )  # fmt: skip
         ax.set_title(f"ARQ on the {surface}")
         ax.set_xlabel("ours / printed [-]")
@@ -254,14 +259,14 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
         peak, when = m["peak_acceleration"], m["peak_acceleration_time"]
         if peak is not None and when is not None:
             at = 1e3 * (when - touch)
-            right.plot(at, -peak, "o", color=colour, ms=5)
+            right.plot(at, -peak, "o", color=colour, ms=5, label=f"_{kind}, peak")
             right.annotate(
                 f"{name}: {peak:.0f} m/s²", (at, -peak), (48, 0), textcoords="offset points",
                 color=colour, weight="bold", fontsize=10, va="center",
                 arrowprops={"arrowstyle": "-", "color": colour, "lw": 1.0},
             )  # fmt: skip
     for ax, label in ((left, "Velocity [m/s]"), (right, "Acceleration [m/s²]")):
-        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5)
+        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_first touch")
         ax.set_xlim(-8.0, 52.0)
         ax.set_xlabel("Time from first touch [ms]")
         ax.set_title(label)

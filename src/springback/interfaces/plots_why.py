@@ -38,18 +38,18 @@ def ablation_figure(results: WhyResults) -> Figure:
             for j, test in enumerate(CONDITIONS):
                 if test in cells:
                     share[i, j] = cells[test].successes / cells[test].trials
-        axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
+        image = axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
+        image.set_label("_Share of trials that succeed [-]")
         for (i, j), value in np.ndenumerate(share):
             cell = results.successes(rows[i], robot).get(CONDITIONS[j])
             flown = robot in rows[i].robots
-            text = str(cell.successes) if cell else "unflown" if flown else ""
-            size = 7.0 if cell else 5.0
+            text = str(cell.successes) if cell else "–" if flown else ""
             dark = bool(cell) and value < 0.5
-            axes.text(j, i, text, ha="center", va="center", size=size,
+            axes.text(j, i, text, ha="center", va="center", size=8,
                       color="white" if dark else INK)  # fmt: skip
-        axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=7)
-        axes.set_title(TITLES[robot])
-        axes.set_xlabel("pitch at contact, speed [m/s]")
+        axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=8)
+        axes.set_title(f"{TITLES[robot]}: successes (– unflown)", size=9)
+        axes.set_xlabel("Pitch at contact [deg], speed [m/s]", size=8)
         axes.tick_params(length=0)
         axes.grid(visible=False)
         for edge in axes.spines.values():
@@ -58,7 +58,7 @@ def ablation_figure(results: WhyResults) -> Figure:
             if rows[i].cause != rows[i - 1].cause:
                 axes.axhline(i - 0.5, color=GREY, lw=0.6)
     labels = [f"{v.cause}: {v.name}" for v in rows]
-    panels[0].set_yticks(range(len(rows)), labels, size=7)
+    panels[0].set_yticks(range(len(rows)), labels, size=8)
     return figure
 
 
@@ -76,14 +76,14 @@ def ranges_figure(results: WhyResults) -> Figure:
         for robot in ROBOTS:
             shares = [results.share(one, value, robot) for value in one.values]
             axes.plot(_values(one), shares, label=TITLES[robot], ms=3.5, **LOOKS[robot])
-        axes.axvline(one.default, color=GREY, lw=0.9, ls=(0, (1.2, 1.2)))
+        axes.axvline(one.default, color=GREY, lw=0.9, ls=(0, (1.2, 1.2)), label="_default")
         shown = one.unit.replace("^2", "²")
-        unit = f" [{shown}]" if shown else ""
+        unit = f" [{shown or '-'}]"
         axes.set_xlabel(f"{one.name}{unit}")
         axes.set_ylim(-0.05, 1.08)
         axes.set_yticks([0.0, 0.5, 1.0])
     for axes in grid[:, 0]:
-        axes.set_ylabel("share of trials")
+        axes.set_ylabel("Share [-]")
     for axes in list(grid.flat)[len(RANGES) :]:
         axes.set_visible(False)
     grid.flat[0].legend(loc="lower left")

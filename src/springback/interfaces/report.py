@@ -12,14 +12,16 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from springback.experiments.comparison import AGREEMENT, Mark, Row
+from springback.experiments.comparison import AGREEMENT, Row
 from springback.experiments.paper.flight import FlightResults
 from springback.experiments.paper.printed import PAPER
 from springback.experiments.paper.resilience import ResilienceResults
 from springback.experiments.paper.slider import SliderResults
 from springback.interfaces import canvas
 from springback.interfaces.files import write_json
+from springback.interfaces.paper_figures import figures_table
 from springback.interfaces.report_flight import flight_data, flight_sections, flight_tables
+from springback.interfaces.report_overview import overview
 from springback.interfaces.report_page import (
     Cell,
     Picture,
@@ -107,26 +109,19 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
 
 
 def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]:
-    """The page, section by section; the marks are explained at the end of the first."""
-    sections = slider_sections(results.slider) if results.slider else []
+    """The page, section by section; the first is the summary."""
+    sections = list(slider_sections(results.slider)) if results.slider else []
     if results.flight is not None or results.features:
         sections += flight_sections(results.features, results.flight)
     if results.resilience is not None:
         sections += resilience_sections(results.resilience)
-    if sections:
-        first = sections[0]
-        sections[0] = replace(first, blocks=(*first.blocks, _marks(results.rows)))
-    data = _everything(results, about)
     parted = sum(bool(section.part) for section in sections) > 1
     if not parted:
         sections = [replace(section, part="") for section in sections]
-    return [*sections, replace(data, part=WORDS.title("data_part") if parted else "")]
-
-
-def _marks(rows: Sequence[Row]) -> Table:
-    counts = {mark: sum(row.mark is mark for row in rows) for mark in Mark}
-    marks = tuple((Cell("", mark=m), Cell(str(n), n), Cell(m.value)) for m, n in counts.items())
-    return Table(WORDS.say("marks", count=len(rows)), WORDS.head("marks"), marks)
+    drawn = [b.name for s in sections for b in s.blocks if isinstance(b, Picture)]
+    part = WORDS.title("data_part") if parted else ""
+    paper = Section("figures", WORDS.title("figures"), (figures_table(drawn),), part)
+    return [overview(results.rows, sections), *sections, paper, _everything(results, about)]
 
 
 def _everything(results: Results, about: Mapping[str, Any]) -> Section:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from itertools import combinations
 from pathlib import Path
@@ -146,14 +147,14 @@ def _sections(found: Summary, pictures: Sequence[Any]) -> list[Any]:
     def table(caption: str, head: list[str], rows: list[tuple[Any, ...]]) -> Any:
         cells = tuple(
             tuple(
-                report_page.Cell(str(v), float(v))
+                report_page.Cell(f"{v:.4g}" if isinstance(v, float) else str(v), float(v))
                 if isinstance(v, int | float)
-                else report_page.Cell("–" if v is None else str(v))
+                else report_page.Cell("–" if v is None else _said(str(v)))
                 for v in row
             )
             for row in rows
         )
-        return report_page.Table(caption, tuple(head), cells)
+        return report_page.Table(caption, tuple(map(_said, head)), cells)
 
     outcomes = table("Robots and outcomes", *outcome_table(found.robots))
     quantiles = table("Quantiles of measures", *quantile_table(found.robots))
@@ -163,9 +164,21 @@ def _sections(found: Summary, pictures: Sequence[Any]) -> list[Any]:
         "Intervals are at 95 %: of shares Wilson's, of quantiles by order statistics, of "
         "differences between robots those of Agresti and Min."
     )
-    sentences = tuple(pair.sentence() + "." for pair in found.pairs)
+    sentences = tuple(_said(pair.sentence()) + "." for pair in found.pairs)
+    shares = "; ".join(f"{_said(one.robot)} {_share(one.success)}" for one in found.robots)
+    verdict = f"Success at 95 % confidence: {shares}."
+    first, rest = pictures[:1], tuple(pictures[1:])
+    short = (said, verdict, *sentences, *first)
     return [
-        report_page.Section("robots", "Who succeeds", (said, outcomes, *sentences)),
+        report_page.Section("overview", "In short", short, summary=True, answers=True),
+        report_page.Section("robots", "Who succeeds", (outcomes,)),
         report_page.Section("measures", "How it goes", (note, quantiles)),
-        report_page.Section("fields", "Along the fields", tuple(pictures)),
+        report_page.Section("fields", "Over two fields", rest),
     ]
+
+
+def _said(text: str) -> str:
+    """Names as people write them: robots, outcomes and units."""
+    names = {"arq": "ARQ", "quad": "Quad"}
+    plain = re.sub(r"(?<=[a-z])_(?=[a-z])", " ", text).replace("^2", "²")
+    return re.sub(r"\b(arq|quad)\b", lambda found: names[found[0]], plain)

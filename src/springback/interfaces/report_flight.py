@@ -41,6 +41,8 @@ from springback.interfaces.report_page import (
 )
 
 WORDS = Words.of("flight")
+ANSWERS = ("features", "flight")
+"""Sections that begin with a question and its answer."""
 TWICE = 2.0
 """Factor within which a mean square error on a circle is counted as near."""
 THOUSANDTHS = "10⁻³"
@@ -63,7 +65,7 @@ def flight_sections(features: Sequence[Row], results: FlightResults | None) -> l
     part = WORDS.title("part")
     kept = {key: found for key, found in blocks.items() if found}
     return [
-        Section(key, WORDS.title(key), found, part if k == 0 else "")
+        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key in ANSWERS)
         for k, (key, found) in enumerate(kept.items())
     ]
 

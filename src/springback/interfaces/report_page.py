@@ -12,7 +12,7 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
-from typing import Any
+from typing import Any, NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
@@ -60,6 +60,8 @@ class Cell:
     value: float | None = None
     detail: str = ""
     mark: Mark | None = None
+    links: tuple[tuple[str, str], ...] = ()
+    """Words that lead to anchors of the page, after the text."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,11 @@ class Picture:
     figure: Figure
 
     @property
+    def anchor(self) -> str:
+        """Where it stands on the page."""
+        return f"figure-{self.name}"
+
+    @property
     def source(self) -> str:
         """The PNG file as a data URI."""
         return "data:image/png;base64," + base64.b64encode(canvas.png(self.figure)).decode("ascii")
@@ -90,10 +97,25 @@ class Picture:
     def size(self) -> tuple[int, int]:
         """Width and height on the page [CSS pixels]."""
         width, height = self.figure.get_size_inches()
-        return round(125 * width), round(125 * height)
+        return round(150 * width), round(150 * height)
 
 
-Blocks = tuple[str | Table | Picture, ...]
+class Point(NamedTuple):
+    """What a section says, in a sentence."""
+
+    anchor: str
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Points:
+    """What some sections say, with links that lead there."""
+
+    points: tuple[Point, ...]
+
+
+Blocks = tuple[str | Table | Picture | Points, ...]
 
 
 @dataclass(frozen=True)
@@ -105,6 +127,16 @@ class Section:
     blocks: Blocks
     part: str = ""
     """Title of the part of the page that begins here, if one does."""
+    summary: bool = False
+    """Stands before the contents, at the very top."""
+    answers: bool = False
+    """Begins with a question and its answer, the second paragraph."""
+
+    @property
+    def answer(self) -> str:
+        """The answer, where there is one."""
+        words = [block for block in self.blocks if isinstance(block, str)]
+        return words[1] if self.answers and len(words) > 1 else ""
 
 
 def page(title: str, sections: Sequence[Section], lead: str = REPRODUCTION) -> str:
@@ -125,9 +157,10 @@ def page(title: str, sections: Sequence[Section], lead: str = REPRODUCTION) -> s
 
 
 def _symbols(text: str) -> Markup:
-    """Text, escaped, with the symbols of the paper set as such."""
+    """Text, escaped, with minus signs and the symbols of the paper set as such."""
     known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
-    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", str(escape(text))))
+    signed = re.sub(r"(?<![\w.)-])-(?=\d)", "−", str(escape(text)))
+    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
 
 
 def rounded(value: float | None, decimals: int) -> str:

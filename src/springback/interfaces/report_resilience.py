@@ -83,9 +83,12 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
     }
     kept = {key: found for key, found in blocks.items() if found}
     return [
-        Section(key, WORDS.title(key), found, WORDS.title("part") if k == 0 else "")
+        Section(
+            key, WORDS.title(key), found, WORDS.title("part") if k == 0 else "",
+            answers=key == "resilience",
+        )
         for k, (key, found) in enumerate(kept.items())
-    ]
+    ]  # fmt: skip
 
 
 # -- numbers --------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from springback.experiments.comparison import AGREEMENT, Mark, Row
 from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS
 from springback.experiments.paper.slider import Case, SliderResults
-from springback.interfaces import plots, plots_slider
+from springback.interfaces import plots, plots_drawing, plots_slider
 from springback.interfaces.report_page import (
     Blocks,
     Cell,
@@ -26,10 +26,13 @@ from springback.interfaces.report_page import (
     rounded,
     words_of_power,
 )
+from springback.interfaces.scene import scene_of
 from springback.simulation.measures import MEASURES
 
 WORDS = Words.of("slider")
 TEXT = WORDS.text
+DRAWN = "B"
+"""The reading whose contact is drawn: the one with arms at an angle."""
 
 
 class Quantity(NamedTuple):
@@ -112,7 +115,7 @@ def slider_sections(results: SliderResults) -> list[Section]:
     part = WORDS.title("part")
     kept = {key: found for key, found in blocks.items() if found}
     return [
-        Section(key, WORDS.title(key), found, part if k == 0 else "")
+        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key == "answer")
         for k, (key, found) in enumerate(kept.items())
     ]
 
@@ -318,10 +321,28 @@ def _method(results: SliderResults) -> Blocks:
     )
     return (
         *first,
+        *(_drawings(results) if results.cases else ()),
         WORDS.say("fit"),
         Table(WORDS.say("readings_caption"), WORDS.head("readings"), readings),
         Table(WORDS.say("definitions"), WORDS.head("definitions"), definitions),
     )
+
+
+def _drawings(results: SliderResults) -> Blocks:
+    """The robots, and ARQ as it hits the wall in the default reading."""
+    blocks = [Picture("robots_drawn", WORDS.say("robots_picture"), plots_drawing.robots_figure())]
+    hit = [
+        case.flight
+        for case in plots_slider.predictions(results, "arq", "wall")
+        if case.reading.name == DRAWN and case.flight.measures["touch_time"] is not None
+    ]
+    if hit:
+        words = WORDS.say("contact_picture", reading=DRAWN)
+        if hit[0].scenario.model.contact_point == "paper":
+            words += " " + WORDS.say("contact_along_arm")
+        figure = plots_drawing.contact_figure(scene_of(hit[0], label=plots_slider.ROBOTS["arq"]))
+        blocks.append(Picture("contact_drawn", words, figure))
+    return tuple(blocks)
 
 
 def _given(results: SliderResults) -> Blocks:
