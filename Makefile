@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest bench lock web clean
+.PHONY: run test lint types layers pytest docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -26,7 +26,6 @@ layers:
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
 
-.PHONY: docs
 docs:
 	@tools/environment docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
@@ -45,4 +44,4 @@ web:
 	cd web && npm ci --ignore-scripts --no-audit --no-fund && node build.mjs
 
 clean:
-	rm -rf .venv $(OUT)
+	rm -rf .venv $(OUT) docs/_build
