@@ -37,7 +37,7 @@ from springback.interfaces import (
     report,
     report_overview,
 )
-from springback.interfaces.figure_data import as_table, csv_of
+from springback.interfaces.figure_data import CATEGORY, as_table, axis_label, csv_of
 from springback.interfaces.report import Results
 from springback.interfaces.report_page import Picture
 
@@ -135,19 +135,23 @@ def shown_lines(figure: Figure) -> Iterator[tuple[Any, Line2D]]:
 
 
 def test_picture_and_data_agree(figures: dict[str, Figure]) -> None:
+    """Each point that is drawn stands in a row, under the labels of its own axes."""
     for name, figure in figures.items():
         heads, *rows = list(csv.reader(io.StringIO(csv_of(figure))))
         assert heads[:2] == ["panel", "series"], name
         assert rows, name
-        columns = [
-            {float(row[k]) for row in rows if row[k] and _number(row[k])} for k in range(len(heads))
-        ]
-        for _, line in shown_lines(figure):
-            x, y = np.asarray(line.get_xdata(), float), np.asarray(line.get_ydata(), float)
-            for values in (x, y):
-                for value in values[np.isfinite(values)][:: max(1, len(values) // 7)]:
-                    near = any(_holds(column, value) for column in columns)
-                    assert near or _categorical(heads, rows), (name, value)
+        for ax, line in shown_lines(figure):
+            labels = [axis_label(ax, which) or CATEGORY for which in "xy"]
+            under = [heads.index(label) for label in labels]
+            worded = any(row[k] and not _number(row[k]) for k in under for row in rows)
+            drawn = np.array([line.get_xdata(), line.get_ydata()], float).T
+            drawn = drawn[np.isfinite(drawn).all(axis=1)]
+            if worded or not len(drawn):  # places on an axis of words are told by the words
+                continue
+            told = np.array([[row[k] for k in under] for row in rows if all(row[k] for k in under)])
+            for point in drawn[:: max(1, len(drawn) // 7)]:
+                near = np.isclose(told.astype(float), point, rtol=1e-8, atol=1e-12)
+                assert near.all(axis=1).any(), (name, heads[under[0]], heads[under[1]], point)
 
 
 def _number(text: str) -> bool:
@@ -155,15 +159,6 @@ def _number(text: str) -> bool:
         return math.isfinite(float(text))
     except ValueError:
         return False
-
-
-def _holds(column: set[float], value: float) -> bool:
-    return any(math.isclose(value, held, rel_tol=1e-8, abs_tol=1e-12) for held in column)
-
-
-def _categorical(heads: list[str], rows: list[list[str]]) -> bool:
-    """Whether an axis has words: places on it are told by them."""
-    return any(any(row[k] and not _number(row[k]) for row in rows) for k in range(2, len(heads)))
 
 
 def test_heads_have_units(figures: dict[str, Figure]) -> None:

@@ -216,7 +216,8 @@ def test_the_report_holds_the_numbers(results: ResilienceResults, tmp_path: Path
     written = write_report(Results(resilience=results), tmp_path, about={})
     figures = {path.stem for path in written if path.parent.name == "figures"}
     assert figures == {
-        "resilience", "collision", "orientation", "robots", "orientations", "repeated",
+        "overview", "resilience", "collision", "orientation", "robots", "orientations",
+        "repeated",
     }  # fmt: skip
     data = json.loads((tmp_path / "comparison.json").read_text(encoding="utf-8"))
     assert [row["ours"] for row in data["rows"]] == [row.ours for row in results.rows()]
@@ -237,6 +238,6 @@ def test_the_report_holds_the_numbers(results: ResilienceResults, tmp_path: Path
 def test_what_was_not_flown_is_left_out(results: ResilienceResults, tmp_path: Path) -> None:
     bare = replace(results, samples=[], repeats=[], slower=[])
     write_report(Results(resilience=bare), tmp_path, about={})
-    assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"resilience"}
+    assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"overview", "resilience"}
     empty = ResilienceResults(0)
     assert write_report(Results(resilience=empty), tmp_path / "none", about={})
