@@ -69,3 +69,9 @@ def test_it_has_the_instants_of_the_trajectory_and_ends_as_measures_say(piloted:
     assert books["t"].tobytes() == flight.t.tobytes()
     for name in (*HELD, "work_thrust", *LOST):
         assert books[name][-1] == pytest.approx(flight.measures[name], rel=1e-9, abs=2e-6), name
+
+
+def test_a_flight_knows_what_its_scenario_flown_again_tells(flight: Flight) -> None:
+    known, again = ledger(flight), ledger(flight.scenario)
+    assert list(known) == list(again)
+    assert all((known[name] == again[name]).all() for name in known)

@@ -1,8 +1,6 @@
 """The energy ledger over time: where energy is and where it went, instant by instant.
 
-Measures tell the ledger at the end of a flight; its course is no column of a trajectory.
-A flight is its scenario, though: flown again it takes the very same steps, and this time its ledger
-is read.
+Measures tell the ledger at the end of a flight; this is its course.
 """
 
 from __future__ import annotations
@@ -11,10 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from springback.experiments.guidance import board_of
+from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import Scenario
-from springback.simulation.flight import Flown, Trace, fly_one
-from springback.simulation.guided import fly_guided, noise_table, ticks_of
 from springback.vehicle.state import Airframe, Arm
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -28,69 +24,53 @@ LOST = (
 )  # fmt: skip
 
 
-def ledger(scenario: Scenario) -> dict[str, Array]:
-    """The energy ledger of a scenario's flight, instant by instant.
+def ledger(flight: Flight | Scenario) -> dict[str, Array]:
+    """The energy ledger of a flight, instant by instant.
 
     Args:
-        scenario: Without a pilot or obstacles of the user's own.
+        flight: As it was flown.  One that was read from a folder does not know its work: it is
+            flown again, to the same bits, and so is a scenario; then without a pilot or obstacles
+            of the user's own.
 
     Returns:
         Columns of shape (instants,): ``t`` [s], the same as of the trajectory; what is held
         (`HELD`, gravity above the start), what rotors have put in (``work_thrust``) and what is
         lost (`LOST`), all in J since the start.
     """
-    flown = _flown(scenario)
-    assert flown.trace is not None
-    trace = _by_name(flown.trace)
-    columns = {"t": trace["time"], "work_thrust": trace["work.thrust"]}
-    columns |= {name: trace[f"work.{name.removeprefix('loss_')}"] for name in LOST}
-    columns |= _stored(flown.model.airframe, flown.model.world.gravity, trace)
+    if isinstance(flight, Scenario):
+        flight = fly(flight)
+    elif not flight.work:
+        flight = fly(flight.scenario)
+    work, world = flight.work, flight.scenario.flight_model()
+    columns = {"t": flight.t, "work_thrust": work["thrust"]}
+    columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
+    columns |= _stored(world.airframe, world.world.gravity, flight.columns)
     # What is in contacts is the rest, since the ledger closes (tests/experiments/test_ledger.py).
     known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
     before = sum(float(columns[name][0]) for name in HELD[:-1])  # no flight begins in contact
-    touching = np.zeros(len(columns["t"]), dtype=bool)
-    for j in range(1, len(flown.start.arm_length) + 1):
-        touching |= trace[f"arms.{j}.touching"] > 0.0
     rest = np.maximum(before + columns["work_thrust"] - known, 0.0)
-    columns["energy_contact"] = np.where(touching, rest, 0.0)
+    columns["energy_contact"] = np.where(work["touching"] > 0.0, rest, 0.0)
     return {name: columns[name] for name in ("t", *HELD, "work_thrust", *LOST)}
 
 
-def _flown(scenario: Scenario) -> Flown:
-    """The flight with its trace, steps and bits as `springback.experiments.result.fly` has them."""
-    model, start = scenario.flight_model(), scenario.start_state()
-    if scenario.reference is None:
-        return fly_one(model, start)
-    board = board_of(scenario, model, start)
-    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
-    noise = noise_table(scenario.seed, 0, ticks, board.noise)
-    return fly_guided(model, start, board.cabin, noise).flown
-
-
-def _by_name(trace: Trace) -> Columns:
-    return {name: trace.values[:, k] for k, name in enumerate(trace.columns)}
-
-
-def _stored(airframe: Airframe, gravity: float, trace: Columns) -> dict[str, Array]:
+def _stored(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
     """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns."""
-    velocity = _vectors(trace, "state.velocity")
-    spin = _vectors(trace, "state.angular_velocity")
-    r = _rotations(trace)
+    velocity, spin, r = _vectors(c, "v"), _vectors(c, "w"), _rotations(c)
     body_mass = airframe.mass - sum(arm.mass for arm in airframe.arms)
     inertia = np.array(airframe.inertia)
     held = {
         "energy_kinetic": 0.5 * body_mass * np.sum(velocity**2, axis=1)
         + 0.5 * np.einsum("ti,ij,tj->t", spin, inertia, spin),
-        "energy_gravity": body_mass * gravity * trace["state.position.z"],
+        "energy_gravity": body_mass * gravity * c["z"],
         "energy_springs": np.zeros(len(velocity)),
         "energy_stops": np.zeros(len(velocity)),
     }
     for j, arm in enumerate(airframe.arms, start=1):
-        length, rate = trace[f"state.arm_length.{j}"], trace[f"state.arm_rate.{j}"]
+        length, rate = c[f"l{j}"], c[f"dl{j}"]
         e = np.array([arm.cosine, arm.sine, 0.0])
         lever = length[:, None] * e
         moving = np.einsum("tji,tj->ti", r, velocity) + rate[:, None] * e + np.cross(spin, lever)
-        height = trace["state.position.z"] + np.einsum("ti,ti->t", r[:, 2], lever)
+        height = c["z"] + np.einsum("ti,ti->t", r[:, 2], lever)
         held["energy_kinetic"] = held["energy_kinetic"] + 0.5 * arm.mass * np.sum(moving**2, axis=1)
         held["energy_gravity"] = held["energy_gravity"] + arm.mass * gravity * height
         held["energy_springs"] = held["energy_springs"] + _half_square(arm.stiffness, arm, length)
@@ -112,14 +92,14 @@ def _in_stops(arm: Arm, length: Array) -> Array:
     return energy
 
 
-def _vectors(trace: Columns, stem: str) -> Array:
+def _vectors(c: Columns, stem: str) -> Array:
     """Shape (instants, 3)."""
-    return np.stack([trace[f"{stem}.{axis}"] for axis in "xyz"], axis=1)
+    return np.stack([c[f"{stem}{axis}"] for axis in "xyz"], axis=1)
 
 
-def _rotations(trace: Columns) -> Array:
+def _rotations(c: Columns) -> Array:
     """Body to world, shape (instants, 3, 3)."""
-    w, x, y, z = (trace[f"state.attitude.{part}"] for part in "wxyz")
+    w, x, y, z = (c[f"q{part}"] for part in "wxyz")
     rows = [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
         [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],

@@ -52,6 +52,9 @@ class Flight:
     """Unit of each column, of the diary too."""
     diary: dict[str, Array] = field(default_factory=dict)
     """What was measured, believed, wanted and commanded, tick by tick; empty without a pilot."""
+    work: dict[str, Array] = field(default_factory=dict)
+    """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
+    `springback.experiments.ledger` needs beside the columns.  No file keeps it."""
 
     def __getattr__(self, name: str) -> float | None:
         measures: dict[str, float | None] = self.__dict__.get("measures", {})
@@ -175,6 +178,19 @@ def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
     return columns, units
 
 
+def _work(flown: Flown) -> dict[str, Array]:
+    """Works of the trace by name, and whether any arm's cage touches."""
+    trace, stem = flown.trace, "work."
+    if trace is None:
+        return {}
+    names = [name for name in trace.columns if name.startswith(stem)]
+    work = {name.removeprefix(stem): np.ascontiguousarray(trace[name]) for name in names}
+    touching = np.zeros(len(trace.values))
+    for j in range(1, len(flown.start.arm_length) + 1):
+        np.maximum(touching, trace[f"arms.{j}.touching"], out=touching)
+    return work | {"touching": touching}
+
+
 #: Columns of a diary: name, where it comes from, unit.  An `n` stands for the number of an arm.
 _DIARY = (
     ("t", "time", "s"),
@@ -256,7 +272,8 @@ def fly(
         return _guided(ready, model, start, flown_by, trajectory, executor, progress)
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
-    return Flight(ready, outcome_of(flown.record), measures_of(flown), columns, units)
+    outcome, measures = outcome_of(flown.record), measures_of(flown)
+    return Flight(ready, outcome, measures, columns, units, work=_work(flown))
 
 
 def _guided(
@@ -290,7 +307,9 @@ def _guided(
     outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
     if judged(guided):
         outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
-    return Flight(ready, outcome, measures, columns, units | diary_units, diary)
+    return Flight(
+        ready, outcome, measures, columns, units | diary_units, diary, _work(guided.flown)
+    )
 
 
 @contextmanager
