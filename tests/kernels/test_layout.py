@@ -77,13 +77,14 @@ def test_rows_are_known_to_lie_apart() -> None:
     """The compiler packs a loop over lanes without asking first whether rows overlap."""
 
     @numba.njit(error_model="numpy")
-    def turned(like: Like, buffer: np.ndarray, ones: np.ndarray) -> None:
+    def turned(like: Like, one: np.ndarray, other: np.ndarray, ones: np.ndarray) -> None:
         for i in range(8 * ones.shape[0]):
-            place = got(like.inner.place, buffer, 8, i)
-            put(place ^ place * 2.0, like.inner.place, buffer, 8, i)
-            put(place.x + got(like.inner.tree, buffer, 8, i), like.inner.tree, buffer, 8, i)
+            place = got(like.inner.place, one, 8, i)
+            put(place @ place, like.inner.tree, other, 8, i)
 
-    turned(Like(TREE), np.ones(6 * 8), np.ones(1))
+    one, other = np.arange(6.0 * 8), np.zeros(6 * 8)
+    turned(Like(TREE), one, other, np.ones(1))
+    assert other[5 * 8 + 1] == 17.0**2 + 25.0**2 + 33.0**2
     (code,) = turned.inspect_llvm().values()
     assert "vector.body" in code
     assert "memcheck" not in code
