@@ -3,9 +3,8 @@
 It needs Chromium, its driver and selenium, and is skipped where one is missing.
 """
 
-# ruff: noqa: E402  # what is optional is asked for before what needs it
+# what is optional is asked for before what needs it
 
-import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -13,16 +12,14 @@ from typing import Any
 
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the lab needs the extra web")
+pytest.importorskip("uvicorn", reason="the lab needs the extra web")
 
 from browsing import browser as a_browser
 from browsing import needs_browser, resized
+from lab_served import served_lab
 
-from springback.interfaces.lab import lab_app
 from springback.interfaces.lab_answers import answer
-from springback.interfaces.lab_desk import Desk
-from springback.interfaces.lab_settings import DEFAULTS, settings_from
-from springback.interfaces.serving import bound, guarded
+from springback.interfaces.lab_settings import settings_from
 
 pytestmark = needs_browser
 ID, CSS = "id", "css selector"
@@ -32,21 +29,8 @@ PATIENCE = 60.0
 
 @pytest.fixture(scope="module")
 def lab() -> Iterator[str]:
-    desk = Desk(prepared=(DEFAULTS,))
-    desk.open()
-    server = uvicorn.Server(
-        uvicorn.Config(
-            guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off"
-        )
-    )
-    listening = bound("127.0.0.1", 0)
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    assert desk.wait(DEFAULTS, 400.0)
-    yield f"http://127.0.0.1:{listening.getsockname()[1]}/"
-    server.should_exit = True
-    thread.join(10.0)
-    listening.close()
+    with served_lab() as port:
+        yield f"http://127.0.0.1:{port}/"
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,6 @@
 """The impact lab without a browser: settings, links, scenarios, answers, refusals, many at once."""
 
-# ruff: noqa: E402  # what is optional is asked for before what needs it
+# what is optional is asked for before what needs it
 
 import asyncio
 import base64
@@ -13,7 +13,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -26,7 +25,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 pytest.importorskip("starlette", reason="the lab needs the extra web")
-uvicorn = pytest.importorskip("uvicorn", reason="the lab needs the extra web")
+pytest.importorskip("uvicorn", reason="the lab needs the extra web")
+
+from lab_served import served_lab
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError
@@ -34,7 +35,7 @@ from springback.experiments.paper.printed import TABLE_III
 from springback.experiments.paper.slider import QUAD, READINGS, fitted_dissipation, slider_tables
 from springback.experiments.result import fly
 from springback.experiments.scenario_file import read_scenario
-from springback.interfaces.lab import lab_app, page
+from springback.interfaces.lab import page
 from springback.interfaces.lab_answers import RESOLUTION, answer
 from springback.interfaces.lab_desk import AT_START, Busy, Desk, NotReady, Overtaken, kind_of
 from springback.interfaces.lab_scenarios import BEFORE, lab_scenario, lab_tables, lab_toml
@@ -49,7 +50,6 @@ from springback.interfaces.lab_settings import (
     query_of,
     settings_from,
 )
-from springback.interfaces.serving import bound, guarded
 from springback.vehicle.library import ARQ
 
 KNOBS = {name: knob for name in FIELDS if isinstance(knob := control_of(name), Knob)}
@@ -323,23 +323,8 @@ def test_kinds_are_prepared_aside_and_what_is_asked_for_comes_next() -> None:
 
 @pytest.fixture(scope="module")
 def port() -> Iterator[int]:
-    desk = Desk(prepared=(DEFAULTS,))
-    desk.open()
-    server = uvicorn.Server(
-        uvicorn.Config(
-            guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off"
-        )
-    )
-    listening = bound("127.0.0.1", 0)
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    assert desk.wait(DEFAULTS, 400.0)
-    while not server.started:
-        time.sleep(0.01)
-    yield listening.getsockname()[1]
-    server.should_exit = True
-    thread.join(10.0)
-    listening.close()
+    with served_lab() as number:
+        yield number
 
 
 def get(

@@ -2,14 +2,14 @@
 
 import re
 import runpy
-import shutil
-import tempfile
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
+from browsing import browser as a_browser
+from browsing import needs_browser, resized
 from matplotlib.figure import Figure
 
 from experiments.campaign.made_up import filled
@@ -34,7 +34,6 @@ HERE = Path(__file__).parent
 MAPS = runpy.run_path(str(HERE / "test_cli_map.py"))
 FLIGHTS = runpy.run_path(str(HERE / "test_plots_flight.py"))
 SLIDER = runpy.run_path(str(HERE / "test_plots.py"))
-CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 #: Attributes that load something, and what they may hold.
 LOADS = ("src", "href", "srcset", "data", "poster", "action")
 
@@ -161,30 +160,15 @@ def test_every_number_that_nothing_was_fitted_to_is_in_one_part() -> None:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
-    if not CHROMIUM or not DRIVER:
-        pytest.skip("Chromium and its driver are not installed: apt install chromium-driver")
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
-
-    options, profile = Options(), tempfile.mkdtemp()
-    options.binary_location = CHROMIUM
-    for word in (
-        "headless", "no-sandbox", "disable-quic", "no-first-run", "disable-background-networking",
-        "disable-component-update", "disable-sync", f"user-data-dir={profile}",
-    ):  # fmt: skip
-        options.add_argument(f"--{word}")
-    driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-    yield driver
-    driver.quit()
-    shutil.rmtree(profile, ignore_errors=True)
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    with a_browser(tmp_path_factory.mktemp("profile")) as driver:
+        yield driver
 
 
+@needs_browser
 @pytest.mark.parametrize("width", [390, 1440])
 def test_no_page_is_wider_than_the_screen(browser: Any, pages: dict[str, Path], width: int) -> None:
-    size = {"width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width < 500}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    resized(browser, width, 844)
     for name, path in pages.items():
         browser.get(path.as_uri())
         assert browser.execute_script("return document.documentElement.scrollWidth") <= width, name
@@ -195,6 +179,7 @@ def test_no_page_is_wider_than_the_screen(browser: Any, pages: dict[str, Path], 
         assert clipped == [], name
 
 
+@needs_browser
 def test_pages_can_be_read_in_the_dark(browser: Any, pages: dict[str, Path]) -> None:
     dark = {"features": [{"name": "prefers-color-scheme", "value": "dark"}]}
     try:
