@@ -208,14 +208,16 @@ def test_the_energy_ledger_closes(what: str, hybrid: bool) -> None:
 def test_the_energy_ledger_closes_for_hard_impacts(contact: Any) -> None:
     """At 10 m/s and up to 1800 N friction is a stiff damper, μ f_n / v_s, on a light arm.
 
-    With a step that is not shortened for it the ledger is off by 4e-2.
+    With a step that is not shortened for it the ledger is off by 4e-2.  Steps that were half as
+    long as stability asks, for want of a sharp bound on friction's rate, left less than 1e-5; those
+    of now leave up to 2.4e-5, which nobody can measure.
     """
     for seed in range(8):
         scene, start = impact(seed, contact=contact)
         start = replace(start, velocity=10.0 * start.velocity / np.linalg.norm(start.velocity))
         flown = models.fly(scene, start, until=0.1, free_step=1e-3, hybrid=True)
         assert flown.record.peak_normal_force > 500.0
-        assert abs(unbooked(flown)) < 1e-5
+        assert abs(unbooked(flown)) < 3e-5
 
 
 @pytest.mark.parametrize(("stops", "step"), [({}, 1e-4), (STOPS, 2e-5)], ids=["arms", "stops"])

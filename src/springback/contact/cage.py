@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from springback.contact.grip import Grip, grip_of
 from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
@@ -93,7 +94,7 @@ class Touch(NamedTuple):
     contact_loss: float  # [W]
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
-    grip: float  # of friction, as a damper [N s/m]
+    grip: Grip  # of friction, as a damper
 
 
 class Meeting(NamedTuple):
@@ -154,8 +155,9 @@ def meeting(
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
+    grip = grip_of(rubbed.grip, n, rubbing_at, arm.direction)
     touch = Touch(
-        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, rubbed.grip
+        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return Meeting(gap, -rate, n, impulsive, touch)

@@ -27,6 +27,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting
+from springback.contact.grip import ArmGrip, Grip, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
 from springback.kernels.compiler import generic, kernel
@@ -90,9 +91,6 @@ class ArmView(NamedTuple):
     impulsive: float  # 1 where it touches a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     inward: Vec  # normal of the most deeply touched obstacle, world
-    grip: float  # of friction as a damper, on the vehicle's mass [N s/m] ...
-    grip_on_arm: float  # ... on the mass of the arm [1/s] ...
-    grip_on_turn: float  # ... on the inertia [N m s]
 
 
 class View(NamedTuple):
@@ -125,6 +123,7 @@ class ArmShare(NamedTuple):
     contact_loss: float
     friction_loss: float
     on_ground: float
+    grip: Grip  # of friction
 
 
 class ArmPull(NamedTuple):
@@ -140,6 +139,7 @@ class ArmState(NamedTuple):
     share: ArmShare
     pull: ArmPull
     seen: ArmView
+    grip: ArmGrip
 
 
 @kernel
@@ -267,6 +267,7 @@ def arm_state(
         contact_loss=touch.contact_loss,
         friction_loss=touch.friction_loss,
         on_ground=touch.on_ground,
+        grip=touch.grip,
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     landing = least(
@@ -277,7 +278,6 @@ def arm_state(
         )
     )
     inward = total(each(_nearest_normal, (met,), (gap,)))
-    along_arm, reach = e @ inward, length + arm.cage_radius
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -289,11 +289,10 @@ def arm_state(
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         inward=r @ inward,
-        grip=touch.grip,
-        grip_on_arm=touch.grip * u * arm.inverse_mass * (1.0 - along_arm * along_arm),
-        grip_on_turn=touch.grip * reach * reach,
     )
-    return ArmState(share, ArmPull(u * h * arm.inverse_mass, u), view)
+    per_mass = u * arm.inverse_mass
+    grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
+    return ArmState(share, ArmPull(h * per_mass, u), view, grip)
 
 
 @kernel
@@ -379,11 +378,6 @@ def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Acce
     return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
 
 
-@kernel
-def _friction_rate(arm: ArmView, per_mass: float, per_inertia: float) -> float:
-    return arm.grip * per_mass + arm.grip_on_turn * per_inertia + arm.grip_on_arm
-
-
 class Rates(NamedTuple):
     """Rate of change of the motion, and the view of the same instant."""
 
@@ -457,8 +451,10 @@ def rates(
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
     views = column(arms, "seen")
-    slimmest = least((inertia.x.x, inertia.y.y, inertia.z.z))
-    friction_rate = total(each(_friction_rate, (views,), (1.0 / airframe.mass, 1.0 / slimmest)))
+    on_arms = column(arms, "grip")
+    friction_rate = rest_rate(
+        a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia
+    )
     view = View(
         acceleration,
         solved.linear,

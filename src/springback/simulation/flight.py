@@ -75,7 +75,7 @@ def still_work() -> Work:
 def shape_of(model: Model, state: State) -> Shape:
     """The trees of a flight, for the executor."""
     zero = Vec(0.0, 0.0, 0.0)
-    arm = ArmView(*(0.0,) * 3, zero, *(0.0,) * 5, zero, *(0.0,) * 3)
+    arm = ArmView(*(0.0,) * 3, zero, *(0.0,) * 5, zero)
     count = len(model.airframe.arms)
     view = View(zero, zero, zero, zero, (arm,) * count, 0.0, 0.0)
     return Shape(model, Motion(state, still_work()), view, blank_record(count))

@@ -20,7 +20,8 @@ FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
 NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 
-#: A step is at most this share of the time in which friction brings a cage to rest.
+#: A step is at most so many times that in which friction brings a cage to rest (chosen; the method
+#: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3

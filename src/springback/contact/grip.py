@@ -1,0 +1,91 @@
+"""How fast friction brings a sliding cage to rest: the stiffest thing in an impact.
+
+Below the slip speed of a surface friction is a damper g (1 − n nᵀ) at the point p of contact.  On
+the coordinates q of the vehicle that is K = Σ g Jᵀ (1 − n nᵀ) J, and a step must be short against
+the largest eigenvalue λ of M⁻¹ K.  It is bounded here by parts, without solving for it: for a sum
+of matrices without negative eigenvalues, and for the blocks on the diagonal of one, the largest
+eigenvalue of the whole is at most the sum of theirs (R. Horn and C. Johnson, Matrix Analysis, 2013,
+sections 4.3 and 7.7).
+
+What slips in the plane of the arms moves the arms, the vehicle in that plane, and turns it about
+z; what slips across moves it along z and turns it about x and y.  So the coordinates fall into two
+blocks, and only the part n_z of a normal that leans out of the plane couples them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import largest
+from springback.kernels.vectors import Mat, Vec
+
+
+class Grip(NamedTuple):
+    """Friction of one contact as a damper, or the sum over contacts; body axes."""
+
+    damper: float  # g [N s/m]
+    on_arm: float  # g (1 − (e·n)²), along the arm [N s/m]
+    about_z: float  # g ((p·n)² + n_z² p²) [N m s]
+    about_x: float  # g (1 − n_z²) p_y² [N m s]
+    about_y: float  # g (1 − n_z²) p_x² [N m s]
+    about_both: float  # g (1 − n_z²) p_x p_y [N m s]
+    lean: float  # g n_z² [N s/m]
+    lean_about_z: float  # g n_z² p² [N m s]
+
+
+@kernel
+def grip_of(damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Grip:
+    """Friction of one contact.
+
+    Args:
+        damper: g [N s/m].
+        normal: Unit normal n.
+        point: p, of contact, in the plane of the arms [m].
+        arm_direction: e.
+    """
+    g, along, out = damper, arm_direction @ normal, normal.z * normal.z
+    upright, pn, square = g * (1.0 - out), point @ normal, point @ point
+    return Grip(
+        g, g * (1.0 - along * along), g * (pn * pn + out * square), upright * point.y * point.y,
+        upright * point.x * point.x, upright * point.x * point.y, g * out, g * out * square,
+    )  # fmt: skip
+
+
+class ArmGrip(NamedTuple):
+    """How fast friction brings an arm to rest along itself [1/s]."""
+
+    whole: float
+    lean: float  # the part of it that normals make which lean out of the plane
+
+
+@kernel
+def _tumbling(grip: Grip, j: Mat) -> float:
+    """The larger eigenvalue of J⁻¹ K of the turns about x and y [1/s]."""
+    x, y, both = grip.about_x, grip.about_y, grip.about_both
+    per = 1.0 / (j.x.x * j.y.y - j.x.y * j.x.y)
+    half = 0.5 * per * (j.y.y * x + j.x.x * y + 2.0 * j.x.y * both)
+    left = half * half - per * (x * y - both * both)
+    return half + math.sqrt(left if left > 0.0 else 0.0)
+
+
+@kernel
+def rest_rate(
+    grip: Grip, whole: tuple[float, ...], lean: tuple[float, ...], mass: float, inertia: Mat
+) -> float:
+    """A bound on λ [1/s], exact to a few per cent where a vehicle meets a wall upright.
+
+    Args:
+        grip: Sum over all contacts.
+        whole: Of every arm, see `ArmGrip`.
+        lean: Likewise.
+        mass: m [kg].
+        inertia: J about the main body, body axes [kg m²].
+    """
+    j, per_mass = inertia, 1.0 / mass
+    in_plane = grip.damper * per_mass + grip.about_z / j.z.z + largest(whole)
+    lean_part = grip.lean * per_mass + grip.lean_about_z / j.z.z + largest(lean)
+    across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, j)
+    half = 0.5 * (in_plane - across)
+    return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)

@@ -1,0 +1,118 @@
+"""How fast friction brings a cage to rest: a bound that is never below the truth, and hardly above it.
+
+The truth is the largest eigenvalue of the Jacobian of the accelerations by the velocities, from the
+equations of motion by differences, with everything else that depends on velocity switched off.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from contact.scenes import surface
+from springback.contact.cage import Ring
+from springback.contact.obstacles import Forces, Obstacle, Plane, World
+from springback.dynamics.air import Still
+from springback.dynamics.motion import Free, rates
+from springback.kernels.trees import leaves, rebuilt
+from springback.kernels.vectors import Quat, Vec, normalised, rotation
+from springback.vehicle.library import VEHICLES
+from springback.vehicle.state import Airframe, State
+
+RUBBER = surface(stiffness=2e4, friction=0.5, slip_speed=0.03)
+OFF = (0.0,) * 4
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """A vehicle pressed into a wall, standing still."""
+
+    airframe: Airframe
+    world: World
+    state: State
+    released: float
+
+    @property
+    def bound(self) -> float:
+        """λ as the steps take it [1/s]."""
+        return self._rates(self.state).seen.friction_rate
+
+    @property
+    def truth(self) -> float:
+        """The largest rate at which velocities die out [1/s], of numbers from differences."""
+        moving = (*range(7, 13), *range(17, 21)) if self.released else range(7, 13)
+        x, step = np.array(leaves(self.state)), 1e-6
+        columns = []
+        for k in moving:
+            up, down = x.copy(), x.copy()
+            up[k] += step
+            down[k] -= step
+            columns.append((self._accelerations(up) - self._accelerations(down)) / (2.0 * step))
+        jacobian = np.array(columns).T[list(moving)]
+        return float(-np.linalg.eigvals(jacobian).real.min())
+
+    def _accelerations(self, x: np.ndarray) -> np.ndarray:
+        known = self._rates(rebuilt(self.state, [float(v) for v in x]))
+        return np.array(leaves(known.motion.state))
+
+    def _rates(self, state: State):  # type: ignore[no-untyped-def]
+        return rates(
+            self.airframe, self.world, Ring(1e-6), Free(0.0), Still(0.0), state, OFF, self.released
+        )
+
+
+def pressed(robot: str, attitude: Quat, depths: tuple[float, float], released: float) -> Pressed:
+    """The two foremost cages pressed into a wall ahead by two depths [m], by their arms' lengths."""
+    airframe = VEHICLES[robot].vehicle.airframe()
+    airframe = airframe._replace(
+        arms=tuple(arm._replace(damping=0.0, stop_stiffness=0.0) for arm in airframe.arms)
+    )
+    r = rotation(attitude)
+    reach = []
+    for arm in airframe.arms:
+        e = Vec(arm.cosine, arm.sine, 0.0)
+        across = math.hypot(r.x.x, r.x.y)
+        reach.append(arm.length * (r.x @ e) + arm.cage_radius * across)
+    order = sorted(range(4), key=reach.__getitem__)
+    face = reach[order[-1]] - depths[0]
+    lengths = [arm.length for arm in airframe.arms]
+    j = order[-2]
+    e = r.x @ Vec(airframe.arms[j].cosine, airframe.arms[j].sine, 0.0)
+    lengths[j] += (face + depths[1] - reach[j]) / e
+    wall = Obstacle(Plane(Vec(-1.0, 0.0, 0.0), -face), RUBBER, 0.0)
+    zero = Vec(0.0, 0.0, 0.0)
+    state = State(zero, attitude, zero, zero, tuple(lengths), OFF)
+    return Pressed(airframe, World((wall,), Forces(0.0), 9.81), state, released)
+
+
+def attitudes() -> list[Quat]:
+    """Upright, and up to 40 degrees off in every direction."""
+    generator, out = np.random.default_rng(5), [Quat(1.0, 0.0, 0.0, 0.0)]
+    for _ in range(30):
+        x, y, z = (0.35 * generator.uniform(-1.0, 1.0, 3)).tolist()
+        out.append(normalised(Quat(1.0, x, y, z)))
+    return out
+
+
+@pytest.mark.parametrize("robot", ["arq", "quad"])
+def test_the_bound_is_never_below_the_truth(robot: str) -> None:
+    released = 1.0 if robot == "arq" else 0.0
+    for attitude in attitudes():
+        for depths in ((3e-3, 3e-3), (6e-3, 1e-3)):
+            contact = pressed(robot, attitude, depths, released)
+            assert contact.truth > 500.0
+            assert (1.0 - 1e-6) * contact.truth < contact.bound < 1.8 * contact.truth
+
+
+def test_it_is_the_truth_for_a_rigid_vehicle_that_meets_a_wall_upright() -> None:
+    for depths, near in (((3e-3, 3e-3), 1e-8), ((4e-3, 3e-3), 2e-3)):
+        contact = pressed("quad", Quat(1.0, 0.0, 0.0, 0.0), depths, 0.0)
+        assert contact.bound == pytest.approx(contact.truth, rel=near)
+
+
+def test_without_contact_there_is_none() -> None:
+    contact = pressed("arq", Quat(1.0, 0.0, 0.0, 0.0), (-1e-2, -1e-2), 1.0)
+    assert contact.bound == 0.0
