@@ -14,6 +14,10 @@ from typing import Any, Protocol, TypeVar
 R = TypeVar("R")
 
 
+#: A place where all results are kept.
+EVER = "ever"
+
+
 class Make(Protocol):
     """How a part is made: `afresh`, or a `Kept` that remembers."""
 
@@ -30,14 +34,16 @@ class Kept:
     """Remembers the last result of every function, and what it was made of.
 
     Only one result is kept for each function and place, so memory does not grow with the number of
-    flights; those that share parts had better come one after another.
+    flights; those that share parts had better come one after another.  For what comes again later,
+    as the tables of a sample do with the next robot, there is the place `EVER`.
     """
 
-    __slots__ = ("_last",)
+    __slots__ = ("_ever", "_last")
 
     def __init__(self) -> None:
         """Remember nothing yet."""
         self._last: dict[Any, tuple[tuple[Any, ...], Any]] = {}
+        self._ever: dict[Any, tuple[Any, Any]] = {}
 
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
         """``function(*given)``, or what it gave for the very same objects the last time.
@@ -45,8 +51,15 @@ class Kept:
         Args:
             function: Gives the same for the same, and changes nothing; always given as many.
             *given: Compared by identity.
-            place: Tells apart uses of one function that take turns.
+            place: Tells apart uses of one function that take turns; `EVER` keeps all results.
         """
+        if place is EVER:
+            known = self._ever.get((function, *map(id, given)))
+            if known is None:  # what is kept is held, lest its id be used again
+                known = given, function(*given)
+                self._ever[function, *map(id, given)] = known
+            ever: R = known[1]
+            return ever
         key = function if place is None else (function, place)
         last = self._last.get(key)
         if last is not None and all(map(is_, last[0], given)):

@@ -108,9 +108,10 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def started(*words: str, cwd: Path) -> subprocess.Popen[str]:
+    """A campaign that goes on; it yields to this test, lest it be done before it is looked at."""
     return subprocess.Popen(
-        command(*words), cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        start_new_session=True,
+        ["nice", "-n", "19", *command(*words)], cwd=cwd, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
 
 
@@ -124,7 +125,7 @@ def wait_for(reached: Any, process: subprocess.Popen[str]) -> None:
     while not reached():
         assert process.poll() is None, process.stderr and process.stderr.read()
         assert time.monotonic() < end
-        time.sleep(0.005)
+        time.sleep(0.002)
 
 
 def workers_of(pid: int) -> list[int]:

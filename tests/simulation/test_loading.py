@@ -14,7 +14,7 @@ from springback.kernels.vectors import Vec
 from springback.simulation.aboard import Cabin
 from springback.simulation.flight import loaded, shape_of
 from springback.simulation.guided import cabins_loaded
-from springback.simulation.loading import Loader, Unlike
+from springback.simulation.loading import PATIENCE, Loader, Unlike
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
@@ -48,8 +48,12 @@ def mixed() -> list[Flight]:
 
 
 @pytest.mark.parametrize("width", [1, 4, 8])
-def test_laid_by_differences_is_laid_leaf_by_leaf(width: int) -> None:
-    flights = mixed()
+@pytest.mark.parametrize("twins", [0, 2, 3 * PATIENCE])
+def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> None:
+    """Also where another robot comes, with which later flights had better be compared."""
+    wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
+    other = flight(vehicle="quad", world={"obstacles": [wall]})
+    flights = [*mixed(), *([other] * twins), *mixed(), *([other] * twins)]
     models, starts, cabins = (list(column) for column in zip(*flights, strict=True))
     loader = Loader(*flights[0], width)
     for one in flights:

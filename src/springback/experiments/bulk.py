@@ -90,14 +90,14 @@ def fly_scenarios(
             if progress is not None:
                 progress((first + x * size) / count)
 
-        with _no_collection():
+        with no_collection():
             _fly_block(tables, block, make, threads, share, out)
         share(1.0)
     return out
 
 
 @contextmanager
-def _no_collection() -> Iterator[None]:
+def no_collection() -> Iterator[None]:
     """Without the garbage collector, which would walk all trees again and again for nothing."""
     running = gc.isenabled()
     gc.disable()
@@ -152,9 +152,9 @@ def _fly_block(
 def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
     """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
     seeds = [table.get("seed", 0) for table in tables]
-    valid = [type(seed) is int and seed >= 0 for seed in seeds]
-    drawn = iter(turn_on_normals([seed for seed, holds in zip(seeds, valid, strict=True) if holds]))
-    return [next(drawn) if holds else None for holds in valid]
+    different = list({seed for seed in seeds if type(seed) is int and seed >= 0})
+    drawn = dict(zip(different, turn_on_normals(different), strict=True))
+    return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
 
 
 def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:

@@ -26,7 +26,7 @@ from springback.experiments.tables import (
     WorldSettings,
 )
 from springback.frames import attitude_from_euler
-from springback.kept import Make, afresh
+from springback.kept import EVER, Make, afresh
 from springback.kernels.vectors import Mat, Quat, Vec
 from springback.quantities import checked
 from springback.settings import naming, problem
@@ -223,7 +223,7 @@ def flight_model(scenario: Scenario, own: Sequence[Own] = (), make: Make = afres
     """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, make)
-    world = make(world_numbers, s.world, own, make)
+    world = make(world_numbers, s.world, own, make, place=EVER)
     thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     point, guide, timing = make(_chosen, s.model, s.simulation, s.vehicle)
     return Model(airframe, world, point, guide, make(AirSettings.air, s.air), thrust, timing)

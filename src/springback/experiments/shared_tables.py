@@ -27,7 +27,7 @@ from springback.experiments.numbers import flight_model, start_state
 from springback.experiments.presets import surface_table, vehicle_table
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.tables import WorldSettings
-from springback.kept import Kept, Make, afresh
+from springback.kept import EVER, Kept, Make, afresh
 from springback.settings import problem
 from springback.simulation.record import Model
 from springback.vehicle.library import VEHICLES
@@ -92,7 +92,8 @@ def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
     for name, value in table.items():
         if name not in readers:
             raise problem("unknown key", str(name))
-        given[name] = make(readers[name], value, make)
+        place = EVER if isinstance(value, dict) else None
+        given[name] = make(readers[name], value, make, place=place)
     if "vehicle" not in given:
         raise problem("is missing", "vehicle")
     return _bare().model_copy(update=given)

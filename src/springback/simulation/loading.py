@@ -1,7 +1,7 @@
-"""Flights laid into buffers, fast: only what differs from the first of their kind is laid anew.
+"""Flights laid into buffers, fast: only what differs from one of their kind is laid anew.
 
 Flights that were made ready together share most branches of their trees, the very objects.  So a
-tree is compared with that of the first flight branch by branch, and only the leaves that are not
+tree is compared with that of a flight before it branch by branch, and only the leaves that are not
 shared are written.  `springback.simulation.flight.loaded` and
 `springback.simulation.guided.cabins_loaded` say the same slowly.
 """
@@ -9,6 +9,7 @@ shared are written.  `springback.simulation.flight.loaded` and
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -19,9 +20,15 @@ from springback.kernels.trees import function_of
 from springback.simulation.aboard import Cabin
 from springback.simulation.flight import first_phase, loaded, shape_of
 from springback.simulation.guided import cabins_loaded
-from springback.simulation.lanes import Shape, empty_groups
+from springback.simulation.lanes import Shape, buffer_rows, empty_groups
 from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
+
+#: Flights that differ in a larger share of their leaves from the one they are compared with had
+#: better be compared with another, one of their own robot perhaps (chosen) ...
+MOST_DIFFERENT = 0.25
+#: ... but not more often than once in so many flights, for its column takes long (chosen).
+PATIENCE = 16
 
 
 class Unlike(Exception):  # it says what is so, and nobody meets it
@@ -60,6 +67,12 @@ class Comparison:
         if tree is not self._tree:
             self._differing(tree, self._tree, found, values)
 
+    def with_first(self, tree: tuple[Any, ...]) -> Comparison:
+        """The same with another first tree, of the same type."""
+        other = copy(self)
+        other._tree = tree
+        return other
+
     def rows(self, found: Sequence[int]) -> list[int]:
         """Rows of the leaves of some parts."""
         return [row for number in found for row in self._rows[number]]
@@ -94,18 +107,22 @@ class Comparison:
 
 
 class Differences:
-    """What differs from the first flight's column, flight by flight, for one kind of buffer."""
+    """What differs from some flight's column, flight by flight, for one kind of buffer."""
 
-    def __init__(self, column: Buffer) -> None:
-        """Of flights that are like the one of this column, shape (rows,), but for what is added."""
-        self._column = column
+    def __init__(self) -> None:
+        """Of no flights yet; columns are to come first."""
+        self._columns: list[Buffer] = []
         self._patterns: dict[tuple[int, ...], int] = {}
         self._of: list[int] = []
         self._values: list[list[float]] = []
 
+    def begin(self, column: Buffer) -> None:
+        """Flights to come are like the one of this column, shape (rows,), but for what is added."""
+        self._columns.append(column)
+
     def add(self, found: list[int], values: list[float]) -> None:
-        """One more flight: parts that are not those of the first, and their leaves."""
-        pattern = tuple(found)
+        """One more flight: parts that are not those of the column's, and their leaves."""
+        pattern = (len(self._columns) - 1, *found)
         self._of.append(self._patterns.setdefault(pattern, len(self._patterns)))
         self._values.append(values)
 
@@ -114,15 +131,15 @@ class Differences:
     ) -> None:
         """Lay all flights into buffers of shape (groups, rows x width); spare lanes as the last."""
         count, lanes = len(self._of), out.reshape(len(out), -1, width)
-        lanes[:] = self._column[None, :, None]
         flights = np.minimum(np.arange(len(out) * width), count - 1)
         of = np.array(self._of)[flights]
-        for pattern, number in self._patterns.items():
+        for (column, *pattern), number in self._patterns.items():
             mine, places = np.flatnonzero(of == number), rows_of(pattern)
             values = chain.from_iterable(self._values[k] for k in flights[mine].tolist())
             shape = len(mine), len(places)
             new = np.fromiter(values, np.float64, shape[0] * shape[1]).reshape(shape)
             group, lane = np.divmod(mine, width)
+            lanes[group, :, lane] = self._columns[column]
             lanes[group[:, None], np.array(places, dtype=np.intp), lane[:, None]] = new
 
 
@@ -146,15 +163,25 @@ class Loader:
         self.model, self.start, self.cabin, self.width = model, start, cabin, width
         self.count = 0
         self._shape = shape_of(model, start)
-        column = loaded(self._shape, [model], [start], width).reshape(-1, width)[:, 0]
-        record = len(column) - rows(self._shape.record)
+        end = buffer_rows(self._shape, width)
+        record = end - rows(self._shape.record)
         self._status = record + row_of(self._shape.record, "status")
         self._phase = record + row_of(self._shape.record, "phase")
         self._phases: list[float] = []
-        self._flights, self._both = Differences(column), Comparison((model, start))
+        self._flights, self._both = Differences(), Comparison((model, start))
+        self._cabins, self._aboard = Differences(), Comparison(cabin if cabin is not None else ())
+        self._few = MOST_DIFFERENT * (end + (rows(cabin) if cabin is not None else 0))
+        self._begin(model, start, cabin)
+
+    def _begin(self, model: Model, start: State, cabin: Cabin | None) -> None:
+        """Compare with another flight from here on."""
+        column = loaded(self._shape, [model], [start], self.width).reshape(-1, self.width)[:, 0]
+        self._flights.begin(column)
+        self._both = self._both.with_first((model, start))
         if cabin is not None:
-            self._cabins = Differences(cabins_loaded([cabin], 1)[0])
-            self._aboard = Comparison(cabin)
+            self._cabins.begin(cabins_loaded([cabin], 1)[0])
+            self._aboard = self._aboard.with_first(cabin)
+        self._begun = self.count
 
     def add(self, model: Model, start: State, cabin: Cabin | None) -> None:
         """One more flight.
@@ -169,8 +196,13 @@ class Loader:
             raise Unlike
         if cabin is not None:
             self._aboard.gather(cabin, found[1], values[1])
-            self._cabins.add(found[1], values[1])
+        if len(values[0]) + len(values[1]) > self._few and self.count - self._begun >= PATIENCE:
+            self._begin(model, start, cabin)
+            self.add(model, start, cabin)
+            return
         self._flights.add(found[0], values[0])
+        if cabin is not None:
+            self._cabins.add(found[1], values[1])
         self._phases.append(first_phase(model, start))
         self.count += 1
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.experiments.bulk import fly_scenarios
+from springback.experiments.bulk import fly_scenarios, no_collection
 from springback.experiments.campaign.design import Design, design_of
 
 Chunk = tuple[int, int]
@@ -30,7 +30,8 @@ def flown(text: str, chunk: Chunk) -> Flown:
 
 def rows(design: Design, chunk: Chunk) -> dict[str, Any]:
     """Rows of a stretch of flights, column by column."""
-    dealt = design.dealt(*chunk)
-    ended = fly_scenarios(dealt.tables, threads=1)
+    with no_collection():
+        dealt = design.dealt(*chunk)
+        ended = fly_scenarios(dealt.tables, threads=1)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
     return {**dealt.columns, **tail, **ended.measures}
