@@ -14,7 +14,8 @@ from springback.recovery.journey import (
     RECOVER,
     RETURN,
     STAGES,
-    Itinerary,
+    Calm,
+    Departed,
     Journey,
     journey_at_start,
     leaving,
@@ -133,13 +134,12 @@ def test_stages_come_first_where_a_response_has_them() -> None:
     assert (over.leg, over.goal) == (RECOVER, here)
 
 
-def test_the_itinerary_follows_the_leg() -> None:
+def test_ways_of_legs() -> None:
     """The run-up of a later run begins when that run does; no jerk is handed on after a hit."""
     cruise = begun().homeward  # any polynomial will do
     journey = leaving(ROUTE, struck(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
-    way = Itinerary(cruise, 7.0, journey.recovery, journey.homeward, CRUISE)
-    assert target(way, 7.5) == target(cruise, 0.5)
-    after = target(way._replace(leg=RECOVER), 3.05)
+    assert target(Departed(cruise, 7.0), 7.5) == target(cruise, 0.5)
+    after = target(Calm(journey.recovery), 3.05)
     plain = target(journey.recovery, 3.05)
     assert (after.position, after.acceleration) == (plain.position, plain.acceleration)
     assert after.jerk == STILL != plain.jerk

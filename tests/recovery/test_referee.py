@@ -9,7 +9,7 @@ from springback.kernels.vectors import Quat, Vec
 from springback.recovery.journey import CRUISE, LOOK, RECOVER, RETURN
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import ResilientMemory
-from springback.recovery.referee import NEVER, RefereeMemory, referee_at_start
+from springback.recovery.referee import NEVER, RefereeMemory, between_runs, referee_at_start
 from springback.simulation.aboard import Touch, witnessed
 from springback.vehicle.state import State
 
@@ -36,7 +36,11 @@ def thinking(leg: float, alarm: float = NEVER) -> ResilientMemory:
 def seen(
     memory: RefereeMemory, time: float, now: State, touch: Touch, thought: ResilientMemory
 ) -> RefereeMemory:
+    """What the referee has seen after a tick; where no run is open, the short way says the same."""
     after: RefereeMemory = witnessed(REFEREE, time, now, touch, thought, memory)
+    if memory.open == 0.0 and touch.contacts == memory.contacts:
+        alarm = thought.journey.log.alarm
+        assert between_runs(time, now.position, alarm, touch, memory) == after
     return after
 
 

@@ -23,8 +23,9 @@ from springback.sensing.hall import (
     counted,
     output,
     resolution,
+    slope,
 )
-from springback.sensing.measurement import Truth
+from springback.sensing.measurement import Truth, paced
 from springback.sensing.parameters import HallSettings
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
@@ -105,6 +106,18 @@ def test_lengths_come_back_within_half_a_count_over_the_stroke() -> None:
     assert worst < 3e-3
 
 
+def test_the_calibration_inverts_the_output() -> None:
+    """To the picometre, for every word that an arm between the ends of its calibration can say."""
+    device = sensors()
+    span = device.spans[0]
+    first = counted(device, output(device, span.free - span.shortest)) + 1.0
+    last = counted(device, output(device, span.free - span.longest)) - 1.0
+    for word in np.arange(first, last + 1.0).tolist():
+        pressed = span.free - calibrated(device, span, word)
+        missing = (word + 0.5) / 1024 * 5.0 - output(device, pressed)
+        assert abs(missing / slope(device, pressed)) < 1e-12
+
+
 @pytest.mark.parametrize(
     ("compression", "millimetres", "error"),
     [(0.0, 0.018, 0.01), (0.002, 0.027, 0.015), (0.01, 0.122, 0.07), (0.02, 0.49, 0.27),
@@ -121,8 +134,8 @@ def test_stated_resolution_and_error(compression: float, millimetres: float, err
 def test_resolution_is_the_slope_of_the_output() -> None:
     device, h = sensors(), 1e-6
     for c in (0.0, 0.01, 0.05):
-        slope = (output(device, c - h) - output(device, c + h)) / (2 * h)
-        assert resolution(device, c) == pytest.approx(5.0 / 1024 / slope, rel=1e-6)
+        steep = (output(device, c - h) - output(device, c + h)) / (2 * h)
+        assert resolution(device, c) == pytest.approx(5.0 / 1024 / steep, rel=1e-6)
 
 
 def test_pressing_in_never_reads_longer_and_never_leaves_the_calibration() -> None:
@@ -160,7 +173,7 @@ def test_noise_of_the_sensor_is_below_the_converter() -> None:
 
 @pytest.mark.parametrize(("every", "delay"), [(1, 0), (1, 4), (5, 0), (5, 5), (5, 7), (5, 20)])
 def test_lengths_arrive_exactly_late(every: int, delay: int) -> None:
-    device = sensors()._replace(every=float(every), delay=float(delay), noise=0.0)
+    device = sensors()._replace(every=paced(float(every)), delay=float(delay), noise=0.0)
     memory = arms_at_start(device, truth((LENGTH,) * 4).now)
 
     def length(tick: int) -> float:

@@ -27,7 +27,7 @@ from springback.sensing.inertial import (
     per_tick,
     told,
 )
-from springback.sensing.measurement import Truth
+from springback.sensing.measurement import Truth, paced
 from springback.sensing.parameters import STANDARD_GRAVITY, InertialSettings
 from springback.vehicle.state import State
 
@@ -253,7 +253,7 @@ def test_the_bias_takes_a_step_every_ten_ticks() -> None:
 
 
 def test_between_its_samples_the_last_word_stands() -> None:
-    device = silent(every=4.0)
+    device = silent(every=paced(4.0))
     memory, before, words, fresh = inertial_at_start(device, state(), G), state(), [], []
     for tick in range(13):
         now = state(before.velocity + Vec(0.01 * tick, 0.0, 0.0), omega=Vec(tick * 0.1, 0.0, 0.0))

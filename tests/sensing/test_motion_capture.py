@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from springback.kernels.vectors import Quat, Vec
-from springback.sensing.measurement import Pose, Truth
+from springback.sensing.measurement import Pose, Truth, paced
 from springback.sensing.motion_capture import (
     MotionCapture,
     MotionCaptureNoise,
@@ -37,7 +37,7 @@ def truth(x: float, attitude: Quat = LEVEL) -> Truth:
 
 
 def exact(every: float, delay: float) -> MotionCapture:
-    return MotionCapture(every, delay, 0.0, 0.0, NEVER, -NEVER)
+    return MotionCapture(paced(every), delay, 0.0, 0.0, NEVER, -NEVER)
 
 
 def poses(device: MotionCapture, ticks: int) -> list[Pose]:
@@ -120,7 +120,7 @@ def test_gaps_are_as_frequent_and_as_long_as_asked_for() -> None:
 
 
 def test_the_last_pose_stands_through_a_gap() -> None:
-    device = MotionCapture(2.0, 2.0, 0.0, 0.0, 0.0, 0.0)  # p = r = 1/2; the sign decides
+    device = MotionCapture(paced(2.0), 2.0, 0.0, 0.0, 0.0, 0.0)  # p = r = 1/2; the sign decides
     memory, seen = motion_capture_at_start(device, state(0.0)), []
     for tick in range(20):
         normal = -1.0 if tick == 6 else (1.0 if tick < 12 else -1.0)

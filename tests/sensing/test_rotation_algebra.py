@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from springback.kernels.trees import leaves
 from springback.kernels.vectors import (
     Mat,
     Quat,
@@ -18,11 +19,13 @@ from springback.kernels.vectors import (
     inverse_symmetric,
     isotropic,
     quaternion_product,
+    renormalised,
     rotation,
     rotation_vector,
     skew,
     symmetric_part,
     transposed,
+    turned_a_little,
     turned_by,
 )
 
@@ -42,6 +45,23 @@ def test_exponential_and_logarithm_are_scipys_and_inverse(a):
     assert np.allclose(rotation_vector(there), a, rtol=0.0, atol=1e-13)  # at most 2.94 rad long
     opposite = Quat(*(-component for component in there))
     assert np.allclose(rotation_vector(opposite), a, rtol=0.0, atol=1e-13)
+
+
+@pytest.mark.parametrize(("angle", "near"), [(0.0, 0.0), (1e-9, 1e-16), (0.1, 2e-15), (0.6, 2e-9)])
+def test_small_turns_are_turns(angle, near):
+    axis = Vec(2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0)
+    little, exactly = turned_a_little(angle * axis), turned_by(angle * axis)
+    assert leaves(little) == pytest.approx(leaves(exactly), abs=near, rel=0.0)
+
+
+@given(vectors, st.floats(0.997, 1.003))
+def test_nearly_unit_quaternions_become_unit_ones(a, length):
+    """What is left of an error e of the squared length is 5/16 e³, and the direction stays."""
+    q = turned_by(a)
+    off = Quat(*(length * x for x in q))
+    back = renormalised(off)
+    error = 1.0 - length * length
+    assert leaves(back) == pytest.approx(leaves(q), abs=5.0 / 16.0 * abs(error) ** 3 * 1.02 + 1e-15)
 
 
 def test_no_rotation_and_half_a_turn_need_no_case():

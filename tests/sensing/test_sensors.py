@@ -13,7 +13,15 @@ from pydantic_core import PydanticCustomError
 from springback.frames import attitude_from_euler
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
-from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
+from springback.sensing.measurement import (
+    Estimate,
+    Measurement,
+    Sensed,
+    Truth,
+    due,
+    paced,
+    sensed,
+)
 from springback.sensing.parameters import HallSettings, SensorSettings
 from springback.sensing.sensors import NOISE, Sensors, noise_count, sensors_at_start
 from springback.vehicle.library import VEHICLES
@@ -200,13 +208,21 @@ def test_units_are_read_and_checked() -> None:
     )
     device = built(settings)
     assert device.inertial.accelerometer.full_scale == pytest.approx(30 * 9.80665)
-    assert (device.motion_capture.every, device.motion_capture.delay) == (10.0, 20.0)
+    assert (device.motion_capture.every.ticks, device.motion_capture.delay) == (10.0, 20.0)
     with pytest.raises(ValidationError, match=r"must be at most 1 \(got 1.5\)"):
         SensorSettings(motion_capture={"loss_probability": 1.5})
     with pytest.raises(ValidationError, match="did you mean remanence"):
         HallSettings(remanance=1.3)
 
 
+@pytest.mark.parametrize("every", [1, 2, 3, 4, 5, 7, 10, 49, 50, 1000])
+def test_what_is_due_every_few_ticks_is_due_then_and_only_then(every: int) -> None:
+    pace = paced(float(every))
+    ticks = [*range(5 * every), *range(10**9, 10**9 + 5 * every)]
+    assert [due(float(k), pace) for k in ticks] == [k % every == 0 for k in ticks]
+
+
 def test_a_clock_of_another_rate_gives_the_same_devices() -> None:
     fast = SensorSettings().sensors(2.5e-4, ARQ, np.random.default_rng(0))
-    assert (fast.motion_capture.every, fast.inertial.every, fast.arm_length.every) == (20, 4, 20)
+    devices = fast.motion_capture, fast.inertial, fast.arm_length
+    assert [device.every.ticks for device in devices] == [20, 4, 20]

@@ -18,10 +18,12 @@ from springback.vehicle.library import VEHICLES
 from springback.vehicle.rotors import (
     INSTANT,
     SHORT,
+    Lagged,
     Propulsion,
     Rotors,
     Thrusts,
     all_lagged,
+    lag_over,
     lagged,
     limited,
 )
@@ -36,13 +38,17 @@ constants = st.sampled_from([0.0, 1e-12, 1e-6, 0.01, 0.03, 0.3, 50.0])
 def compiled_lag(
     rotors: Rotors, now: tuple[float, ...], command: tuple[float, ...], h: float
 ) -> Any:
-    return all_lagged(rotors, now, command, h)
+    return all_lagged(rotors, now, command, lag_over(rotors.time_constant, h))
+
+
+def after_time(rotors: Rotors, start: float, command: float, duration: float) -> Lagged:
+    return lagged(start, command, rotors, lag_over(rotors.time_constant, duration))
 
 
 def test_after_one_time_constant_a_step_has_63_percent() -> None:
     """The textbook number, 1 − 1/e, and 95 % after three."""
     for count, share in ((1.0, 1.0 - math.exp(-1.0)), (3.0, 1.0 - math.exp(-3.0))):
-        after = lagged(ROTORS, 1.0, 5.0, count * 0.03)
+        after = after_time(ROTORS, 1.0, 5.0, count * 0.03)
         assert (after.thrust - 1.0) / 4.0 == pytest.approx(share, rel=1e-14)
 
 
@@ -57,7 +63,7 @@ def test_law_solves_its_differential_equation(
         lambda _, y: [(u - y[0]) / 0.03, y[0]], (0.0, duration), [start, 0.0],
         rtol=1e-11, atol=1e-13, method="DOP853",
     )  # fmt: skip
-    after = lagged(ROTORS, start, command, duration)
+    after = after_time(ROTORS, start, command, duration)
     assert after.thrust == pytest.approx(solved.y[0, -1], rel=1e-9)
     assert after.mean == pytest.approx(solved.y[1, -1] / duration, rel=1e-8)
 
@@ -68,9 +74,9 @@ def test_two_halves_are_one_whole(
 ) -> None:
     """The flow of a law composes, and impulses (mean times time) add, whatever the ticks."""
     rotors = ROTORS._replace(time_constant=constant)
-    a = lagged(rotors, start, command, first)
-    b = lagged(rotors, a.thrust, command, second)
-    whole = lagged(rotors, start, command, first + second)
+    a = after_time(rotors, start, command, first)
+    b = after_time(rotors, a.thrust, command, second)
+    whole = after_time(rotors, start, command, first + second)
     assert b.thrust == pytest.approx(whole.thrust, abs=1e-12)
     impulse = a.mean * first + b.mean * second
     assert impulse == pytest.approx(whole.mean * (first + second), abs=1e-12)
@@ -84,7 +90,7 @@ def test_thrust_stays_between_its_bounds_and_on_its_way(
     rotors = ROTORS._replace(time_constant=constant)
     u = limited(rotors, command)
     assert rotors.least <= u <= rotors.most
-    after = lagged(rotors, start, command, duration)
+    after = after_time(rotors, start, command, duration)
     low, high = min(start, u) - 1e-12, max(start, u) + 1e-12
     assert low <= after.thrust <= high
     assert low <= after.mean <= high
@@ -95,10 +101,10 @@ def test_limits() -> None:
     """No lag: the command at once.  No time: nothing changes.  Much time: the command.  Slow: −ḣ/2τ."""
     for constant in (0.0, INSTANT / 2.0):
         for duration in (0.0, 1e-3, 10.0):
-            assert lagged(Rotors(0.0, 7.0, constant), 1.0, 5.0, duration) == (5.0, 5.0)
-    assert lagged(ROTORS, 1.0, 5.0, 0.0) == (1.0, 1.0)
-    assert lagged(ROTORS, 1.0, 5.0, 1e3).thrust == 5.0
-    slow = lagged(Rotors(0.0, 7.0, 1e6), 1.0, 5.0, 1.0)
+            assert after_time(Rotors(0.0, 7.0, constant), 1.0, 5.0, duration) == (5.0, 5.0)
+    assert after_time(ROTORS, 1.0, 5.0, 0.0) == (1.0, 1.0)
+    assert after_time(ROTORS, 1.0, 5.0, 1e3).thrust == 5.0
+    slow = after_time(Rotors(0.0, 7.0, 1e6), 1.0, 5.0, 1.0)
     assert slow.thrust - 1.0 == pytest.approx(4e-6, rel=1e-5)
     assert slow.mean - 1.0 == pytest.approx(2e-6, rel=1e-5)
 
@@ -106,23 +112,24 @@ def test_limits() -> None:
 def test_series_meets_the_closed_form() -> None:
     """On both sides of the switch the mean's share is (1 − e^(−x))/x, to 1e-12 of it."""
     for x in (0.3 * SHORT, 0.999 * SHORT, 1.001 * SHORT, 3.0 * SHORT):
-        share = lagged(Rotors(0.0, 7.0, 1.0), 1.0, 0.0, x).mean
+        share = after_time(Rotors(0.0, 7.0, 1.0), 1.0, 0.0, x).mean
         assert share == pytest.approx(-math.expm1(-x) / x, rel=1e-12)
 
 
 def test_saturated_command_is_the_bound() -> None:
     """Beyond the bounds the command does not matter, and a hold at the bound is exact."""
-    assert lagged(ROTORS, 2.0, 7.0, 0.01) == lagged(ROTORS, 2.0, 700.0, 0.01)
-    assert lagged(ROTORS, 2.0, 0.2, 0.01) == lagged(ROTORS, 2.0, -700.0, 0.01)
-    assert lagged(ROTORS, 7.0, 9.0, 0.01) == (7.0, 7.0)
+    assert after_time(ROTORS, 2.0, 7.0, 0.01) == after_time(ROTORS, 2.0, 700.0, 0.01)
+    assert after_time(ROTORS, 2.0, 0.2, 0.01) == after_time(ROTORS, 2.0, -700.0, 0.01)
+    assert after_time(ROTORS, 7.0, 9.0, 0.01) == (7.0, 7.0)
 
 
 @pytest.mark.parametrize("count", [1, 4, 6])
 def test_rotors_keep_their_order_and_do_not_mix(count: int) -> None:
     now = tuple(1.0 + 0.5 * j for j in range(count))
     command = tuple(6.0 - 0.7 * j for j in range(count))
-    after = all_lagged(ROTORS, now, command, 0.01)
-    single = [lagged(ROTORS, *pair, 0.01) for pair in zip(now, command, strict=True)]
+    lag = lag_over(ROTORS.time_constant, 0.01)
+    after = all_lagged(ROTORS, now, command, lag)
+    single = [lagged(*pair, ROTORS, lag) for pair in zip(now, command, strict=True)]
     assert after == Thrusts(tuple(s.thrust for s in single), tuple(s.mean for s in single))
 
 
@@ -132,7 +139,7 @@ def test_plain_python_is_compiled(constant: float) -> None:
     rotors, random = ROTORS._replace(time_constant=constant), np.random.default_rng(1)
     for duration in (0.0, 1e-6, 1e-3, 0.1, 60.0):
         now, command = (tuple(map(float, random.uniform(-2.0, 9.0, 4))) for _ in range(2))
-        plain = all_lagged(rotors, now, command, duration)
+        plain = all_lagged(rotors, now, command, lag_over(rotors.time_constant, duration))
         assert leaves(compiled_lag(rotors, now, command, duration)) == leaves(plain)
 
 

@@ -184,13 +184,13 @@ def hear(memory: Like, g: Buffer, w: int, once: int) -> None:
 @kernel
 def _point(pilot: Like, memory: Like, g: Buffer, w: int, once: int, tick: float) -> None:
     """The attitude loops at their ticks; nearly always those of all lanes at once."""
-    own, every = memory.autopilot, pilot.schedule.attitude
-    turns = how_many_due(every, g, w, once, tick)
+    own, pace = memory.autopilot, pilot.schedule.attitude
+    turns = how_many_due(pace, g, w, once, tick)
     for i in range(w * once if turns == w else 0):
         law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
         put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
     for i in range(w if (turns > 0) & (turns < w) else 0):
-        if due(tick, got(every, g, w, i)):
+        if due(tick, got(pace, g, w, i)):
             law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
             put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
 
@@ -244,7 +244,7 @@ def _rebuild(
 def _turn(
     pilot: Like, memory: Like, lengths: Like, g: Buffer, w: int, once: int, tick: float
 ) -> None:
-    """Rate loop and mixer; ``unmet`` first holds the moment that is asked for."""
+    """Rate loop and mixer; where a moment has to be squeezed ``unmet`` first holds all of it."""
     own, built, tight = memory.autopilot, memory.autopilot.built.tree, 0
     for i in range(w * once):
         omega = got(memory.estimate.angular_velocity, g, w, i)
@@ -254,10 +254,10 @@ def _turn(
         wrench = Wrench(got(own.aim.thrust, g, w, i), asked.moment)
         wanted = unlimited(got(built.mixer, g, w, i), wrench)
         lowest, highest = got(pilot.lowest, g, w, i), got(pilot.highest, g, w, i)
-        now = due(tick, got(pilot.schedule.rate, g, w, i))
-        tight += 0 if fits(wanted, lowest, highest) else 1
+        now, fitting = due(tick, got(pilot.schedule.rate, g, w, i)), fits(wanted, lowest, highest)
+        tight += 0 if fitting else 1
         put(pick(now, asked.memory, before), own.rate, g, w, i)
-        put(pick(now, asked.moment, unmet), own.unmet, g, w, i)
+        put(pick(now, pick(fitting, ZERO, asked.moment), unmet), own.unmet, g, w, i)
         put(pick(now, wanted, got(own.thrust, g, w, i)), own.thrust, g, w, i)
     for i in range(w if tight > 0 else 0):
         wanted, lift = got(own.thrust, g, w, i), got(pilot.lift, g, w, i)
@@ -266,11 +266,8 @@ def _turn(
             wrench = Wrench(got(own.aim.thrust, g, w, i), got(own.unmet, g, w, i))
             thrust = squeezed(got(built.mixer, g, w, i), lowest, highest, wrench, lift)
             put(thrust, own.thrust, g, w, i)
-    for i in range(w * once):
-        asked, thrust = got(own.unmet, g, w, i), got(own.thrust, g, w, i)
-        given = wrench_of(got(pilot.airframe, g, w, i), got(lengths, g, w, i), thrust)
-        now = due(tick, got(pilot.schedule.rate, g, w, i))
-        put(pick(now, asked - given.moment, asked), own.unmet, g, w, i)
+            given = wrench_of(got(pilot.airframe, g, w, i), got(lengths, g, w, i), thrust)
+            put(wrench.moment - given.moment, own.unmet, g, w, i)
 
 
 @decide.register(Cascade)

@@ -16,6 +16,7 @@ from springback.control.position import PositionLaw
 from springback.control.rate import RateLaw
 from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, quantity
+from springback.sensing.measurement import Pace, paced
 from springback.settings import Settings, problem
 
 #: Part of the weight that the position loop always lifts, so that it has a direction to aim at
@@ -35,11 +36,11 @@ AttitudeLaw = FullQuaternion | Reduced | LeeSO3
 
 
 class Schedule(NamedTuple):
-    """Ticks of the clock between two runs of each loop; whole numbers."""
+    """When each loop runs on the clock."""
 
-    position: float
-    attitude: float
-    rate: float
+    position: Pace
+    attitude: Pace
+    rate: Pace
     delay: float  # of position commands, in ticks
 
 
@@ -215,9 +216,9 @@ class ControlSettings(Settings):
         """
         position = self._every("position_frequency", clock)
         return Schedule(
-            position,
-            self._every("attitude_frequency", clock),
-            self._every("rate_frequency", clock),
+            paced(position),
+            paced(self._every("attitude_frequency", clock)),
+            paced(self._every("rate_frequency", clock)),
             self._delay(position, clock),
         )
 

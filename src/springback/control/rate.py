@@ -67,14 +67,14 @@ def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat:
 
 @kernel
 def _integral(
-    value: float, gain: float, error: float, unmet: float, most: float, fade: float, period: float
+    value: float, gain: float, error: float, unmet: float, most: float, faint: float, period: float
 ) -> float:
     """Integral of one axis after a period [rad/s²].
 
     It does not grow further into saturation, and large errors, as of flips and impacts, hardly
     count: their share is 1 − (e/fade)².  Source: both are in PX4's RateControl.
     """
-    share = positive_part(1.0 - (error / fade) * (error / fade))
+    share = positive_part(1.0 - (error * faint) * (error * faint))
     saturated = (unmet * error > 0.0) & (unmet * unmet > ROUNDING * ROUNDING)
     running = 0.0 if saturated else period
     return within(value + gain * share * error * running, -most, most)
@@ -99,11 +99,11 @@ def turn(
     """
     omega = memory.filtered + (measured - memory.filtered) * law.filter_share
     error = setpoint - omega
-    most, fade, period = law.integral_limit, law.integral_fade, law.period
+    most, faint, period = law.integral_limit, 1.0 / law.integral_fade, law.period
     integral = Vec(
-        _integral(memory.integral.x, law.integral.x, error.x, unmet.x, most, fade, period),
-        _integral(memory.integral.y, law.integral.y, error.y, unmet.y, most, fade, period),
-        _integral(memory.integral.z, law.integral.z, error.z, unmet.z, most, fade, period),
+        _integral(memory.integral.x, law.integral.x, error.x, unmet.x, most, faint, period),
+        _integral(memory.integral.y, law.integral.y, error.y, unmet.y, most, faint, period),
+        _integral(memory.integral.z, law.integral.z, error.z, unmet.z, most, faint, period),
     )
     rate = (omega - memory.filtered) * (1.0 / period)
     wanted = axiswise(law.gain, error) + integral - axiswise(law.derivative, rate)

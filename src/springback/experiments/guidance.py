@@ -20,7 +20,7 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import Calm
 from springback.errors import InputError
-from springback.kept import Make, afresh
+from springback.kept import EVER, Make, afresh
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -40,7 +40,7 @@ from springback.simulation.guided import NOBODY, cabin_of
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.rotors import Propulsion, Rotors
+from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
 if TYPE_CHECKING:
@@ -283,7 +283,7 @@ def cascade_of(
     propulsion = propulsion_of(s, model.airframe)
     believed = make(believed_of, s.vehicle, propulsion, gravity)
     settings, estimator = make(_estimator, s.estimator, s.sensors, tick, gravity)
-    control = make(_control_settings, s.control, s.reference)
+    control = make(_control_settings, s.control, s.reference, place=EVER)
     schedule = make(_schedule, control, s.clock)
     point, most = model.contact_point, believed.most_thrust
     pilot = Cascade(
@@ -381,10 +381,12 @@ def board_of(
     judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
     witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)
     seen: Any = referee_at_start(start.position) if judged else NOBODY
+    rotors = make(Propulsion.rotors, propulsion_of(s, model.airframe))
     guidance = Guidance(
         sensors=sensors,
         pilot=flown_by.settings,
-        rotors=make(Propulsion.rotors, propulsion_of(s, model.airframe)),
+        rotors=rotors,
+        lag=make(lag_over, rotors.time_constant, period),
         witness=witness,
         weather=air.weather,
         mean_wind=air.mean_wind,

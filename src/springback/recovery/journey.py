@@ -65,30 +65,34 @@ class Journey(NamedTuple):
     log: Log
 
 
-class Itinerary(NamedTuple):
-    """All ways of a journey as one reference: the one of the present leg."""
+class Departed(NamedTuple):
+    """A run-up that began at some time."""
 
     cruise: Any
-    away: float
-    recovery: Any
-    homeward: Polynomials
-    leg: float
+    away: float  # [s]
 
 
-@target.register(Itinerary)
-@kernel
-def _itinerary(reference: Itinerary, time: float) -> Target:
-    """The way of the leg, after a collision without jerk.
+class Calm(NamedTuple):
+    """A way after a collision, without jerk.
 
     The paper's controller is given p, v, a and yaw, and the robot is then too far from its way for
     the way's angular velocities to be of use.
     """
-    cruise = target(reference.cruise, time - reference.away)
-    recovery, homeward = target(reference.recovery, time), target(reference.homeward, time)
-    now = pick(reference.leg <= RECOVER, recovery, homeward)
-    still = Vec(0.0, 0.0, 0.0)
-    calm = Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
-    return pick(reference.leg <= LOOK, cruise, calm)
+
+    way: Any
+
+
+@target.register(Departed)
+@kernel
+def _departed(reference: Departed, time: float) -> Target:
+    return target(reference.cruise, time - reference.away)
+
+
+@target.register(Calm)
+@kernel
+def _calm(reference: Calm, time: float) -> Target:
+    now, still = target(reference.way, time), Vec(0.0, 0.0, 0.0)
+    return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
 
 def journey_at_start(route: Route, nothing: Collision, make: Make = afresh) -> Journey:

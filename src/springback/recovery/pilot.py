@@ -42,8 +42,10 @@ from springback.recovery.detection import (
 )
 from springback.recovery.journey import (
     LOOK,
+    RECOVER,
     STAGES,
-    Itinerary,
+    Calm,
+    Departed,
     Journey,
     Route,
     journey_at_start,
@@ -128,9 +130,13 @@ class Worded(NamedTuple):
 def _followed(
     pilot: Resilient, tick: float, time: float, at: Estimate, journey: Journey, before: Offboard
 ) -> Offboard:
-    j = journey
-    way = Itinerary(pilot.cascade.reference, j.away, j.recovery, j.homeward, j.leg)
-    return steered(pilot.cascade, way, tick, time, at, before)
+    """The way of the leg."""
+    c, leg = pilot.cascade, journey.leg
+    if leg <= LOOK:
+        return steered(c, Departed(c.reference, journey.away), tick, time, at, before)
+    if leg <= RECOVER:
+        return steered(c, Calm(journey.recovery), tick, time, at, before)
+    return steered(c, Calm(journey.homeward), tick, time, at, before)
 
 
 @kernel
@@ -167,12 +173,37 @@ def steer(
         once: As for `springback.simulation.ticks.look`.
         tick: Number of the tick.
     """
-    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    memory, flight, cascade = cabin.aboard.pilot, cabin.aboard.pilot.flight, pilot.cascade
+    journey, cruising, recovering, returning = memory.journey, 0, 0, 0
     for i in range(w * once):
-        settings, time = got(pilot, g, w, i), tick * got(cabin.guidance.period, g, w, i)
-        at, journey = got(flight.estimate, g, w, i), got(memory.journey, g, w, i)
-        before = got(flight.offboard, g, w, i)
-        put(_followed(settings, tick, time, at, journey, before), flight.offboard, g, w, i)
+        leg = got(journey.leg, g, w, i)
+        cruising += 1 if leg <= LOOK else 0
+        recovering += 1 if (leg > LOOK) & (leg <= RECOVER) else 0
+        returning += 1 if leg > RECOVER else 0
+    # Ways are long to follow, and all lanes are nearly always on the same: so one way at a time.
+    for i in range(w * once if cruising > 0 else 0):
+        way = Departed(got(cascade.reference, g, w, i), got(journey.away, g, w, i))
+        now = _steered(pilot, cabin, way, g, w, i, tick)
+        mine, before = got(journey.leg, g, w, i) <= LOOK, got(flight.offboard, g, w, i)
+        put(pick(mine, now, before), flight.offboard, g, w, i)
+    for i in range(w * once if recovering > 0 else 0):
+        now = _steered(pilot, cabin, Calm(got(journey.recovery, g, w, i)), g, w, i, tick)
+        leg, before = got(journey.leg, g, w, i), got(flight.offboard, g, w, i)
+        put(pick((leg > LOOK) & (leg <= RECOVER), now, before), flight.offboard, g, w, i)
+    for i in range(w * once if returning > 0 else 0):
+        now = _steered(pilot, cabin, Calm(got(journey.homeward, g, w, i)), g, w, i, tick)
+        mine, before = got(journey.leg, g, w, i) > RECOVER, got(flight.offboard, g, w, i)
+        put(pick(mine, now, before), flight.offboard, g, w, i)
+
+
+@kernel
+def _steered(
+    pilot: Like, cabin: Like, way: Any, g: Buffer, w: int, i: int, tick: float
+) -> Offboard:
+    """The position loop of one lane on some way."""
+    flight, time = cabin.aboard.pilot.flight, tick * got(cabin.guidance.period, g, w, i)
+    at, before = got(flight.estimate, g, w, i), got(flight.offboard, g, w, i)
+    return steered(got(pilot.cascade, g, w, i), way, tick, time, at, before)
 
 
 @steer.register(Staged)
@@ -281,12 +312,9 @@ def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) 
         observer, before = got(pilot.observer, g, w, i), got(memory.wrench, g, w, i)
         wrench = observed_wrench(observer, airframe, inertia, said, at, given, before)
         put(wrench, memory.wrench, g, w, i)
-    for i in range(w * once):
-        arms, said = got(pilot.cascade.airframe.arms, g, w, i), got(seen, g, w, i)
-        at, wrench = got(flight.estimate, g, w, i), got(memory.wrench, g, w, i)
         time = tick * got(cabin.guidance.period, g, w, i)
         triggers, so_far = got(pilot.detection, g, w, i), got(memory.detection, g, w, i)
-        noticed = detected(triggers, arms, time, said, at, wrench, so_far)
+        noticed = detected(triggers, airframe.arms, time, said, at, wrench, so_far)
         put(noticed.memory, memory.detection, g, w, i)
         put(noticed.alarm, memory.alarm, g, w, i)
         looks = (noticed.alarm > 0.5) | (got(memory.journey.leg, g, w, i) == LOOK)

@@ -12,11 +12,13 @@ from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
+from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.journey import HOVER, LOOK, RECOVER
 from springback.recovery.pilot import ResilientMemory
 from springback.simulation.aboard import Touch, witnessed
+from springback.simulation.ticks import judge, judge_lanes, touch_of
 from springback.vehicle.state import State
 
 NEVER = -1.0
@@ -160,9 +162,7 @@ def _judged(
     )  # fmt: skip
     settles = (open_now > 0.5) & (judged.settled >= 0.0)
     alarm = thought.journey.log.alarm
-    new_alarm = alarm > m.alarm_seen
-    # Contacts still under way, or just over, answer for an alarm.
-    caused = (open_now > 0.5) | ((touch.last >= 0.0) & (time - touch.last < LINGERING))
+    caused = (open_now > 0.5) | _lingers(touch, time)
     return RefereeMemory(
         touch.contacts,
         pick(settles, 0.0, open_now),
@@ -170,10 +170,56 @@ def _judged(
         judged,
         m.runs + pick(begins, 1.0, 0.0),
         m.recovered + pick(settles, 1.0, 0.0) - pick(again, 1.0, 0.0),
-        m.false_alarms + pick(new_alarm & (not caused), 1.0, 0.0),
-        pick(new_alarm, alarm, m.alarm_seen),
+        _counted_alarms(m, alarm, caused),
+        pick(alarm > m.alarm_seen, alarm, m.alarm_seen),
         pick(p.z < m.lowest, p.z, m.lowest),
     )
+
+
+@judge.register(Referee)
+@kernel
+def _judge(
+    witness: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """`witnessed` for all lanes; where no run is open and none begins, little of it."""
+    memory, journey, running = cabin.aboard.witness, cabin.aboard.pilot.journey, 0
+    for i in range(w * once):
+        contacts = touch_of(shape, b, w, i).contacts
+        is_open = got(memory.open, g, w, i) > 0.5
+        running += 1 if is_open | (contacts > got(memory.contacts, g, w, i)) else 0
+    for i in range(w * once if running == 0 else 0):
+        time, m = tick * got(cabin.guidance.period, g, w, i), got(memory, g, w, i)
+        position = got(shape.motion.state.position, b, w, i)
+        alarm, touch = got(journey.log.alarm, g, w, i), touch_of(shape, b, w, i)
+        kept = between_runs(time, position, alarm, touch, m)
+        put(kept, memory, g, w, i)
+    if running > 0:
+        judge_lanes(witness, shape, cabin, b, g, w, once, tick)
+
+
+@kernel
+def _counted_alarms(m: RefereeMemory, alarm: float, caused: bool) -> float:
+    """False alarms, this one included."""
+    return m.false_alarms + pick((alarm > m.alarm_seen) & (not caused), 1.0, 0.0)
+
+
+@kernel
+def _lingers(touch: Touch, time: float) -> bool:
+    """Whether the last contact answers for an alarm: just over, or still under way."""
+    return (touch.last >= 0.0) & (time - touch.last < LINGERING)
+
+
+@kernel
+def between_runs(
+    time: float, position: Vec, alarm: float, touch: Touch, m: RefereeMemory
+) -> RefereeMemory:
+    """What the referee has seen after a tick without a run."""
+    return RefereeMemory(
+        m.contacts, m.open, position, m.run, m.runs, m.recovered,
+        _counted_alarms(m, alarm, _lingers(touch, time)),
+        pick(alarm > m.alarm_seen, alarm, m.alarm_seen),
+        pick(position.z < m.lowest, position.z, m.lowest),
+    )  # fmt: skip
 
 
 #: An alarm this long after the last contact is still of it [s], chosen: sensors, filters, delays.

@@ -29,7 +29,9 @@ from springback.kernels.vectors import (
     normalised,
     positive_part,
     quaternion_product,
+    renormalised,
     rotation,
+    turned_a_little,
     turned_by,
 )
 from springback.sensing.measurement import (
@@ -110,15 +112,21 @@ def _believe(
     once: int,
 ) -> None:  # fmt: skip
     """The same, step by step for all lanes; poses are looked at where one is fresh."""
-    posed = 0
+    posed, waiting = 0, 0
     for i in range(w * once):
         weights, m = got(estimator, g, w, i), got(memory, g, w, i)
-        put(_moved_on(weights, got(seen.inertial, g, w, i), m), memory, g, w, i)
+        inertial = got(seen.inertial, g, w, i)
+        put(_moved_on(weights, inertial, m), memory, g, w, i)
         posed += 1 if got(seen.pose.fresh, g, w, i) > 0.5 else 0
+        waiting += 0 if inertial.fresh > 0.5 else 1
     for i in range(w * once if posed > 0 else 0):
         weights, m, pose = got(estimator, g, w, i), got(memory, g, w, i), got(seen.pose, g, w, i)
         put(pick(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
-    for i in range(w * once):
+    for i in range(w * once if waiting == 0 else 0):  # the same, without turning by nothing
+        m = got(memory, g, w, i)
+        now = Estimate(m.position, m.attitude, m.velocity, m.angular_velocity)
+        put(now, estimate, g, w, i)
+    for i in range(w * once if waiting > 0 else 0):
         put(_at_tick(got(memory, g, w, i)), estimate, g, w, i)
 
 
@@ -134,7 +142,7 @@ def _moved_on(
 @kernel
 def _at_tick(m: ComplementaryMemory) -> Estimate:
     """The estimate, taken on from the last inertial sample at constant rates."""
-    q = quaternion_product(m.attitude, turned_by(m.waiting * m.angular_velocity))
+    q = quaternion_product(m.attitude, turned_a_little(m.waiting * m.angular_velocity))
     position = m.position + m.waiting * m.velocity
     return Estimate(position, q, m.velocity, m.angular_velocity)
 
@@ -181,7 +189,8 @@ def _bounded(x: float, limit: float) -> float:
 @kernel
 def _bias(weights: Complementary, spin: Vec, turn: Vec, m: ComplementaryMemory) -> Vec:
     """The gyroscope's bias: what the corrections keep taking back, learnt at slow spin only."""
-    learnt = weights.bias_weight * weights.interval if norm(spin) < SLOW_SPIN else 0.0
+    slow = spin @ spin < SLOW_SPIN * SLOW_SPIN
+    learnt = weights.bias_weight * weights.interval if slow else 0.0
     b, limit = m.gyroscope_bias - learnt * turn, weights.largest_bias
     return Vec(_bounded(b.x, limit), _bounded(b.y, limit), _bounded(b.z, limit))
 
@@ -195,14 +204,14 @@ def _followed(
     turn = _attitude_correction(weights, inertial.specific_force, m)
     bias = _bias(weights, inertial.angular_velocity, turn, m)
     omega = inertial.angular_velocity - bias
-    half = turned_by((0.5 * dt) * (omega + turn))
+    half = turned_a_little((0.5 * dt) * (omega + turn))
     middle = quaternion_product(m.attitude, half)
     force = rotation(middle) @ inertial.specific_force
     acceleration = force - Vec(0.0, 0.0, weights.gravity)
     return ComplementaryMemory(
         position=m.position + dt * m.velocity + (0.5 * dt * dt) * acceleration,
         velocity=m.velocity + dt * acceleration,
-        attitude=normalised(quaternion_product(middle, half)),
+        attitude=renormalised(quaternion_product(middle, half)),
         gyroscope_bias=bias,
         angular_velocity=omega,
         heading_error=m.heading_error,

@@ -15,15 +15,17 @@ from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, Like, got, put, read
 from springback.kernels.trees import Seldom, column, each, largest, pick
+from springback.kernels.vectors import within
 from springback.sensing.clock import draws
-from springback.sensing.measurement import Truth, due
+from springback.sensing.measurement import Pace, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.aboard import Draw
 from springback.simulation.ticks import motion_of, truth_of
 from springback.vehicle.state import State
 
-#: Halvings of the range of lengths in the calibration: 54 mm become 3 nm.
-HALVINGS = 24
+#: Halvings of the range of lengths in the calibration: 54 mm become 0.4 mm, from where Newton's
+#: method comes to within 1 pm in so many steps.
+HALVINGS, NEWTON_STEPS = 7, 3
 
 
 class PerfectArmLengths(NamedTuple):
@@ -60,7 +62,7 @@ class HallSensors(NamedTuple):
     noise: float  # standard deviation of the output [V]
     supply: float  # also the converter's reference [V]
     counts: float  # of the converter, 2^bits
-    every: float  # sampling period [ticks]
+    every: Pace  # of its samples
     delay: float  # from sampling to arrival [ticks], at most four periods
     spans: tuple[Span, ...]
 
@@ -71,6 +73,8 @@ class ArmMemory(NamedTuple):
     line: Line  # of counts
     word: float  # the last that arrived
     length: float  # what it means [m]
+    sampled: float  # length at the last sample [m] ...
+    output: float  # ... and the output there, without noise [V]
 
 
 class HallMemory(NamedTuple):
@@ -131,9 +135,9 @@ def calibrated(sensors: HallSensors, span: Span, word: float) -> float:
     """Arm length for a word of the converter [m].
 
     The output falls steadily as the arm is pressed in, and has no inverse in closed form: so the
-    calibrated range is halved until it is 2⁻²⁴ of its length, about the voltage in the middle of
-    the word.  What is left of the error is half a count (`resolution`).  Outside its range the
-    result stays at the range's end.
+    calibrated range is halved a few times about the voltage in the middle of the word, and Newton's
+    method goes on from there, to far less than the half count that is left of the error
+    (`resolution`).  Outside its range the result stays at the range's end.
     """
     voltage = (word + 0.5) / sensors.counts * sensors.supply
     low, high = span.shortest, span.longest
@@ -142,11 +146,17 @@ def calibrated(sensors: HallSensors, span: Span, word: float) -> float:
         longer = output(sensors, span.free - middle) < voltage
         low = middle if longer else low
         high = high if longer else middle
-    return 0.5 * (low + high)
+    length = 0.5 * (low + high)
+    for _ in range(NEWTON_STEPS):
+        pressed = span.free - length
+        missing = voltage - output(sensors, pressed)
+        length = within(length - missing / slope(sensors, pressed), low, high)
+    return length
 
 
-def resolution(sensors: HallSensors, compression: float) -> float:
-    """Change of arm length that changes the converter's word by one [m]; plain Python.
+@kernel
+def slope(sensors: HallSensors, compression: float) -> float:
+    """Change of the output with the compression [V/m], below zero.
 
     From dB/dd = B_r/2 R² [(R² + (d + h)²)^−1.5 − (R² + d²)^−1.5].
 
@@ -154,11 +164,21 @@ def resolution(sensors: HallSensors, compression: float) -> float:
         sensors: The sensors.
         compression: L − l [m].
     """
-    m, d = sensors.magnet, sensors.distance + compression
-    square = m.radius**2
-    far, near = square + (d + m.thickness) ** 2, square + d * d
-    slope = 0.5 * m.remanence * square * (math.pow(far, -1.5) - math.pow(near, -1.5))
-    return sensors.supply / sensors.counts / (sensors.sensitivity * abs(slope))
+    m, near = sensors.magnet, sensors.distance + compression
+    far, square = near + m.thickness, m.radius * m.radius
+    there, here = square + far * far, square + near * near
+    change = 1.0 / (there * math.sqrt(there)) - 1.0 / (here * math.sqrt(here))
+    return sensors.sensitivity * 0.5 * m.remanence * square * change
+
+
+def resolution(sensors: HallSensors, compression: float) -> float:
+    """Change of arm length that changes the converter's word by one [m]; plain Python.
+
+    Args:
+        sensors: The sensors.
+        compression: L − l [m].
+    """
+    return sensors.supply / sensors.counts / abs(slope(sensors, compression))
 
 
 # -- at a tick ------------------------------------------------------------------------------------
@@ -193,29 +213,37 @@ def _perfect(
 
 
 @kernel
-def _sampled(span: Span, length: float, normal: float, sensors: HallSensors) -> float:
-    """The converter's word for one arm."""
-    return counted(sensors, output(sensors, span.free - length) + sensors.noise * normal)
+def _sensed(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> ArmMemory:
+    """One arm, its output for the length that it has."""
+    return ArmMemory(m.line, m.word, m.length, length, output(sensors, span.free - length))
 
 
 @kernel
-def _entered(m: ArmMemory, word: float) -> ArmMemory:
-    return ArmMemory(entered(m.line, word), m.word, m.length)
+def _entered(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
+    """One arm, with the converter's word for its output on the way."""
+    word = counted(sensors, m.output + sensors.noise * normal)
+    return ArmMemory(entered(m.line, word), m.word, m.length, m.sampled, m.output)
+
+
+@kernel
+def _moved(m: ArmMemory, length: float) -> float:
+    """1 where an arm has another length than at its last sample."""
+    return pick(m.sampled == length, 0.0, 1.0)
 
 
 @kernel
 def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
     """One arm at a tick at which a sample arrives."""
-    word = arriving(m.line, sensors.delay, sensors.every)
+    word = arriving(m.line, sensors.delay, sensors.every.ticks)
     # Searching takes longer than all else here, and an arm at rest says the same word again.
     length = m.length if word == m.word else calibrated(sensors, span, word)
-    return ArmMemory(m.line, word, length)
+    return ArmMemory(m.line, word, length, m.sampled, m.output)
 
 
 @kernel
 def _renewed(m: ArmMemory, sensors: HallSensors) -> float:
     """1 where another word arrives than stands."""
-    return pick(arriving(m.line, sensors.delay, sensors.every) == m.word, 0.0, 1.0)
+    return pick(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
 
 
 @kernel
@@ -240,8 +268,8 @@ def _arms_read(
 ) -> ArmsRead:
     arms, sampling, fresh = memory.tree.arms, _sampling(sensors, tick), _delivering(sensors, tick)
     if sampling:
-        words = each(_sampled, (sensors.spans, truth.now.arm_length, noise), (sensors,))
-        arms = each(_entered, (arms, words), ())
+        arms = each(_sensed, (sensors.spans, arms, truth.now.arm_length), (sensors,))
+        arms = each(_entered, (arms, noise), (sensors,))
     if fresh:
         arms = each(_delivered, (sensors.spans, arms), (sensors,))
     flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
@@ -293,7 +321,7 @@ def _read_hall_sensors(
 ) -> None:  # fmt: skip
     """`arms_read`, step by step; the calibration is searched only where a word has changed."""
     memory, seen = cabin.aboard.sensors.arm_length.tree.arms, cabin.aboard.measurement
-    sampling, delivering, renewed = 0, 0, 0
+    sampling, moved, delivering, renewed = 0, 0, 0, 0
     for i in range(w * once):
         sensors = got(device, g, w, i)
         fresh = _delivering(sensors, tick)
@@ -301,10 +329,16 @@ def _read_hall_sensors(
         delivering += 1 if fresh else 0
         put(pick(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
+        arms, lengths = got(memory, g, w, i), motion_of(shape, b, w, i).arm_length
+        moved += 1 if largest(each(_moved, (arms, lengths), ())) > 0.5 else 0
+    for i in range(w * once if moved > 0 else 0):  # its roots take long, and arms seldom move
         sensors, arms = got(device, g, w, i), got(memory, g, w, i)
-        drawn, lengths = read(channels, noise, first, w, i), motion_of(shape, b, w, i).arm_length
-        words = each(_sampled, (sensors.spans, lengths, drawn), (sensors,))
-        now = each(_entered, (arms, words), ())
+        lengths = motion_of(shape, b, w, i).arm_length
+        now = each(_sensed, (sensors.spans, arms, lengths), (sensors,))
+        put(pick(_sampling(sensors, tick), now, arms), memory, g, w, i)
+    for i in range(w * once if sampling > 0 else 0):
+        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
+        now = each(_entered, (arms, read(channels, noise, first, w, i)), (sensors,))
         put(pick(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         sensors, arms = got(device, g, w, i), got(memory, g, w, i)
@@ -328,7 +362,7 @@ def _(device: PerfectArmLengths, channels: int) -> tuple[Draw, ...]:
 
 @draws.register
 def _(device: HallSensors, channels: int) -> tuple[Draw, ...]:
-    return (Draw(channels, round(device.every)),)
+    return (Draw(channels, round(device.every.ticks)),)
 
 
 @functools.singledispatch
@@ -348,6 +382,8 @@ def arms_at_start(device: Any, start: State) -> Any:
 def _(device: HallSensors, start: State) -> Seldom:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
-        word = counted(device, output(device, span.free - length))
-        arms.append(ArmMemory(filled(word), word, calibrated(device, span, word)))
+        voltage = output(device, span.free - length)
+        word = counted(device, voltage)
+        known = calibrated(device, span, word)
+        arms.append(ArmMemory(filled(word), word, known, length, voltage))
     return Seldom(0.0, HallMemory(tuple(arms)))

@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import rounded
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import ZERO, Quat, Vec, normalised, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, renormalised, rotation
 from springback.sensing.clock import draws
-from springback.sensing.measurement import Inertial, Truth, due
+from springback.sensing.measurement import Inertial, Pace, Truth, due, paced
 from springback.sensing.memory import Nothing
 from springback.simulation.aboard import Draw
 from springback.vehicle.state import State
@@ -23,6 +23,7 @@ from springback.vehicle.state import State
 #: Ticks from one step of a wandering bias to the next (chosen): at 1 kHz the accelerometer of
 #: EuRoC has then gone 3e-4 m/s², a sixteenth of a count of 16 bits for ± 16 g.
 WALK_EVERY = 10.0
+_WALK = paced(WALK_EVERY)
 
 
 class PerfectInertial(NamedTuple):
@@ -46,7 +47,7 @@ class InertialUnit(NamedTuple):
     """An accelerometer and a gyroscope."""
 
     offset: Vec  # r, from the main body's centre of mass to the sensor, body axes [m]
-    every: float  # period of its output [ticks]; it converts and filters at every tick
+    every: Pace  # of its output; it converts and filters at every tick
     accelerometer: Channel
     gyroscope: Channel
 
@@ -89,8 +90,9 @@ class Felt(NamedTuple):
 @kernel
 def middle_attitude(a: Quat, b: Quat) -> Quat:
     """Half way between two attitudes: their normalised mean, exact for one steady turn."""
-    s = 1.0 if a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 else -1.0
-    return normalised(Quat(a.w + s * b.w, a.x + s * b.x, a.y + s * b.y, a.z + s * b.z))
+    half = 0.5 if a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 else -0.5
+    w, x, y, z = 0.5 * a.w, 0.5 * a.x, 0.5 * a.y, 0.5 * a.z
+    return renormalised(Quat(w + half * b.w, x + half * b.x, y + half * b.y, z + half * b.z))
 
 
 @kernel
@@ -162,7 +164,7 @@ def clipped(x: float, channel: Channel) -> float:
 @kernel
 def quantised(x: float, step: float) -> float:
     """The multiple of ``step`` nearest to a component."""
-    return step * rounded(x / step)
+    return step * rounded(x * (1.0 / step))
 
 
 @kernel
@@ -221,7 +223,7 @@ def _felt(
 ) -> Felt:
     force, omega = mean_specific_force(truth, device.offset), mean_angular_velocity(truth)
     a, g = device.accelerometer, device.gyroscope
-    steps = 1.0 if due(tick, WALK_EVERY) else 0.0
+    steps = 1.0 if due(tick, _WALK) else 0.0
     walk_a, walk_g = steps * noise.acceleration_drift, steps * noise.rotation_drift
     inner_a = converted(a, force, noise.acceleration, walk_a, memory.accelerometer)
     inner_g = converted(g, omega, noise.rotation, walk_g, memory.gyroscope)

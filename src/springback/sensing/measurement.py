@@ -53,18 +53,34 @@ class Measurement(NamedTuple):
     exact: Estimate  # the truth where sensors are asked to reveal it, else zeros
 
 
-@kernel
-def due(tick: float, every: float) -> bool:
-    """Whether a device that speaks every so many ticks (a whole number) speaks at this one."""
-    return tick - every * rounded_down((tick + 0.5) / every) < 0.5
+class Pace(NamedTuple):
+    """How often something is done on the clock."""
+
+    ticks: float  # from one time to the next, a whole number
+    share: float  # of all ticks, 1/ticks: kept, since dividing takes longer than the rest of `due`
+
+
+def paced(ticks: float) -> Pace:
+    """The pace of what is done every so many ticks."""
+    return Pace(ticks, 1.0 / ticks)
 
 
 @kernel
-def how_many_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> int:
+def due(tick: float, pace: Pace) -> bool:
+    """Whether something is done at a tick, a whole number: it is at tick 0.
+
+    Half a tick past it, so that rounding decides nothing, less than 1/ticks of a round is over.
+    """
+    rounds = (tick + 0.5) * pace.share
+    return rounds - rounded_down(rounds) < pace.share
+
+
+@kernel
+def how_many_due(pace: Like, g: Buffer, w: int, once: int, tick: float) -> int:
     """In how many lanes a device speaks at a tick.
 
     Args:
-        every: Where its period lies [ticks].
+        pace: Where its `Pace` lies.
         g: Buffer of what is aboard.
         w: Lanes.
         once: As for `springback.simulation.ticks.look`.
@@ -72,14 +88,14 @@ def how_many_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> int:
     """
     count = 0
     for i in range(w * once):
-        count += 1 if due(tick, got(every, g, w, i)) else 0
+        count += 1 if due(tick, got(pace, g, w, i)) else 0
     return count
 
 
 @kernel
-def any_due(every: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
+def any_due(pace: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
     """Whether a device of any lane speaks at a tick; arguments as for `how_many_due`."""
-    return how_many_due(every, g, w, once, tick) > 0
+    return how_many_due(pace, g, w, once, tick) > 0
 
 
 class Believed(NamedTuple):

@@ -10,7 +10,7 @@ from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.trees import Seldom, pick
 from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
 from springback.sensing.clock import draws
-from springback.sensing.measurement import Pose, Truth, due
+from springback.sensing.measurement import Pace, Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.aboard import Draw
 from springback.simulation.ticks import motion_of, truth_of
@@ -31,7 +31,7 @@ class MotionCapture(NamedTuple):
     probability r.  Both are kept as quantiles of the normal law: z < Φ⁻¹(p) has probability p.
     """
 
-    every: float  # sampling period [ticks]
+    every: Pace  # of its samples
     delay: float  # from exposure to arrival [ticks], at most four periods
     position_noise: float  # standard deviation, each axis [m]
     attitude_noise: float  # standard deviation of the rotation vector, each axis [rad]
@@ -144,7 +144,7 @@ def _delivered(
     device: MotionCapture, tick: float, period: float, m: MotionCaptureMemory
 ) -> Captured:
     """The pose at a tick, after its exposure: perhaps one arrives."""
-    arrived = arriving(m.line, device.delay, device.every)
+    arrived = arriving(m.line, device.delay, device.every.ticks)
     fresh = pick(_delivering(device, tick), arrived.seen, 0.0)
     last = pick(fresh > 0.5, arrived, m.last)
     taken_at = pick(fresh > 0.5, tick - device.delay, m.taken_at)
@@ -242,7 +242,7 @@ def _(device: PerfectMotionCapture, channels: int) -> tuple[Draw, ...]:
 
 @draws.register
 def _(device: MotionCapture, channels: int) -> tuple[Draw, ...]:
-    return (Draw(channels, round(device.every)),)
+    return (Draw(channels, round(device.every.ticks)),)
 
 
 @functools.singledispatch

@@ -15,6 +15,7 @@ from springback.quantities import Length, quantity, triple
 from springback.sensing.clock import inside, lateness, period
 from springback.sensing.hall import HallSensors, Magnet, PerfectArmLengths, Span, axial_field
 from springback.sensing.inertial import Channel, InertialUnit, PerfectInertial, per_tick
+from springback.sensing.measurement import paced
 from springback.sensing.motion_capture import MotionCapture, PerfectMotionCapture
 from springback.sensing.sensors import Sensors
 from springback.settings import Settings, naming, problem
@@ -71,7 +72,7 @@ class MotionCaptureSettings(Settings):
         with naming("delay"):
             delay = lateness(self.delay, every, tick)
         return MotionCapture(
-            every=every,
+            every=paced(every),
             delay=delay,
             position_noise=self.position_noise,
             attitude_noise=self.attitude_noise,
@@ -169,7 +170,7 @@ class InertialSettings(Settings):
             every = period(self.rate, tick)
         return InertialUnit(
             offset,
-            every,
+            paced(every),
             self.accelerometer.channel(tick, normals[0]),
             self.gyroscope.channel(tick, normals[1]),
         )
@@ -255,7 +256,7 @@ class HallSettings(Settings):
             noise=self.noise,
             supply=self.supply,
             counts=float(2**self.bits),
-            every=every,
+            every=paced(every),
             delay=delay,
             spans=tuple(spans),
         )

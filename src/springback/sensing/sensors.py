@@ -127,13 +127,15 @@ def _look(
 ) -> None:  # fmt: skip
     """`sensed`, one device after the other over all lanes."""
     capture(sensors.motion_capture, shape, cabin, b, g, w, once, tick, channels, noise)
-    memory, seen = cabin.aboard.sensors.inertial, cabin.aboard.measurement
+    memory, seen, revealing = cabin.aboard.sensors.inertial, cabin.aboard.measurement, 0
     for i in range(w * once):
         truth = truth_of(shape, cabin, b, g, w, i)
         drawn = _inertial_noise(got(channels, noise, w, i))
         moved = felt(got(sensors.inertial, g, w, i), tick, truth, drawn, got(memory, g, w, i))
         put(moved.inertial, seen.inertial, g, w, i)
         put(moved.memory, memory, g, w, i)
+        revealing += 1 if got(sensors.reveal, g, w, i) > 0.0 else 0
+    for i in range(w * once if revealing > 0 else 0):  # else zeros stand there
         state, reveal = motion_of(shape, b, w, i), got(sensors.reveal, g, w, i)
         put(revealed(state, reveal), seen.exact, g, w, i)
     arms = seen.arm_length

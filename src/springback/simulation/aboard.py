@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec
-from springback.vehicle.rotors import Rotors
+from springback.vehicle.rotors import Lag, Rotors
 from springback.vehicle.state import State
 
 
@@ -159,6 +159,7 @@ class Guidance(NamedTuple):
     sensors: Any
     pilot: Any
     rotors: Rotors
+    lag: Lag  # of their thrust, over a tick
     witness: Any  # NoWitness, or a type registered with witnessed
     weather: Any  # Calm or Dryden
     mean_wind: Vec  # world [m/s]

@@ -20,7 +20,7 @@ from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flight_r
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, Like, read, rows, write
 from springback.kernels.trees import along, along_strictly, each, pick, square
-from springback.kernels.vectors import Quat, Vec, normalised
+from springback.kernels.vectors import Quat, Vec, renormalised
 from springback.simulation.lanes import (
     CRUISES,
     STEERS,
@@ -138,7 +138,12 @@ def landed(motion: Motion, x: Flight) -> Motion:
     """The motion of a vehicle that flew as one body; its attitude is normalised."""
     s, w = motion.state, motion.work
     state = State(
-        x.position, normalised(x.attitude), x.velocity, x.angular_velocity, s.arm_length, s.arm_rate
+        x.position,
+        renormalised(x.attitude),
+        x.velocity,
+        x.angular_velocity,
+        s.arm_length,
+        s.arm_rate,
     )
     work = Work(
         x.thrust_work, w.arm, w.stop, w.contact, w.friction, w.settling, x.air_work, w.impulse
@@ -150,7 +155,7 @@ def landed(motion: Motion, x: Flight) -> Motion:
 def _far_arm(arm: Arm, length: float, room: float) -> ArmView:
     none = Vec(0.0, 0.0, 0.0)
     pressed = arm.length - length
-    return ArmView(room, 0.0, 0.0, none, pressed, NEVER, 0.0, 0.0, 0.0, none, 0.0, 0.0, 0.0)
+    return ArmView(room, 0.0, 0.0, none, pressed, NEVER, 0.0, 0.0, 0.0, none)
 
 
 @kernel

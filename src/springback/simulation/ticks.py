@@ -185,13 +185,14 @@ def judge(
         once: As for `look`.
         tick: Number of the tick.
     """
-    _judge_lanes(witness, shape, cabin, b, g, w, once, tick)
+    judge_lanes(witness, shape, cabin, b, g, w, once, tick)
 
 
 @kernel
-def _judge_lanes(
+def judge_lanes(
     witness: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float
 ) -> None:
+    """`witnessed` for all lanes, abreast where it has no branches; arguments as for `judge`."""
     memory = cabin.aboard
     for i in range(w * once):
         time, thought = tick * got(cabin.guidance.period, g, w, i), got(memory.pilot, g, w, i)
@@ -297,7 +298,8 @@ def powered(
     for i in range(w * once):
         thrust, command = got(memory.thrust, g, w, i), got(memory.command, g, w, i)
         period = got(settings.period, g, w, i)
-        spun = all_lagged(got(settings.rotors, g, w, i), thrust, command, period)
+        rotors, lag = got(settings.rotors, g, w, i), got(settings.lag, g, w, i)
+        spun = all_lagged(rotors, thrust, command, lag)
         put(spun.thrust, memory.thrust, g, w, i)
         put(spun.mean, model.thrust, b, w, i)
         put(min((tick + 1.0) * period, last), model.timing.until, b, w, i)

@@ -44,8 +44,8 @@ class Thrusts(NamedTuple):
     mean: tuple[float, ...]  # over the time [N]; this goes into the equations of motion
 
 
-class _Shares(NamedTuple):
-    """How much of the start is left after a time."""
+class Lag(NamedTuple):
+    """How much of the start is left after a time; the same at every tick, so it is found once."""
 
     end: float  # e^(−x), x = h/τ
     mean: float  # (1 − e^(−x))/x
@@ -59,37 +59,36 @@ def limited(rotors: Rotors, command: float) -> float:
 
 
 @kernel
-def _shares(time_constant: float, duration: float) -> _Shares:
-    """Shares of the start in the end and in the mean of a first-order lag."""
+def lag_over(time_constant: float, duration: float) -> Lag:
+    """Shares of the start in the end and in the mean of a first-order lag.
+
+    Args:
+        time_constant: τ [s].
+        duration: h [s]; 0 leaves the start as it is, if τ is not 0.
+    """
     instant = time_constant < INSTANT
     x = duration / pick(instant, 1.0, time_constant)
     end = exponential(-x)
     series = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)))
     mean = pick(x < SHORT, series, (1.0 - end) / pick(x < SHORT, 1.0, x))
-    return _Shares(pick(instant, 0.0, end), pick(instant, 0.0, mean))
+    return Lag(pick(instant, 0.0, end), pick(instant, 0.0, mean))
 
 
 @kernel
-def lagged(rotors: Rotors, thrust: float, command: float, duration: float) -> Lagged:
+def lagged(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
     """Exact response of one rotor to a constant command u: τ Ṫ = u − T.
 
     T(h) = u + (T_0 − u) e^(−h/τ), and its mean over h is u + (T_0 − u) (1 − e^(−h/τ)) τ/h.  The
     rotor's torque about body z is ``Arm.torque_ratio`` times the thrust, so its mean follows too.
 
     Args:
-        rotors: Bounds and time constant.
         thrust: T_0, at the start [N].
         command: Asked for [N]; kept between the bounds.
-        duration: h [s]; 0 leaves the thrust as it is, if τ is not 0.
+        rotors: Bounds.
+        lag: `lag_over` τ and h.
     """
     u = limited(rotors, command)
-    share = _shares(rotors.time_constant, duration)
-    return Lagged(u + (thrust - u) * share.end, u + (thrust - u) * share.mean)
-
-
-@kernel
-def _one(thrust: float, command: float, rotors: Rotors, duration: float) -> Lagged:
-    return lagged(rotors, thrust, command, duration)
+    return Lagged(u + (thrust - u) * lag.end, u + (thrust - u) * lag.mean)
 
 
 @kernel
@@ -97,10 +96,10 @@ def all_lagged(
     rotors: Rotors,
     thrusts: tuple[float, ...],
     commands: tuple[float, ...],
-    duration: float,
+    lag: Lag,
 ) -> Thrusts:
     """`lagged` for every rotor, in the order of the arms [N]."""
-    results = each(_one, (thrusts, commands), (rotors, duration))
+    results = each(lagged, (thrusts, commands), (rotors, lag))
     return Thrusts(column(results, "thrust"), column(results, "mean"))
 
 
