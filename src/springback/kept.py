@@ -45,6 +45,11 @@ class Kept:
         self._last: dict[Any, tuple[tuple[Any, ...], Any]] = {}
         self._ever: dict[Any, tuple[Any, Any]] = {}
 
+    def forget(self) -> None:
+        """Remember nothing any more: what is kept at `EVER` grows with the number of flights."""
+        self._last.clear()
+        self._ever.clear()
+
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
         """``function(*given)``, or what it gave for the very same objects the last time.
 

@@ -16,7 +16,7 @@ from contact.scenes import surface
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World
 from springback.dynamics.air import Still
-from springback.dynamics.motion import Free, rates
+from springback.dynamics.motion import Free, Rates, rates
 from springback.kernels.trees import leaves, rebuilt
 from springback.kernels.vectors import Quat, Vec, normalised, rotation
 from springback.vehicle.library import VEHICLES
@@ -58,7 +58,7 @@ class Pressed:
         known = self._rates(rebuilt(self.state, [float(v) for v in x]))
         return np.array(leaves(known.motion.state))
 
-    def _rates(self, state: State):  # type: ignore[no-untyped-def]
+    def _rates(self, state: State) -> Rates:
         return rates(
             self.airframe, self.world, Ring(1e-6), Free(0.0), Still(0.0), state, OFF, self.released
         )

@@ -13,7 +13,7 @@ from springback.experiments.guidance import board_of
 from springback.experiments.scenario import scenario_from
 from springback.experiments.shared_tables import Ready, made_ready
 from springback.experiments.trials import Scatter, trial_tables
-from springback.kept import Kept
+from springback.kept import EVER, Kept
 from springback.kernels.layout import structure
 from springback.kernels.trees import leaves
 
@@ -181,6 +181,22 @@ def test_whatever_differs_is_made_ready_as_alone(has_pilot: bool) -> None:
         assert_same(one, alone(table))
         refused += isinstance(one, str)
     assert 30 < refused < 120  # both happen
+
+
+def test_what_is_kept_for_ever_can_be_forgotten() -> None:
+    """Else memory would grow with the number of flights."""
+    made: list[str] = []
+    make = Kept()
+
+    def part(name: str) -> str:
+        made.append(name)
+        return name
+
+    for name in ("a", "b", "a"):
+        make(part, name, place=EVER)
+    make.forget()
+    make(part, "a", place=EVER)
+    assert made == ["a", "b", "a"]
 
 
 def test_a_part_that_was_refused_is_refused_again() -> None:

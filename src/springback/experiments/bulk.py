@@ -92,6 +92,7 @@ def fly_scenarios(
 
         with no_collection():
             _fly_block(tables, block, make, threads, share, out)
+            make.forget()
         share(1.0)
     return out
 
