@@ -10,6 +10,10 @@ from pathlib import Path
 
 import duckdb
 import pytest
+from click.testing import CliRunner
+
+from springback.errors import InputError
+from springback.interfaces.cli import cli
 
 SCENARIO = """\
 name = "test flight"
@@ -209,3 +213,10 @@ def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
     assert process.returncode == 130, errors
     assert "Traceback" not in errors
     assert sorted(path.name for path in folder.iterdir()) == ["s.toml"]
+
+
+def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
+    for part in ("flight", "resilience"):
+        words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
+        assert isinstance(CliRunner().invoke(cli, words).exception, InputError)
+        assert not (tmp_path / "out").exists()

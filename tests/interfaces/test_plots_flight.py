@@ -15,7 +15,6 @@ from click.testing import CliRunner
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from springback.errors import InputError
 from springback.experiments.comparison import Mark
 from springback.experiments.paper import flight as paper_flight
 from springback.experiments.paper import resilience as paper_resilience
@@ -493,10 +492,3 @@ def test_parts_are_reproduced_on_demand(tmp_path: Path) -> None:
         assert (out / "report.html").exists()
     shown = CliRunner().invoke(cli, ["reproduce", "flight", "--out", str(tmp_path / "text")])
     assert "mass of the battery" in shown.output  # printed nowhere, and shown nevertheless
-
-
-def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
-    for part in ("flight", "resilience"):
-        words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
-        assert isinstance(CliRunner().invoke(cli, words).exception, InputError)
-        assert not (tmp_path / "out").exists()
