@@ -7,16 +7,17 @@ is nose down.  SI units and radians.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
+from springback.sheet import cos, sin
+
 
 def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
     """Quaternion (w, x, y, z), body to world, of ZYX Euler angles [rad]."""
-    a, b, c = math.cos(0.5 * roll), math.cos(0.5 * pitch), math.cos(0.5 * yaw)
-    p, q, r = math.sin(0.5 * roll), math.sin(0.5 * pitch), math.sin(0.5 * yaw)
+    a, b, c = cos(0.5 * roll), cos(0.5 * pitch), cos(0.5 * yaw)
+    p, q, r = sin(0.5 * roll), sin(0.5 * pitch), sin(0.5 * yaw)
     return (
         a * b * c + p * q * r,
         p * b * c - a * q * r,

@@ -20,10 +20,13 @@ WALL = {"type": "wall", "distance": 1.0, "surface": "wall"}
 
 
 def collisions() -> list[dict[str, Any]]:
-    """Run-ups of both robots in turn, by chance; two that cannot be flown among them."""
+    """Run-ups of both robots in turn, by chance; two that cannot be flown among them.
+
+    They are enough to be made ready together (`springback.experiments.alike`).
+    """
     changes = {"simulation": {"duration": 3.0}}
     tables, shared = [], None
-    for k in range(5):
+    for k in range(10):
         for robot in ("arq", "quad"):
             luck = Scatter().drawn(robot, 0.0, 3.0, k, 0)
             table = trial_tables(robot, 0.0, 3.0, luck, changes)

@@ -23,6 +23,7 @@ from springback.kept import Make, afresh
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, quantity, triple
 from springback.settings import Settings, problem
+from springback.sheet import sqrt
 
 Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 
@@ -129,7 +130,7 @@ class Facing(Settings):
         assert self.position is not None
         assert self.normal is not None
         n = Vec(*self.normal)
-        n = n * (1.0 / math.sqrt(n @ n))
+        n = n * (1.0 / sqrt(n @ n))
         return Plane(n, n @ Vec(*self.position) + raised)
 
 

@@ -18,6 +18,7 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, quantity
 from springback.sensing.measurement import Pace, paced
 from springback.settings import Settings, problem
+from springback.sheet import sqrt
 
 #: Part of the weight that the position loop always lifts, so that it has a direction to aim at
 #: (chosen: nearly free fall is still allowed).
@@ -124,7 +125,7 @@ class ControlSettings(Settings):
         springs = (self.stiffness, self.damping), (self.vertical_stiffness, self.vertical_damping)
         ratio = self.damping_ratio
         horizontal, vertical = (
-            2.0 * ratio * math.sqrt(kp * mass) if kv is None else float(kv) for kp, kv in springs
+            2.0 * ratio * sqrt(kp * mass) if kv is None else kv for kp, kv in springs
         )
         return horizontal, vertical
 
@@ -164,8 +165,9 @@ class ControlSettings(Settings):
         The offboard delay, and half a period each for which the words of the position loop and of
         the attitude loop stand.
         """
-        holds = 0.5 / float(self.position_frequency) + 0.5 / float(self.attitude_frequency)
-        return float(self.offboard_delay) + holds
+        holds: float = 0.5 / self.position_frequency + 0.5 / self.attitude_frequency
+        lead: float = self.offboard_delay + holds
+        return lead
 
     def rate_lead(self) -> float:
         """How far ahead a reference's angular velocity is asked for [s].
@@ -176,7 +178,8 @@ class ControlSettings(Settings):
         """
         if self.rate_integral > 0.0:
             return self.tilt_lead()
-        return self.tilt_lead() + max(1.0 / float(self.rate_gain) - self.gyro_lag(), 0.0)
+        lag: float = 1.0 / self.rate_gain - self.gyro_lag()
+        return self.tilt_lead() + max(lag, 0.0)
 
     def attitude_law(self) -> AttitudeLaw:
         """The numbers of the attitude loop; their type is the law."""

@@ -16,13 +16,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.experiments.alike import Alike, Many, made_together, pace_of
 from springback.experiments.guidance import turn_on_normals
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
     recovery_outcomes,
 )
-from springback.experiments.shared_tables import Ready, made_ready
+from springback.experiments.shared_tables import UNCHECKED, Ready, made_ready, settings_of
 from springback.kept import Kept
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.recovery.referee import RefereeMemory
@@ -37,6 +38,8 @@ from springback.simulation.reading import Array, columns_of, energies
 REFUSED = "refused"
 #: Flights that are made ready together (chosen: their buffers then take some 100 MB).
 BLOCK = 4096
+#: Groups of flights that another one may be like, those lately met (chosen).
+MOST_TRIED = 8
 #: Tables by which flights are put in order, that those which share much follow one another.
 ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
 
@@ -129,17 +132,30 @@ def _fly_block(
     out: Rows,
 ) -> None:
     """Make some flights ready, fly them kind by kind, and read what they left."""
+    biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
+
+    def one(number: int) -> Ready:
+        return made_ready(tables[number], make, biases[number])
+
     kinds: dict[Any, _Kind] = {}
+    alike, alone = _sorted_out(tables, block, make)
+    for group in alike:
+        many = made_together(group, [biases[k] or [] for k in group.flights], one)
+        if many is None:
+            alone += group.flights
+        else:
+            _add_many(many, [tables[k].get("seed", 0) for k in many.flights], kinds)
+            alone += set(group.flights).difference(many.flights)
     last: _Kind | None = None
-    for number, biases in zip(block, _biases([tables[k] for k in block]), strict=True):
+    for number in filter({*alone}.__contains__, block):
         try:
-            one = made_ready(tables[number], make, biases)
+            ready = one(number)
         except InputError as error:
             out.problems[number] = "; ".join(error.problems)
             continue
-        last = _sorted_in(one, last, kinds)
+        last = _sorted_in(ready, last, kinds)
         last.numbers.append(number)
-        last.seeds.append(one.seed)
+        last.seeds.append(ready.seed)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
     for kind in kinds.values():
 
@@ -158,29 +174,60 @@ def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
     return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
 
 
+def _sorted_out(
+    tables: Sequence[Mapping[str, Any]], block: Sequence[int], make: Kept
+) -> tuple[list[Alike], list[int]]:
+    """Flights that are alike but for numbers, and those that something is wrong with."""
+    alike: list[Alike] = []
+    wrong = []
+    for number in block:
+        try:
+            settings = settings_of(tables[number], make)
+        except UNCHECKED:
+            wrong.append(number)
+            continue
+        del settings["seed"]
+        for k, group in enumerate(alike[:MOST_TRIED]):
+            if group.takes(number, settings):
+                alike.insert(0, alike.pop(k))  # the next one will be like this one
+                break
+        else:
+            alike.insert(0, Alike(number, settings, make))
+    return alike, wrong
+
+
+def _add_many(many: Many, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
+    """Add flights that were made ready together to those of their kind."""
+    kind = _kind_of(many.first, kinds)
+    cabin = many.first.board.cabin if many.first.board else None
+    kind.loader.add_alike(many.first.model, many.first.start, cabin, many.flown, many.aboard)
+    kind.numbers.extend(many.flights)
+    kind.seeds.extend(seeds)
+
+
 def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
     """The kind that a flight was added to: that of the flight before it, if it is like that."""
     cabin = one.board.cabin if one.board else None
-    if last is not None and _pace(one) == _pace(last.first):
+    if last is not None and pace_of(one) == pace_of(last.first):
         try:
             last.loader.add(one.model, one.start, cabin)
         except Unlike:
             pass
         else:
             return last
-    key = structure(one.model), structure(cabin), _pace(one)
+    kind = _kind_of(one, kinds)
+    kind.loader.add(one.model, one.start, cabin)
+    return kind
+
+
+def _kind_of(one: Ready, kinds: dict[Any, _Kind]) -> _Kind:
+    """The kind of a flight, which may be the first of it."""
+    cabin = one.board.cabin if one.board else None
+    key = structure(one.model), structure(cabin), pace_of(one)
     if key not in kinds:
         width = LANES if cabin is None else GUIDED_LANES
         kinds[key] = _Kind(Loader(one.model, one.start, cabin, width), one, [], [])
-    kinds[key].loader.add(one.model, one.start, cabin)
     return kinds[key]
-
-
-def _pace(one: Ready) -> tuple[Any, ...]:
-    """What flights abreast have in common beside their types; without pilots, nothing."""
-    if one.board is None:
-        return ()
-    return one.model.timing.until, one.board.cabin.guidance.period, one.board.noise
 
 
 def _fly_kind(kind: _Kind, threads: int, progress: Callable[[float], None], out: Rows) -> None:

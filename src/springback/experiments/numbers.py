@@ -6,7 +6,6 @@ from it (`springback.kept`).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -30,6 +29,7 @@ from springback.kept import EVER, Make, afresh
 from springback.kernels.vectors import Mat, Quat, Vec
 from springback.quantities import checked
 from springback.settings import naming, problem
+from springback.sheet import sqrt
 from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
@@ -164,8 +164,7 @@ def true_airframe(
     if body is None:
         return airframe
     inertia = Mat(*(Vec(*row) for row in body.inertia))
-    whole = float(body.mass + make(masses_of, vehicle).arms)
-    return Airframe(whole, inertia, airframe.arms)
+    return Airframe(body.mass + make(masses_of, vehicle).arms, inertia, airframe.arms)
 
 
 # -- the rest -------------------------------------------------------------------------------------
@@ -206,7 +205,8 @@ def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Veh
 
 def unit(v: Vec) -> Vec:
     """A vector made one long."""
-    return v * (1.0 / math.sqrt(v @ v))
+    one: Vec = v * (1.0 / sqrt(v @ v))
+    return one
 
 
 def guide_of(model: ModelSettings) -> Free | Slider:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,17 +26,29 @@ def write_parquet(
         about: More metadata.
         select: What is written, in SQL over the table ``given`` of these columns.
     """
-    import duckdb
-
     metadata = {"units": json.dumps(dict(units)), **about}
     pairs = ", ".join(f"{quoted(key)}: {quoted(value)}" for key, value in metadata.items())
-    with duckdb.connect() as connection:
-        connection.execute("SET threads = 1")  # so that rows keep their order at any size
-        connection.register("given", dict(columns))
-        connection.execute(
-            f"COPY ({select}) TO {quoted(str(path))} "
-            f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
-        )
+    text = (
+        f"COPY ({select}) TO {quoted(str(path))} "
+        f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
+    )
+    try:
+        with _database().cursor() as connection:
+            connection.register("given", dict(columns))
+            connection.execute(text)
+    except Exception:
+        _database.cache_clear()  # it may be unusable
+        raise
+
+
+@functools.cache
+def _database() -> Any:
+    """One for all files of a process: to make it takes as long as a file does."""
+    import duckdb
+
+    made = duckdb.connect()
+    made.execute("SET threads = 1")  # so that rows keep their order at any size
+    return made
 
 
 def quoted(text: str) -> str:

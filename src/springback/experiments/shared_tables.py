@@ -33,6 +33,9 @@ from springback.simulation.record import Model
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
 
+#: What `settings_of` raises.
+UNCHECKED = (PydanticCustomError, ValidationError, InputError)
+
 
 class Ready(NamedTuple):
     """A flight made ready; without a pilot it has no board."""
@@ -58,15 +61,25 @@ def made_ready(
         run-up would need, which takes long to find out.
     """
     try:
-        scenario = scenario_of(table, make)
-        check_tables(scenario, make)
-        return _ready(scenario, make, biases)
+        return ready_of(scenario_of(table, make), make, biases)
     except PydanticCustomError as error:
         if (error.context or {}).get("field") == "reference":
             raise InputError(f"reference: {error.message()}") from None
     except (ValidationError, InputError):
         pass
     return _ready(scenario_from(table, False), afresh)
+
+
+def ready_of(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
+    """The checks across the tables, and the numbers.
+
+    Args:
+        scenario: Of `scenario_with`.
+        make: How parts are made.
+        biases: `turn_on_normals` of its seed, if they are known already.
+    """
+    check_tables(scenario, make)
+    return _ready(scenario, make, biases)
 
 
 def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
@@ -88,6 +101,16 @@ def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None
 
 def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
     """A scenario whose tables were checked one by one, but not against each other."""
+    return scenario_with(settings_of(table, make))
+
+
+def scenario_with(settings: Mapping[str, Any]) -> Scenario:
+    """A scenario of settings that were checked, by the name of their table."""
+    return _bare().model_copy(update=settings)
+
+
+def settings_of(table: Mapping[str, Any], make: Make) -> dict[str, Any]:
+    """The tables of a scenario, checked one by one."""
     readers, given = _readers(), dict(_defaults())
     for name, value in table.items():
         if name not in readers:
@@ -96,7 +119,7 @@ def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
         given[name] = make(readers[name], value, make, place=place)
     if "vehicle" not in given:
         raise problem("is missing", "vehicle")
-    return _bare().model_copy(update=given)
+    return given
 
 
 @functools.cache

@@ -9,7 +9,6 @@ shared are written.  `springback.simulation.flight.loaded` and
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from copy import copy
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -41,17 +40,14 @@ class Comparison:
     A loop over branches would take three times as long.
     """
 
-    def __init__(self, tree: tuple[Any, ...], first: int = 0) -> None:
-        """With a tree whose leaves lie from some row on."""
+    def __init__(self, tree: tuple[Any, ...]) -> None:
+        """With a tree; what compares is generated when it is first asked for."""
         self._rows: list[range] = []
-        self._row, self._names = first, 0
+        self._row, self._names = 0, 0
         self._scope: dict[str, Any] = {"Unlike": Unlike}
         self._lines: list[str] = []
-        self._compare(tree, "tree", "like", "")
-        differing: Callable[..., None] = function_of(
-            "tree, like, found, values", self._lines, self._scope
-        )
-        self._tree, self._differing = tree, differing
+        self._tree = tree
+        self._differing: Callable[..., None] | None = None
 
     def gather(self, tree: tuple[Any, ...], found: list[int], values: list[float]) -> None:
         """What is not that of the first tree.
@@ -64,14 +60,16 @@ class Comparison:
         Raises:
             Unlike: If the trees are of different types.
         """
-        if tree is not self._tree:
-            self._differing(tree, self._tree, found, values)
+        if tree is self._tree:
+            return
+        if self._differing is None:
+            self._compare(self._tree, "tree", "like", "")
+            self._differing = function_of("tree, like, found, values", self._lines, self._scope)
+        self._differing(tree, self._tree, found, values)
 
-    def with_first(self, tree: tuple[Any, ...]) -> Comparison:
-        """The same with another first tree, of the same type."""
-        other = copy(self)
-        other._tree = tree
-        return other
+    def begin(self, tree: tuple[Any, ...]) -> None:
+        """Compare with another first tree, of the same type, from here on."""
+        self._tree = tree
 
     def rows(self, found: Sequence[int]) -> list[int]:
         """Rows of the leaves of some parts."""
@@ -106,12 +104,22 @@ class Comparison:
         self._row += count
 
 
+class _Alike(NamedTuple):
+    """Flights that differ from a column in the same rows."""
+
+    column: int
+    flights: Any  # their numbers, shape (flights,)
+    rows: Any  # shape (rows,)
+    values: Buffer  # shape (flights, rows)
+
+
 class Differences:
     """What differs from some flight's column, flight by flight, for one kind of buffer."""
 
     def __init__(self) -> None:
         """Of no flights yet; columns are to come first."""
         self._columns: list[Buffer] = []
+        self._alike: list[_Alike] = []
         self._patterns: dict[tuple[int, ...], int] = {}
         self._of: list[int] = []
         self._values: list[list[float]] = []
@@ -126,21 +134,35 @@ class Differences:
         self._of.append(self._patterns.setdefault(pattern, len(self._patterns)))
         self._values.append(values)
 
+    def add_alike(self, rows: Sequence[int], values: Buffer) -> None:
+        """Many more flights, which differ from the column in some rows.
+
+        Args:
+            rows: Where they differ.
+            values: What stands there, shape (flights, rows).
+        """
+        numbers = np.arange(len(self._of), len(self._of) + len(values))
+        self._alike.append(_Alike(len(self._columns) - 1, numbers, np.array(rows, int), values))
+        self._of += [-1] * len(values)
+        self._values += [[]] * len(values)
+
     def buffers(
         self, out: Buffer, width: int, rows_of: Callable[[Sequence[int]], list[int]]
     ) -> None:
         """Lay all flights into buffers of shape (groups, rows x width); spare lanes as the last."""
         count, lanes = len(self._of), out.reshape(len(out), -1, width)
-        flights = np.minimum(np.arange(len(out) * width), count - 1)
-        of = np.array(self._of)[flights]
+        of, pieces = np.array(self._of), [*self._alike]
         for (column, *pattern), number in self._patterns.items():
             mine, places = np.flatnonzero(of == number), rows_of(pattern)
-            values = chain.from_iterable(self._values[k] for k in flights[mine].tolist())
+            values = chain.from_iterable(self._values[k] for k in mine.tolist())
             shape = len(mine), len(places)
             new = np.fromiter(values, np.float64, shape[0] * shape[1]).reshape(shape)
-            group, lane = np.divmod(mine, width)
-            lanes[group, :, lane] = self._columns[column]
-            lanes[group[:, None], np.array(places, dtype=np.intp), lane[:, None]] = new
+            pieces.append(_Alike(column, mine, np.array(places, dtype=np.intp), new))
+        for piece in pieces:
+            group, lane = np.divmod(piece.flights, width)
+            lanes[group, :, lane] = self._columns[piece.column]
+            lanes[group[:, None], piece.rows, lane[:, None]] = piece.values
+        lanes[-1, :, (count - 1) % width + 1 :] = lanes[-1, :, (count - 1) % width, None]
 
 
 class Laid(NamedTuple):
@@ -177,10 +199,10 @@ class Loader:
         """Compare with another flight from here on."""
         column = loaded(self._shape, [model], [start], self.width).reshape(-1, self.width)[:, 0]
         self._flights.begin(column)
-        self._both = self._both.with_first((model, start))
+        self._both.begin((model, start))
         if cabin is not None:
             self._cabins.begin(cabins_loaded([cabin], 1)[0])
-            self._aboard = self._aboard.with_first(cabin)
+            self._aboard.begin(cabin)
         self._begun = self.count
 
     def add(self, model: Model, start: State, cabin: Cabin | None) -> None:
@@ -205,6 +227,32 @@ class Loader:
             self._cabins.add(found[1], values[1])
         self._phases.append(first_phase(model, start))
         self.count += 1
+
+    def add_alike(
+        self,
+        model: Model,
+        start: State,
+        cabin: Cabin | None,
+        flights: tuple[Sequence[int], Buffer],
+        aboard: tuple[Sequence[int], Buffer],
+    ) -> None:
+        """Many more flights, which differ in the same leaves from one of this kind.
+
+        Args:
+            model: Of the flight that they are like.
+            start: Likewise; they begin in the same phase.
+            cabin: Likewise.
+            flights: Numbers of the leaves of model and start in which they differ, and what stands
+                there, shape (flights, leaves).
+            aboard: The same for what is aboard.
+        """
+        self._begin(model, start, cabin)
+        self._flights.add_alike(*flights)
+        if cabin is not None:
+            self._cabins.add_alike(*aboard)
+        count = len(flights[1])
+        self._phases += [first_phase(model, start)] * count
+        self.count += count
 
     def laid(self) -> Laid:
         """All flights in their buffers; spare lanes repeat the last flight, already ended."""
