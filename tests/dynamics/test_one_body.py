@@ -11,7 +11,7 @@ from springback.dynamics.rigid import Flight, as_one_body, flight_rates
 from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation import record
+from springback.simulation import executor, record
 from springback.simulation.flight import fly_one
 from springback.vehicle.state import State
 
@@ -73,6 +73,32 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
     assert short.trace is not None
     assert long.trace is not None
     assert short.trace.values.shape == long.trace.values.shape
+
+
+def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A look costs no step; only where something is near, or slides, is the flight steered."""
+    told = {"looked_about": 0, "rates_of": 0}
+
+    def counted(name: str) -> None:
+        original = getattr(executor, name)
+
+        def counting(*given: object) -> object:
+            told[name] += 1
+            return original(*given)
+
+        monkeypatch.setattr(executor, name, counting)
+
+    for name in told:
+        counted(name)
+    ground = {"type": "ground", "height": -1.0, "surface": "wall"}
+    tables = scenario(world={"gravity": 0.0, "obstacles": [ground]}, thrust=0.0)
+    ready = scenario_from({**tables, "start": {"velocity": [4.0, 0.0, 0.0]}})
+    flown = fly_one(ready.flight_model(), ready.start_state(), executor="python")
+    # It looks at first, and when twice its way is the gap of some 2 m; it is measured at its end.
+    assert told["looked_about"] == 2
+    assert told["rates_of"] == 4
+    assert flown.record.steps == 400
+    assert flown.motion.state.position.x == pytest.approx(1.6, rel=1e-12)
 
 
 def test_the_last_steps_before_a_wall_are_taken_with_open_eyes() -> None:

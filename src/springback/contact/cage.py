@@ -114,6 +114,30 @@ def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -
     return rubbing(surface.friction_axes, slip, normal, vertical)
 
 
+class Facing(NamedTuple):
+    """Where a cage is nearest to an obstacle."""
+
+    gap: float  # positive apart, negative pressed in [m]
+    inward: Vec  # unit normal into the obstacle
+    at: Support
+
+
+@kernel
+def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+    """Eq. (13) for one cage and one obstacle; arguments as for `meeting`."""
+    shape, end = obstacle.shape, arm.lever
+    first = support(contact_point, -outward_normal(shape, end), arm.direction, radius)
+    n = -outward_normal(shape, end + first.point)
+    at = support(contact_point, n, arm.direction, radius)
+    return Facing(signed_distance(shape, end + at.point) + at.inset, n, at)
+
+
+@kernel
+def apart(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
+    """The gap between a cage and an obstacle [m]; arguments as for `meeting`."""
+    return facing(obstacle, contact_point, radius, arm).gap
+
+
 @kernel
 def meeting(
     obstacle: Obstacle,
@@ -135,15 +159,9 @@ def meeting(
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
     """
-    shape, surface = obstacle.shape, obstacle.surface
-    end = arm.lever
-    first = support(contact_point, -outward_normal(shape, end), arm.direction, radius)
-    n = -outward_normal(shape, end + first.point)
-    at = support(contact_point, n, arm.direction, radius)
-
+    surface, end = obstacle.surface, arm.lever
+    gap, n, at = facing(obstacle, contact_point, radius, arm)
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
-
-    gap = signed_distance(shape, end + at.point) + at.inset
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
     # A step lands on the face to within rounding; a law that jumps there must see it at once.
     least_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0

@@ -23,6 +23,7 @@ from springback.kernels.trees import along, along_strictly, each, pick, square
 from springback.kernels.vectors import Quat, Vec, renormalised
 from springback.simulation.lanes import (
     CRUISES,
+    LOOKS,
     STEERS,
     brought_home,
     filled,
@@ -39,6 +40,7 @@ from springback.simulation.record import (
     NOTHING,
     Model,
     cruised_past,
+    looked_about,
     observed,
 )
 from springback.vehicle.state import Airframe, Arm, State
@@ -216,6 +218,20 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
+def look_about(shape: Like, b: Buffer, w: int) -> None:
+    """The lanes that are to look see whether they have room to cruise."""
+    at = places(shape, w)
+    for i in range(w):
+        model = read(shape.model, b, 0, w, i)
+        motion = read(shape.motion, b, at.motion, w, i)
+        record = read(shape.record, b, at.record, w, i)
+        seen = looked_about(model, motion.state, record)
+        looks = b[at.mark * w + i] == LOOKS
+        b[at.cruising * w + i] = seen.cruising if looks else record.cruising
+        b[at.room * w + i] = seen.room if looks else record.room
+
+
+@kernel
 def log_motion(shape: Like, b: Buffer, line: Buffer) -> None:
     """Time and motion of a single flight, into its line of the log."""
     at = places(shape, 1)
@@ -285,9 +301,10 @@ def advance(
 ) -> int:
     """Advance the groups ``first`` to ``last`` of flights.
 
-    The groups take turns: each flies on while any of its flights cruises, then each steers while
-    any is to be steered, and so on.  In its turn a group takes flights over from later groups, for
-    those that have nothing to do in it; all are back in their lanes at the end.
+    The groups take turns: each flies on while any of its flights cruises, or finds on looking about
+    that it can, then each steers while any is to be steered, and so on.  In its turn a group takes
+    flights over from later groups, for those that have nothing to do in it; all are back in their
+    lanes at the end.
 
     Args:
         shape: What lies in the buffers.
@@ -315,18 +332,21 @@ def advance(
         for turn in range(2 * groups):
             group, cruising = first + turn % groups, turn < groups
             wanted = CRUISES if cruising else STEERS
-            b, more, looked = buffers[group], (w > 1) & (group + 1 < last), False
+            b, more = buffers[group], (w > 1) & (group + 1 < last)
             while budget > 0 and logged[0] < lines:
                 now = marked(shape, b, w, early)
-                if more and (now.cruising if cruising else now.steering) < w:
+                if now.looking > 0:
+                    look_about(shape, b, w)
+                    now = marked(shape, b, w, early)
+                able = now.cruising if cruising else now.steering
+                if able == 0:
+                    break
+                if more and able < w:
                     more = filled(shape, buffers, group, last, w, wanted, early)
                     now = marked(shape, b, w, early)
-                if cruising and now.cruising > 0:
+                if cruising:
                     cruised_on(shape, b, w, log, logged)
-                    looked = False
-                elif now.steering > 0 and not (cruising and looked):
-                    # Looked at closely, a flight may well find that it has room to cruise on.
-                    looked = True
+                else:
                     if now.cruising + now.waiting > 0:
                         put_aside(shape, b, w)
                     begun(shape, b, w)
@@ -338,13 +358,11 @@ def advance(
                     if now.cruising + now.waiting > 0:
                         put_back(shape, b, w)
                     attended(shape, b, w)
-                else:
-                    break
                 budget -= 1
         flying = 0
         for group in range(first, last):
             now = marked(shape, buffers[group], w, early)
-            flying += now.cruising + now.steering
+            flying += now.cruising + now.looking + now.steering
     if w > 1:
         brought_home(shape, buffers, first, last, w)
     return flying
@@ -382,10 +400,13 @@ def to_tick(
     for group in range(buffers.shape[0]):
         b = buffers[group]
         now = marked(shape, b, w, early)
-        while now.cruising > 0 and logged[0] < lines:
-            cruised_on(shape, b, w, log, logged)
+        while now.cruising + now.looking > 0 and logged[0] < lines:
+            if now.looking > 0:
+                look_about(shape, b, w)
+            else:
+                cruised_on(shape, b, w, log, logged)
             now = marked(shape, b, w, early)
-        busy += now.steering + now.cruising
+        busy += now.steering + now.cruising + now.looking
     if busy > 0:
         busy = advance(shape, buffers, 0, buffers.shape[0], lanes, log, logged, budget, early)
     return busy

@@ -17,11 +17,18 @@ import numpy as np
 from springback.dynamics.motion import Motion, View
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, row_of, rows
-from springback.simulation.record import ARRIVED, FLYING, Model, Record
+from springback.simulation.record import (
+    ARRIVED,
+    CRUISING,
+    FLYING,
+    MAY_LOOK,
+    Model,
+    Record,
+)
 
 #: What a lane does next: it is steered, it flies as one body, it waits for its neighbours at a
-#: tick, it has ended.
-STEERS, CRUISES, WAITS, ENDED = 0.0, 1.0, 2.0, -1.0
+#: tick, it looks whether it can fly as one body, it has ended.
+STEERS, CRUISES, WAITS, LOOKS, ENDED = 0.0, 1.0, 2.0, 3.0, -1.0
 
 
 class Shape(NamedTuple):
@@ -43,12 +50,13 @@ class Places(NamedTuple):
     mark: int  # what each lane does next
     home: int  # of several lanes, the lane in which each flight began, counted through the groups
     kept: int  # of several lanes, motion and record of those that are not to be steered
-    record: int  # it begins with time, step, status, phase, request, cruising
+    record: int  # it begins with time, step, status, phase, request, cruising, room
     step: int
     status: int
     phase: int
     request: int
     cruising: int
+    room: int
     end: int
 
 
@@ -65,7 +73,21 @@ def places(shape: Like | Shape, w: int) -> Places:
     r = kept + (rows(shape.motion) + rows(shape.record) if w > 1 else 0)
     end = r + rows(shape.record)
     return Places(
-        motion, total, rate, view, mark, home, kept, r, r + 1, r + 2, r + 3, r + 4, r + 5, end
+        motion,
+        total,
+        rate,
+        view,
+        mark,
+        home,
+        kept,
+        r,
+        r + 1,
+        r + 2,
+        r + 3,
+        r + 4,
+        r + 5,
+        r + 6,
+        end,
     )
 
 
@@ -93,7 +115,8 @@ def next_of(shape: Like, b: Buffer, w: int, i: int, early: float) -> float:
     at, until = places(shape, w), row_of(shape.model, "timing")  # its first field
     flies = b[at.status * w + i] == FLYING
     far = b[until * w + i] - b[at.record * w + i] > ARRIVED
-    under_way = CRUISES if b[at.cruising * w + i] > 0.0 else STEERS
+    cruising = b[at.cruising * w + i]
+    under_way = CRUISES if cruising == CRUISING else (LOOKS if cruising == MAY_LOOK else STEERS)
     there = WAITS if early > 0.0 else STEERS
     return (under_way if far else there) if flies else ENDED
 
@@ -104,20 +127,22 @@ class Standing(NamedTuple):
     steering: int
     cruising: int
     waiting: int
+    looking: int
 
 
 @kernel
 def marked(shape: Like, b: Buffer, w: int, early: float) -> Standing:
     """Mark every lane with what it does next, and count."""
     mark = places(shape, w).mark
-    steering, cruising, waiting = 0, 0, 0
+    steering, cruising, waiting, looking = 0, 0, 0, 0
     for i in range(w):
         does = next_of(shape, b, w, i, early)
         b[mark * w + i] = does
         steering += 1 if does == STEERS else 0
         cruising += 1 if does == CRUISES else 0
         waiting += 1 if does == WAITS else 0
-    return Standing(steering, cruising, waiting)
+        looking += 1 if does == LOOKS else 0
+    return Standing(steering, cruising, waiting, looking)
 
 
 @kernel
@@ -211,7 +236,7 @@ def put_aside(shape: Like, b: Buffer, w: int) -> None:
 
 @kernel
 def put_back(shape: Like, b: Buffer, w: int) -> None:
-    """Give the lanes that cruise or wait their motion and record back."""
+    """Give the lanes that do not steer their motion and record back."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving):
         for i in range(w):

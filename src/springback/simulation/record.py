@@ -9,16 +9,20 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.obstacles import World
+from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import LANDED, NEVER, ArmView, Motion, View, crossing_time
 from springback.dynamics.rigid import Flight, FlightRates
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, largest, least, pick, total
 from springback.kernels.vectors import Vec, norm
-from springback.vehicle.state import Airframe, Arm
+from springback.vehicle.state import Airframe, Arm, State
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
 NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
+#: How the next step is taken: as one rigid body far from everything; as a look about will tell; as
+#: that of a vehicle that is near something, or whose arms slide.
+CRUISING, MAY_LOOK, STEERED = 1.0, 0.0, -1.0
 
 #: A step is at most so many times that in which friction brings a cage to rest (chosen; the method
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
@@ -70,7 +74,7 @@ class Record(NamedTuple):
     status: float  # FLYING, FINISHED, NOT_FINITE
     phase: float  # FREE_FLIGHT, IMPACT
     request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
-    cruising: float  # 1 where the next step can be that of one rigid body far from everything
+    cruising: float  # CRUISING, MAY_LOOK, STEERED
     room: float  # at least so far is every cage from every obstacle [m]
 
     steps: float  # taken so far
@@ -209,7 +213,7 @@ def cruised_past(
     room = m.room - HASTE * fastest * step
     return Record(
         m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
-        pick(good & has_room(model.timing, room, fastest), 1.0, 0.0), room,
+        pick(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
         m.steps + 1.0, m.touching, m.contacts, m.arm_touching, m.arm_contacts,
         m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
         m.inward, m.touch_time, m.touch_depth, m.touch_speed, m.touch_mass_centre_speed,
@@ -221,6 +225,39 @@ def cruised_past(
         larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
         m.peak_compression, m.peak_extension, m.travel, m.bottomed_time, m.ground_time,
     )  # fmt: skip
+
+
+@kernel
+def returns_yet(impacts: float, m: Record) -> bool:
+    """Whether the return from the first of so many impacts is still to come."""
+    return (impacts == 1.0) & (m.return_time < 0.0) & (m.touch_time >= 0.0)
+
+
+@kernel
+def is_quiet(
+    timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool
+) -> bool:
+    """Whether nothing goes on that a step as one rigid body would miss."""
+    still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
+    return still & (not ahead) & (timing.hybrid > 0.0)
+
+
+class Sight(NamedTuple):
+    """What a look at how far everything is comes to: the fields of `Record`."""
+
+    cruising: float
+    room: float
+
+
+@kernel
+def looked_about(model: Model, state: State, m: Record) -> Sight:
+    """A look at how far everything is, which is no step."""
+    near = clearance(model.airframe, model.world, model.contact_point, state)
+    fastest = fastest_cage(model.airframe, state.velocity, state.angular_velocity)
+    ahead = returns_yet(m.impacts, m)
+    quiet = is_quiet(model.timing, m.touching, m.phase, m.impact_open, ahead)
+    cruising = pick(quiet & has_room(model.timing, near, fastest), CRUISING, STEERED)
+    return Sight(cruising, near)
 
 
 @kernel
@@ -261,7 +298,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     impacts = m.impacts + _rises(impact_open, m.impact_open)
     of_first = (impacts == 1.0) & (impact_open > 0.0)
     leaves = ended & of_first
-    ahead = (impacts == 1.0) & (m.return_time < 0.0) & (m.touch_time >= 0.0)
+    ahead = returns_yet(impacts, m)
     returns = ahead & (depth - touch_depth <= LANDED) & (speed < 0.0)
 
     # The next step lands on the next crossing: touch, separation, stop, return.
@@ -282,9 +319,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     changed = (phase != m.phase) | strike
     halted = finished | changed | (m.status != FLYING)
     step = pick(halted, 0.0, smaller(step, left))
-    quiet = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0) & (not ahead)
-    quiet &= (timing.hybrid > 0.0) & (step > 0.0)
-    cruising = pick(quiet & has_room(timing, near, fastest), 1.0, 0.0)
+    quiet = is_quiet(timing, touching, phase, impact_open, ahead) & (step > 0.0)
+    cruising = pick(quiet & has_room(timing, near, fastest), CRUISING, STEERED)
 
     a = norm(view.acceleration)
     grew = a > m.peak_acceleration

@@ -1,0 +1,36 @@
+"""How far a vehicle is from everything it could hit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from springback.contact.cage import apart
+from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import each, least
+from springback.kernels.vectors import rotation
+from springback.vehicle.state import Airframe, Arm, State, arm_pose
+
+
+@kernel
+def _of_arm(
+    arm: Arm, length: float, rate: float, obstacles: tuple[Obstacle, ...], point: Any, state: State
+) -> float:
+    pose = arm_pose(arm, length, rate, state.velocity)  # its place is asked for, not its velocity
+    return least(each(apart, (obstacles,), (point, arm.cage_radius, pose)))
+
+
+@kernel
+def clearance(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
+    """The smallest gap between a cage and an obstacle [m]; negative where one is pressed in.
+
+    Args:
+        airframe: Of the vehicle.
+        world: Its obstacles.
+        contact_point: `springback.contact.cage.Ring` or `ArmTip`.
+        state: Of the vehicle.
+    """
+    r = rotation(state.attitude)
+    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    arms = (airframe.arms, state.arm_length, state.arm_rate)
+    return least(each(_of_arm, arms, (obstacles, contact_point, state)))
