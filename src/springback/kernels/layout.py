@@ -8,11 +8,12 @@ so that `got` and `put` reach any branch by its name.
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import numba
 import numpy as np
-from llvmlite import ir
+from llvmlite import binding, ir
 from numba import types
 from numba.core.typing import templates
 
@@ -245,13 +246,30 @@ def _taken_from(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
     return types.float64(buffer, types.uint64, row), lower
 
 
+@functools.cache
+def _has_slow_masks() -> bool:
+    """Whether a store under a mask takes longer than a selection and a store: without AVX-512."""
+    return not binding.get_host_cpu_features().get("avx512f")
+
+
+def _frozen(builder: Any, leaf: Any) -> Any:
+    """The same number; but the compiler no longer sees that it may be the one that is there.
+
+    Else it makes one store under a mask out of a selection and a store.
+    """
+    frozen = ir.instructions.Instruction(builder.block, leaf.type, "freeze", (leaf,))
+    builder._insert(frozen)  # llvmlite prints this instruction, but has no method for it
+    return frozen
+
+
 @_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
 def _laid_into(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
     """Lay a number into a row of a buffer."""
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         pointer = _element(context, builder, signature.args[0], *arguments[:2])
-        _tagged(builder, builder.store(arguments[3], pointer), row.literal_value)
+        leaf = _frozen(builder, arguments[3]) if _has_slow_masks() else arguments[3]
+        _tagged(builder, builder.store(leaf, pointer), row.literal_value)
         return context.get_dummy_value()
 
     return types.void(buffer, types.uint64, row, types.float64), lower
