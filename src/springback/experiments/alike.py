@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.errors import InputError
-from springback.experiments.shared_tables import Ready, ready_of, scenario_with
+from springback.experiments.shared_tables import UNCHECKED, Ready, ready_of, scenario_with
 from springback.kept import EVER, Kept, Make
 from springback.kernels.trees import leaves
 from springback.settings import Settings
@@ -204,7 +203,7 @@ def made_together(
         filled = sheet.filled()
         rows = np.flatnonzero(filled.holds)
         last = one(alike.flights[rows[-1]])
-    except (*NO_FORMULA, InputError):
+    except (*NO_FORMULA, *UNCHECKED):
         return None
     # Functions might have taken a cell for something else than a float: two flights are compared.
     if not (_agree(on_sheet, filled, 0, first) and _agree(on_sheet, filled, rows[-1], last)):

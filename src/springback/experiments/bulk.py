@@ -179,14 +179,16 @@ def _sorted_out(
 ) -> tuple[list[Alike], list[int]]:
     """Flights that are alike but for numbers, and those that something is wrong with."""
     alike: list[Alike] = []
-    wrong = []
+    wrong: list[int] = []
+    before: tuple[Mapping[str, Any], Mapping[str, Any]] = {}, {}
     for number in block:
         try:
-            settings = settings_of(tables[number], make)
+            settings = settings_of(tables[number], make, before)
         except UNCHECKED:
             wrong.append(number)
             continue
         del settings["seed"]
+        before = tables[number], settings
         for k, group in enumerate(alike[:MOST_TRIED]):
             if group.takes(number, settings):
                 alike.insert(0, alike.pop(k))  # the next one will be like this one

@@ -33,7 +33,7 @@ from springback.simulation.record import Model
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
 
-#: What `settings_of` raises.
+#: What `settings_of` and `ready_of` raise.
 UNCHECKED = (PydanticCustomError, ValidationError, InputError)
 
 
@@ -109,10 +109,24 @@ def scenario_with(settings: Mapping[str, Any]) -> Scenario:
     return _bare().model_copy(update=settings)
 
 
-def settings_of(table: Mapping[str, Any], make: Make) -> dict[str, Any]:
-    """The tables of a scenario, checked one by one."""
+def settings_of(
+    table: Mapping[str, Any],
+    make: Make,
+    before: tuple[Mapping[str, Any], Mapping[str, Any]] = ({}, {}),
+) -> dict[str, Any]:
+    """The tables of a scenario, checked one by one.
+
+    Args:
+        table: The whole scenario.
+        make: How parts are made.
+        before: Another scenario, which it may share tables with, and its settings.
+    """
+    others, known = before
     readers, given = _readers(), dict(_defaults())
     for name, value in table.items():
+        if name in known and name in others and value is others[name]:
+            given[name] = known[name]
+            continue
         if name not in readers:
             raise problem("unknown key", str(name))
         place = EVER if isinstance(value, dict) else None

@@ -101,6 +101,9 @@ class Design:
         tables: list[Tables] = []
         columns: dict[str, list[Any]] = {name: [] for name in (*HEAD, *self.units)}
         known: dict[Any, Any] = {}
+        steps: dict[str, list[int]] = {}
+        for k in self.placing:
+            steps.setdefault(self.dimensions[k].table, []).append(k)
         for flight in range(first, last):
             rest, robot = divmod(flight, len(self.robots))
             sample, repeat = divmod(rest, self.plan.repeats)
@@ -110,23 +113,33 @@ class Design:
                 columns[name].append(value)
             for one, value in zip(self.dimensions, drawn, strict=True):
                 columns[one.column].append(one.shown(value, robot))
-            tables.append({**self._with(robot, drawn, known), "seed": seed})
+            tables.append({**self._with(robot, drawn, steps, known), "seed": seed})
         return Dealt(tables, columns)
 
-    def _with(self, robot: int, drawn: Sequence[Any], known: dict[Any, Any]) -> Tables:
-        """A robot's scenario with values; tables made before for the same values are used again."""
+    def _with(
+        self,
+        robot: int,
+        drawn: Sequence[Any],
+        steps: Mapping[str, Sequence[int]],
+        known: dict[Any, Any],
+    ) -> Tables:
+        """A robot's scenario with values; tables made before for the same values are used again.
+
+        Args:
+            robot: Its number.
+            drawn: Values of all dimensions.
+            steps: Of each table, which dimensions go into it, in their order.
+            known: Tables made before; more are added.
+        """
         tables = dict(self.bases[robot])
-        steps: dict[str, list[tuple[Dimension, Any]]] = {}
-        for k in self.placing:
-            one = self.dimensions[k]
-            steps.setdefault(one.table, []).append((one, drawn[k]))
         for name, changes in steps.items():
             table = tables.get(name, {})
             # Robots whose own values differ have tables of their own.
-            key = (name, id(table), *(value for _, value in changes))
+            key = (name, id(table), *[drawn[k] for k in changes])
             if key not in known:
-                for one, value in changes:
-                    table = one.place(table, one.placed(value, robot))
+                for k in changes:
+                    one = self.dimensions[k]
+                    table = one.place(table, one.placed(drawn[k], robot))
                 known[key] = table
             tables[name] = known[key]
         return tables
