@@ -66,6 +66,7 @@ PLANS = {
     "Lee's law": scattered("arq", {"control": {"attitude": "lee", "rate_integral": 1.0}}),
     "thrown": thrown(),
     "noise": holding(sensors=lambda k: {"motion_capture": {"position_noise": 1e-4 * (k + 1)}}),
+    "signs of zero": holding(start=lambda k: {"velocity": [0.0 if k % 2 else -0.0, 0.0, 0.0]}),
     "mats": holding(
         world=lambda k: {
             "obstacles": [{"type": "mat", "normal": [-1.0, 0.01 * k, 0.0], "surface": "mat",
