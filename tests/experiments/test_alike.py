@@ -121,7 +121,7 @@ def test_many_are_as_alone(plan: str) -> None:
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:
-    """One stands in the wall, one carries nothing, one falls with a mass error of none."""
+    """One stands in the wall, of one nothing is left beside the arms."""
     tables = scattered("arq", {})
     tables[3] |= {"start": {**tables[3]["start"], "position": [2.7, 0.0, 1.0]}}
     tables[5] |= {"model_error": {"mass": 0.1, "inertia": 1.0}}
