@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from springback.experiments.database import in_database, quoted
+
 
 def write_parquet(
     path: Path,
@@ -32,11 +34,14 @@ def write_parquet(
         f"COPY ({select}) TO {quoted(str(path))} "
         f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
     )
+
+    def write(connection: Any) -> None:
+        connection.register("given", dict(columns))
+        connection.execute(text)
+
     try:
-        with _database().cursor() as connection:
-            connection.register("given", dict(columns))
-            connection.execute(text)
-    except Exception:
+        in_database(write, _database().cursor())
+    except BaseException:
         _database.cache_clear()  # it may be unusable
         raise
 
@@ -49,13 +54,3 @@ def _database() -> Any:
     made = duckdb.connect()
     made.execute("SET threads = 1")  # so that rows keep their order at any size
     return made
-
-
-def quoted(text: str) -> str:
-    """A text as SQL writes it."""
-    return "'" + text.replace("'", "''") + "'"
-
-
-def named(column: str) -> str:
-    """The name of a column as SQL writes it."""
-    return '"' + column.replace('"', '""') + '"'

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from springback.errors import InputError
+from springback.experiments.database import in_database
 from springback.experiments.result import Flight
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.simulation.measures import Outcome
@@ -118,13 +119,16 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns of a Parquet file, and their units."""
     import duckdb
 
+    def ask(connection: Any) -> tuple[Any, Any]:
+        connection.execute("SET threads = 1")
+        read = connection.read_parquet(str(path)).fetchnumpy()
+        told = connection.execute(
+            "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [str(path)]
+        ).fetchone()
+        return read, told
+
     try:
-        with duckdb.connect() as connection:
-            connection.execute("SET threads = 1")
-            read = connection.read_parquet(str(path)).fetchnumpy()
-            told = connection.execute(
-                "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [str(path)]
-            ).fetchone()
+        read, told = in_database(ask)
     except duckdb.Error as error:
         raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
     columns: dict[str, Array] = {}

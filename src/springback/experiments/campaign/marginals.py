@@ -12,7 +12,7 @@ from springback.errors import InputError
 from springback.experiments.campaign.intervals import Estimate, Values, share
 from springback.experiments.campaign.laws import BellFactor, Levels
 from springback.experiments.campaign.reading import Campaign
-from springback.experiments.parquet import named
+from springback.experiments.database import named
 
 
 class Scale(NamedTuple):

@@ -7,7 +7,7 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,13 +18,15 @@ from springback.experiments.campaign.columns import known_columns
 from springback.experiments.campaign.design import Design, laid_out
 from springback.experiments.campaign.plan import Source, read_plan
 from springback.experiments.campaign.store import PLAN, about, empty_rows, rows_of, written
-from springback.experiments.parquet import quoted, write_parquet
+from springback.experiments.database import in_database, quoted
+from springback.experiments.parquet import write_parquet
 from springback.experiments.result import Flight, fly
 from springback.version import __version__
 
 if TYPE_CHECKING:
     import pandas
 
+T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 
@@ -90,12 +92,10 @@ class Campaign:
         known = {name: unit for name, (unit, _) in known_columns().items()}
         return known | dict(self.about["units"])
 
-    @contextmanager
-    def connected(self) -> Iterator[Any]:
-        """A DuckDB connection that has all rows as the view ``flights``."""
-        import duckdb
+    def _asked(self, sql: str, parameters: Sequence[Any], found: Callable[[Any], T]) -> T:
+        """What is found in the answer to a question to all rows, the view ``flights``."""
 
-        with duckdb.connect() as connection:
+        def ask(connection: Any) -> T:
             if self.parts:
                 files = ", ".join(quoted(str(self.folder / part.file)) for part in self.parts)
                 source = f"SELECT * FROM read_parquet([{files}])"
@@ -103,7 +103,10 @@ class Campaign:
                 connection.register("given", empty_rows(self.design))
                 source = rows_of(self.design)
             connection.execute(f"CREATE VIEW flights AS {source}")
-            yield connection
+            with in_words():
+                return found(connection.execute(sql, list(parameters)))
+
+        return in_database(ask)
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
         """Ask in SQL; the table is ``flights``.
@@ -115,15 +118,11 @@ class Campaign:
         Raises:
             InputError: If it cannot be understood.
         """
-        with self.connected() as connection, in_words():
-            found = connection.execute(sql, list(parameters))
-            names = [column[0] for column in found.description]
-            return Answer(names, found.fetchall())
+        return self._asked(sql, parameters, _answer)
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
         """What a query finds, as arrays of floats by column; NaN for what is not there."""
-        with self.connected() as connection, in_words():
-            found = connection.execute(sql, list(parameters)).fetchnumpy()
+        found = self._asked(sql, parameters, lambda found: found.fetchnumpy())
         return {
             name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
             for name, values in found.items()
@@ -142,9 +141,8 @@ class Campaign:
         path.parent.mkdir(parents=True, exist_ok=True)
         draft = path.with_name(f".{path.name}.draft")
         try:
-            with self.connected() as connection, in_words():
-                copy = f"COPY ({sql}) TO {quoted(str(draft))} (FORMAT parquet, COMPRESSION zstd)"
-                count = int(connection.execute(copy).fetchone()[0])
+            copy = f"COPY ({sql}) TO {quoted(str(draft))} (FORMAT parquet, COMPRESSION zstd)"
+            count = self._asked(copy, (), lambda found: int(found.fetchone()[0]))
             draft.replace(path)
         finally:
             draft.unlink(missing_ok=True)
@@ -155,8 +153,7 @@ class Campaign:
         from springback.experiments.extras import needs
 
         needs("pandas", "dataframe")
-        with self.connected() as connection, in_words():
-            frame: pandas.DataFrame = connection.execute(sql).df()
+        frame: pandas.DataFrame = self._asked(sql, (), lambda found: found.df())
         frame.attrs["units"] = self.units
         return frame
 
@@ -218,6 +215,10 @@ class Campaign:
                 written(summary, json.dumps(data, indent=2, ensure_ascii=False).encode() + b"\n")
 
 
+def _answer(found: Any) -> Answer:
+    return Answer([column[0] for column in found.description], found.fetchall())
+
+
 def _write_kept(flight: Flight, stem: Path) -> None:
     """Trajectory and diary; each is there whole before the summary that names them is."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
@@ -260,15 +261,16 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     Raises:
         InputError: That names the entry.
     """
-    import duckdb
-
     kept = design.plan.keep.where if design.plan.keep else "true"
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",
         "keep.where": f"SELECT flight FROM flights WHERE ({kept})",
     }
-    with duckdb.connect() as connection:
+
+    def check(connection: Any) -> None:
         connection.register("given", empty_rows(design))
         for entry, statement in statements.items():
             with in_words((source or Source()).blamed(entry.split("."), "").rstrip(": ")):
                 connection.execute(statement)
+
+    in_database(check)

@@ -30,7 +30,8 @@ from springback.experiments.campaign import ledger
 from springback.experiments.campaign.columns import known_columns
 from springback.experiments.campaign.design import HEAD, Design
 from springback.experiments.campaign.stopped import Stopped
-from springback.experiments.parquet import named, write_parquet
+from springback.experiments.database import named
+from springback.experiments.parquet import write_parquet
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import MEASURES
 from springback.version import __version__
