@@ -34,6 +34,10 @@ def collisions() -> list[dict[str, Any]]:
             tables.append(table | shared)
     tables[3] = tables[3] | {"control": {"stiffness": "-1 N/m"}}
     tables[6] = tables[6] | {"start": {"position": [2.7, 0.0, 1.0]}}
+    for k in range(10, 18):
+        tables[k] = tables[k] | {"estimator": {"type": "complementary"}}
+    for k in (8, 9, 14, 17):  # of their group some wait for a sample that others have
+        tables[k] = tables[k] | {"sensors": {"imu": {"rate": "500 Hz"}}}
     return tables
 
 

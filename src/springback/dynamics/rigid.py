@@ -8,11 +8,19 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.dynamics.air import aerodynamics
-from springback.dynamics.motion import System, planar_product, solve
-from springback.kernels.compiler import kernel
+from springback.dynamics.air import Still, aerodynamics
+from springback.dynamics.motion import Free, System, planar_product, solve
+from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import along, each, total
-from springback.kernels.vectors import Mat, Quat, Vec, quaternion_rate, rotation
+from springback.kernels.vectors import (
+    Mat,
+    Quat,
+    Vec,
+    inverse_symmetric,
+    quaternion_rate,
+    renormalised,
+    rotation,
+)
 from springback.vehicle.state import Airframe, Arm, arm_direction, arms_inertia
 
 
@@ -106,23 +114,147 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: Flight)
     return FlightRates(rate, solved.linear, x.velocity + r @ (turning * (1.0 / body.mass)))
 
 
-@kernel
-def flown_on(
-    body: OneBody, guide: Any, air: Any, gravity: float, x: Flight, first: Flight, h: float
-) -> Flight:
-    """One classical Runge–Kutta step; the attitude is not normalised.
+class Flown(NamedTuple):
+    """One step of a `Flight`."""
+
+    known: FlightRates  # at its beginning
+    flight: Flight  # at its end; the attitude is normalised
+
+
+@generic
+def flown_on(guide: Any, air: Any, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+    """One classical Runge–Kutta step.
 
     Args:
-        body: The vehicle.
         guide: `Free` or `Slider`.
         air: `Still` or `Air`.
+        body: The vehicle.
         gravity: g along −Z [m/s²].
         x: Motion at the start of the step.
-        first: Its rate, from `flight_rates`.
         h: Step [s].
     """
-    second = flight_rates(body, guide, air, gravity, along(x, first, 0.5 * h)).flight
+    return stepped(guide, air, body, gravity, x, h)
+
+
+@kernel
+def stepped(guide: Any, air: Any, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+    """One step of all that is integrated, whatever acts on the vehicle; arguments as `flown_on`."""
+    first = flight_rates(body, guide, air, gravity, x)
+    second = flight_rates(body, guide, air, gravity, along(x, first.flight, 0.5 * h)).flight
     third = flight_rates(body, guide, air, gravity, along(x, second, 0.5 * h)).flight
     fourth = flight_rates(body, guide, air, gravity, along(x, third, h)).flight
-    rate = along(along(along(first, second, 2.0), third, 2.0), fourth, 1.0)
-    return along(x, rate, h / 6.0)
+    rate = along(along(along(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
+    new = along(x, rate, h / 6.0)
+    after = Flight(
+        new.position, renormalised(new.attitude), new.velocity, new.angular_velocity,
+        new.thrust_work, new.air_work,
+    )  # fmt: skip
+    return Flown(first, after)
+
+
+@flown_on.register(Free)
+@kernel
+def _flown_freely(
+    guide: Free, air: Any, body: OneBody, gravity: float, x: Flight, h: float
+) -> Flown:
+    return freely(air, guide, body, gravity, x, h)
+
+
+@generic
+def freely(air: Any, guide: Free, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+    """`flown_on` for a vehicle that nothing guides."""
+    return stepped(guide, air, body, gravity, x, h)
+
+
+class _Turning(NamedTuple):
+    """How a body is turned, and turns."""
+
+    attitude: Quat
+    angular_velocity: Vec
+
+
+class _Driven(NamedTuple):
+    """What drives a body about its centre of mass, in its own axes."""
+
+    inertia: Mat  # [kg m²]
+    inverse: Mat
+    moment: Vec  # of the rotors [N m]
+    thrust: float  # collective [N]
+
+
+class _Stage(NamedTuple):
+    """Rates at one stage of a step, about the centre of mass."""
+
+    turning: _Turning
+    up: Vec  # body z axis, world: where the thrust goes
+    power: float  # of the rotors [W]
+
+
+@kernel
+def _stage(by: _Driven, x: _Turning, velocity: Vec) -> _Stage:
+    q, omega = x.attitude, x.angular_velocity
+    up = Vec(
+        2.0 * (q.x * q.z + q.w * q.y),
+        2.0 * (q.y * q.z - q.w * q.x),
+        1.0 - 2.0 * (q.x * q.x + q.y * q.y),
+    )
+    angular = by.inverse @ (by.moment - (omega ^ (by.inertia @ omega)))
+    power = by.thrust * (velocity @ up) + by.moment @ omega
+    return _Stage(_Turning(quaternion_rate(q, omega), angular), up, power)
+
+
+@freely.register(Still)
+@kernel
+def _freely_in_still_air(
+    air: Still, guide: Free, body: OneBody, gravity: float, x: Flight, h: float
+) -> Flown:
+    """The same step about the centre of mass, where turning and moving part.
+
+    Thrust and moment stand still in body axes over a step, and gravity acts at the mass centre: of
+    a stage only the attitude, the angular velocity and, for the rotors' work, the velocity matter.
+    What acts on nothing is summed up once, as the same Runge–Kutta formula has it.
+    """
+    omega, half, sixth = x.angular_velocity, 0.5 * h, h / 6.0
+    c, lift = body.carried * (1.0 / body.mass), body.thrust * (1.0 / body.mass)
+    inertia = about_mass_centre(body)
+    moment = body.rotor_moment - Vec(c.y * body.thrust, -c.x * body.thrust, 0.0)
+    by = _Driven(inertia, inverse_symmetric(inertia), moment, body.thrust)
+    r, swing, down = rotation(x.attitude), omega ^ c, Vec(0.0, 0.0, gravity)
+
+    v, now = x.velocity + r @ swing, _Turning(x.attitude, omega)
+    first = _stage(by, now, v)
+    a1 = first.up * lift - down
+    second = _stage(by, along(now, first.turning, half), v + a1 * half)
+    a2 = second.up * lift - down
+    third = _stage(by, along(now, second.turning, half), v + a2 * half)
+    a3 = third.up * lift - down
+    fourth = _stage(by, along(now, third.turning, h), v + a3 * h)
+    a4 = fourth.up * lift - down
+
+    turning = along(along(first.turning, second.turning, 2.0), third.turning, 2.0)
+    end = along(now, along(turning, fourth.turning, 1.0), sixth)
+    q, spin = renormalised(end.attitude), end.angular_velocity
+    after, between = rotation(q), a2 + a3
+    work = sixth * (first.power + 2.0 * (second.power + third.power) + fourth.power)
+    new = Flight(
+        x.position + h * (v + (a1 + between) * sixth) + (r @ c - after @ c),
+        q,
+        v + (a1 + 2.0 * between + a4) * sixth - after @ (spin ^ c),
+        spin,
+        x.thrust_work + work,
+        x.air_work,
+    )
+    alpha = first.turning.angular_velocity
+    felt = Vec(0.0, 0.0, lift) - (alpha ^ c) - (omega ^ swing)
+    rate = Flight(x.velocity, first.turning.attitude, r @ felt - down, alpha, first.power, 0.0)
+    return Flown(FlightRates(rate, felt, v), new)
+
+
+@kernel
+def about_mass_centre(body: OneBody) -> Mat:
+    """Inertia about the centre of mass, body axes [kg m²] (Steiner)."""
+    s, j = body.carried, body.inertia
+    n = 1.0 / body.mass
+    xx, yy, xy = n * s.x * s.x, n * s.y * s.y, n * s.x * s.y
+    upper = Vec(j.x.x - yy, j.x.y + xy, j.x.z)
+    return Mat(upper, Vec(upper.y, j.y.y - xx, j.y.z), Vec(j.x.z, j.y.z, j.z.z - (xx + yy)))

@@ -10,6 +10,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
+from springback.kernels.bits import bits_of, float_of
 from springback.kernels.compiler import kernel
 
 #: π/2 in three parts of 33 bits: products with whole numbers up to 2²⁰ are exact (fdlibm).
@@ -26,6 +29,8 @@ _EIGHTH = 0.414213562373095048802
 _TINY = 1e-300
 #: 3 · 2⁵¹: floats around it are whole numbers.
 _WHOLE = 6755399441055744.0
+#: The last two bits of a whole number, and how far the second is from a float's sign.
+_ONE, _TWO, _TO_SIGN = np.uint64(1), np.uint64(2), np.uint64(62)
 
 
 class SineCosine(NamedTuple):
@@ -70,17 +75,15 @@ def _cosine(z: float) -> float:
 @kernel
 def sine_cosine(angle: float) -> SineCosine:
     """Of an angle of less than a million turns [rad]."""
-    quarters = rounded(angle * _TWO_OVER_PI)
+    counted = angle * _TWO_OVER_PI + _WHOLE  # quarters of a turn: a whole number, in the last bits
+    quarters, last = counted - _WHOLE, bits_of(counted)
     r = ((angle - quarters * _FIRST) - quarters * _SECOND) - quarters * _THIRD
     z = r * r
     s, c = _sine(r, z), _cosine(z)
-    turn = quarters - 4.0 * rounded(quarters * 0.25)  # −2, −1, 0, 1, 2; both 2 are one
-    swapped = turn * turn == 1.0
+    swapped = (last & _ONE) == _ONE
     sine, cosine = c if swapped else s, s if swapped else c
-    behind = turn * turn == 4.0
-    sine_sign = -1.0 if behind | (turn == -1.0) else 1.0
-    cosine_sign = -1.0 if behind | (turn == 1.0) else 1.0
-    return SineCosine(sine_sign * sine, cosine_sign * cosine)
+    sign, other = (last & _TWO) << _TO_SIGN, ((last + _ONE) & _TWO) << _TO_SIGN
+    return SineCosine(float_of(bits_of(sine) ^ sign), float_of(bits_of(cosine) ^ other))
 
 
 @kernel

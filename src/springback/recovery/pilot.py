@@ -56,7 +56,13 @@ from springback.recovery.journey import (
 )
 from springback.recovery.response import Staged
 from springback.recovery.stages import staged
-from springback.recovery.wrench import ExternalWrench, Observer, no_wrench, observed_wrench
+from springback.recovery.wrench import (
+    ExternalWrench,
+    Observer,
+    no_wrench,
+    observed_wrench,
+    renewed_wrench,
+)
 from springback.sensing.measurement import Estimate, Measurement, any_due, believe, due
 from springback.simulation.aboard import told
 from springback.simulation.ticks import decide
@@ -301,17 +307,36 @@ def _considered(
 
 
 @kernel
+def _observing(pilot: Like, cabin: Like, g: Buffer, w: int, i: int) -> Any:
+    """What the observer of one lane goes by: arguments of `observed_wrench`."""
+    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    return (
+        got(pilot.observer, g, w, i),
+        got(pilot.cascade.airframe, g, w, i),
+        got(flight.autopilot.built.tree.inertia, g, w, i),
+        got(cabin.aboard.measurement, g, w, i),
+        got(flight.estimate, g, w, i),
+        got(flight.autopilot.thrust, g, w, i),
+        got(memory.wrench, g, w, i),
+    )
+
+
+@kernel
 def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> int:
     """The observers and triggers of all lanes; how many lanes have something to consider."""
-    memory, seen, stirred = cabin.aboard.pilot, cabin.aboard.measurement, 0
-    flight = memory.flight
+    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+    waiting, stirred = 0, 0
+    for i in range(w * once):
+        waiting += 0 if got(seen.inertial.fresh, g, w, i) > 0.5 else 1
+    for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
+        x = _observing(pilot, cabin, g, w, i)
+        put(renewed_wrench(*x), memory.wrench, g, w, i)
+    for i in range(w * once if waiting > 0 else 0):
+        x = _observing(pilot, cabin, g, w, i)
+        put(observed_wrench(*x), memory.wrench, g, w, i)
     for i in range(w * once):
         airframe, said = got(pilot.cascade.airframe, g, w, i), got(seen, g, w, i)
-        at, given = got(flight.estimate, g, w, i), got(flight.autopilot.thrust, g, w, i)
-        inertia = got(flight.autopilot.built.tree.inertia, g, w, i)
-        observer, before = got(pilot.observer, g, w, i), got(memory.wrench, g, w, i)
-        wrench = observed_wrench(observer, airframe, inertia, said, at, given, before)
-        put(wrench, memory.wrench, g, w, i)
+        at, wrench = got(memory.flight.estimate, g, w, i), got(memory.wrench, g, w, i)
         time = tick * got(cabin.guidance.period, g, w, i)
         triggers, so_far = got(pilot.detection, g, w, i), got(memory.detection, g, w, i)
         noticed = detected(triggers, airframe.arms, time, said, at, wrench, so_far)

@@ -128,7 +128,7 @@ def struck_by(
 
 
 @kernel
-def observed_wrench(
+def renewed_wrench(
     observer: Observer,
     airframe: Airframe,
     inertia: Mat,
@@ -137,22 +137,12 @@ def observed_wrench(
     command: tuple[float, ...],
     memory: ExternalWrench,
 ) -> ExternalWrench:
-    """The external wrench after a tick.
+    """The external wrench after a tick with an inertial sample; arguments as `observed_wrench`.
 
     From momentum f̂ = K_f (m v − ∫ (f_T R e_z − m g e_Z + f̂) dt), and always
     m̂ = K_m (J ω − ∫ (τ − ω × J ω + m̂) dt).
-    Between inertial samples the estimate stands.
-
-    Args:
-        observer: Settings.
-        airframe: As the pilot believes it to be.
-        inertia: J(l) about the main body, body axes [kg m²].
-        seen: What the sensors say.
-        at: What the estimator says.
-        command: To each rotor since the last tick [N].
-        memory: `no_wrench` at the start.
     """
-    thrust = each(_lagged, (memory.thrust, command), (observer.rotor_share,))
+    thrust = _believed_thrust(observer, command, memory)
     given: Wrench = wrench_of(airframe, seen.arm_length, thrust)
     r, h, k = rotation(at.attitude), observer.interval, observer.force_gain
     up = Vec(r.x.z, r.y.z, r.z.z)
@@ -171,9 +161,38 @@ def observed_wrench(
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
     blow = struck_by(observer, r, at, known, known_moment, spin, memory.blow)
-    kept = ExternalWrench(
-        memory.force, memory.moment, memory.steady, thrust, memory.force_sum, memory.moment_sum,
-        memory.blow,
-    )  # fmt: skip
-    now = ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum, blow)
+    return ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum, blow)
+
+
+@kernel
+def _believed_thrust(
+    observer: Observer, command: tuple[float, ...], memory: ExternalWrench
+) -> tuple[float, ...]:
+    return each(_lagged, (memory.thrust, command), (observer.rotor_share,))
+
+
+@kernel
+def observed_wrench(
+    observer: Observer,
+    airframe: Airframe,
+    inertia: Mat,
+    seen: Measurement,
+    at: Estimate,
+    command: tuple[float, ...],
+    memory: ExternalWrench,
+) -> ExternalWrench:
+    """The external wrench after a tick; between inertial samples the estimate stands.
+
+    Args:
+        observer: Settings.
+        airframe: As the pilot believes it to be.
+        inertia: J(l) about the main body, body axes [kg m²].
+        seen: What the sensors say.
+        at: What the estimator says.
+        command: To each rotor since the last tick [N].
+        memory: `no_wrench` at the start.
+    """
+    m, thrust = memory, _believed_thrust(observer, command, memory)
+    kept = ExternalWrench(m.force, m.moment, m.steady, thrust, m.force_sum, m.moment_sum, m.blow)
+    now = renewed_wrench(observer, airframe, inertia, seen, at, command, memory)
     return pick(seen.inertial.fresh > 0.5, now, kept)

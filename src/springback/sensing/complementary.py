@@ -114,11 +114,15 @@ def _believe(
     """The same, step by step for all lanes; poses are looked at where one is fresh."""
     posed, waiting = 0, 0
     for i in range(w * once):
-        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
-        inertial = got(seen.inertial, g, w, i)
-        put(_moved_on(weights, inertial, m), memory, g, w, i)
         posed += 1 if got(seen.pose.fresh, g, w, i) > 0.5 else 0
-        waiting += 0 if inertial.fresh > 0.5 else 1
+        waiting += 0 if got(seen.inertial.fresh, g, w, i) > 0.5 else 1
+    for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
+        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
+        sample = got(seen.inertial, g, w, i)
+        put(_followed(weights, sample, _older(weights, m)), memory, g, w, i)
+    for i in range(w * once if waiting > 0 else 0):
+        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
+        put(_moved_on(weights, got(seen.inertial, g, w, i), m), memory, g, w, i)
     for i in range(w * once if posed > 0 else 0):
         weights, m, pose = got(estimator, g, w, i), got(memory, g, w, i), got(seen.pose, g, w, i)
         put(pick(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)

@@ -16,11 +16,11 @@ from springback.contact.obstacles import Forces, Impulses
 from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import NEVER, ArmView, Motion, Rates, View, Work, rates
-from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flight_rates, flown_on
+from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, Like, read, rows, write
 from springback.kernels.trees import along, along_strictly, each, pick, square
-from springback.kernels.vectors import Quat, Vec, renormalised
+from springback.kernels.vectors import Quat, Vec
 from springback.simulation.lanes import (
     CRUISES,
     LOOKS,
@@ -137,16 +137,9 @@ def is_finite(x: Flight) -> bool:
 
 @kernel
 def landed(motion: Motion, x: Flight) -> Motion:
-    """The motion of a vehicle that flew as one body; its attitude is normalised."""
+    """The motion of a vehicle that flew as one body."""
     s, w = motion.state, motion.work
-    state = State(
-        x.position,
-        renormalised(x.attitude),
-        x.velocity,
-        x.angular_velocity,
-        s.arm_length,
-        s.arm_rate,
-    )
+    state = State(x.position, x.attitude, x.velocity, x.angular_velocity, s.arm_length, s.arm_rate)
     work = Work(
         x.thrust_work, w.arm, w.stop, w.contact, w.friction, w.settling, x.air_work, w.impulse
     )
@@ -202,10 +195,10 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         body = as_one_body(model.airframe, s.arm_length, model.thrust)
         x = Flight(s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air)
         guide, air, gravity = model.guide, model.air, model.world.gravity
-        known = flight_rates(body, guide, air, gravity, x)
         left = model.timing.until - record.time
         h = left if left < model.timing.free_step else model.timing.free_step
-        new = flown_on(body, guide, air, gravity, x, known.flight, h)
+        flown = flown_on(guide, air, body, gravity, x, h)
+        known, new = flown.known, flown.flight
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES
         write(pick(goes & good, landed(motion, new), motion), b, at.motion, w, i)

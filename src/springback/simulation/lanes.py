@@ -22,13 +22,14 @@ from springback.simulation.record import (
     CRUISING,
     FLYING,
     MAY_LOOK,
+    STEERED,
     Model,
     Record,
 )
 
-#: What a lane does next: it is steered, it flies as one body, it waits for its neighbours at a
-#: tick, it looks whether it can fly as one body, it has ended.
-STEERS, CRUISES, WAITS, LOOKS, ENDED = 0.0, 1.0, 2.0, 3.0, -1.0
+#: What a lane does next. As its record says, it is steered, it flies as one body, or it looks about
+#: for room to; it waits for its neighbours at a tick; it has ended.
+STEERS, CRUISES, LOOKS, WAITS, ENDED = STEERED, CRUISING, MAY_LOOK, 3.0, -1.0
 
 
 class Shape(NamedTuple):
@@ -113,12 +114,10 @@ def next_of(shape: Like, b: Buffer, w: int, i: int, early: float) -> float:
     flight alone is next looked at when its new tick has begun.
     """
     at, until = places(shape, w), row_of(shape.model, "timing")  # its first field
-    flies = b[at.status * w + i] == FLYING
     far = b[until * w + i] - b[at.record * w + i] > ARRIVED
-    cruising = b[at.cruising * w + i]
-    under_way = CRUISES if cruising == CRUISING else (LOOKS if cruising == MAY_LOOK else STEERS)
     there = WAITS if early > 0.0 else STEERS
-    return (under_way if far else there) if flies else ENDED
+    does = b[at.cruising * w + i] if far else there
+    return does if b[at.status * w + i] == FLYING else ENDED
 
 
 class Standing(NamedTuple):
@@ -131,18 +130,25 @@ class Standing(NamedTuple):
 
 
 @kernel
+def _number(b: Buffer, row: int, w: int, wanted: float) -> int:
+    found = 0
+    for i in range(w):
+        found += 1 if b[row * w + i] == wanted else 0
+    return found
+
+
+@kernel
 def marked(shape: Like, b: Buffer, w: int, early: float) -> Standing:
     """Mark every lane with what it does next, and count."""
     mark = places(shape, w).mark
-    steering, cruising, waiting, looking = 0, 0, 0, 0
     for i in range(w):
-        does = next_of(shape, b, w, i, early)
-        b[mark * w + i] = does
-        steering += 1 if does == STEERS else 0
-        cruising += 1 if does == CRUISES else 0
-        waiting += 1 if does == WAITS else 0
-        looking += 1 if does == LOOKS else 0
-    return Standing(steering, cruising, waiting, looking)
+        b[mark * w + i] = next_of(shape, b, w, i, early)
+    return Standing(
+        _number(b, mark, w, STEERS),
+        _number(b, mark, w, CRUISES),
+        _number(b, mark, w, WAITS),
+        _number(b, mark, w, LOOKS),
+    )
 
 
 @kernel

@@ -20,9 +20,9 @@ from springback.vehicle.state import Airframe, Arm, State
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
 NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
-#: How the next step is taken: as one rigid body far from everything; as a look about will tell; as
-#: that of a vehicle that is near something, or whose arms slide.
-CRUISING, MAY_LOOK, STEERED = 1.0, 0.0, -1.0
+#: How the next step is taken: as that of a vehicle that is near something, or whose arms slide; as
+#: one rigid body far from everything; as a look about will tell.
+STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 
 #: A step is at most so many times that in which friction brings a cage to rest (chosen; the method
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
@@ -74,7 +74,7 @@ class Record(NamedTuple):
     status: float  # FLYING, FINISHED, NOT_FINITE
     phase: float  # FREE_FLIGHT, IMPACT
     request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
-    cruising: float  # CRUISING, MAY_LOOK, STEERED
+    cruising: float  # STEERED, CRUISING, MAY_LOOK
     room: float  # at least so far is every cage from every obstacle [m]
 
     steps: float  # taken so far
@@ -116,7 +116,7 @@ def blank_record(arm_count: int) -> Record:
     never, none = -1.0, (0.0,) * arm_count
     return Record(
         time=0.0, step=0.0, status=FLYING, phase=FREE_FLIGHT, request=NOTHING,
-        cruising=0.0, room=0.0,
+        cruising=MAY_LOOK, room=0.0,
         steps=0.0, touching=0.0, contacts=0.0, arm_touching=none, arm_contacts=none,
         impacts=0.0, impact_open=0.0, last_touch_time=never, contact_duration=0.0,
         inward=Vec(0.0, 0.0, 0.0), touch_time=never, touch_depth=0.0, touch_speed=0.0,
