@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import duckdb
@@ -15,13 +16,16 @@ from experiments.campaign.made_up import filled
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.parquet import write_parquet
 
-FOREVER = "SELECT sum(a.range * b.range) AS x FROM range(1000000) a, range(1000000) b"
+#: It takes many seconds.
+LONG = "SELECT sum(a.range * b.range) AS x FROM range(100000) a, range(300000) b"
 
 
 @pytest.fixture
-def soon() -> threading.Timer:
-    """Ctrl-C in a moment, once it is started."""
-    return threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+def soon() -> Iterator[threading.Timer]:
+    """Ctrl-C in a moment, once it is started; those who run tests abreast have it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    signal.signal(signal.SIGINT, before)
 
 
 def test_a_write_is_broken_off_by_ctrl_c_and_the_next_is_not(
@@ -31,7 +35,7 @@ def test_a_write_is_broken_off_by_ctrl_c_and_the_next_is_not(
     write_parquet(tmp_path / "before", one, {}, {})
     soon.start()
     with pytest.raises(KeyboardInterrupt):
-        write_parquet(tmp_path / "broken off", one, {}, {}, select=FOREVER)
+        write_parquet(tmp_path / "broken off", one, {}, {}, select=LONG)
     write_parquet(tmp_path / "after", one, {}, {})
     assert duckdb.read_parquet(str(tmp_path / "after")).fetchall() == [(0.0,), (1.0,), (2.0,)]
 
@@ -43,5 +47,5 @@ def test_a_question_to_a_campaign_is_broken_off_by_ctrl_c(
     campaign = Campaign(tmp_path)
     soon.start()
     with pytest.raises(KeyboardInterrupt):
-        campaign.query(FOREVER)
+        campaign.query(LONG)
     assert campaign.query("SELECT count(*) FROM flights").rows == [(30,)]

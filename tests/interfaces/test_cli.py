@@ -12,6 +12,7 @@ import duckdb
 import pytest
 from click.testing import CliRunner
 
+from interfaces.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces.cli import cli
 
@@ -188,11 +189,6 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "fly" in run("--help", cwd=folder).stdout
-
-
-def heed_interrupts() -> None:
-    """Jobs in the background inherit an ignored SIGINT; a user at a terminal does not."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")

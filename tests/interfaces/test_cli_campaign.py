@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from interfaces.interrupts import heed_interrupts
 from springback.experiments.campaign.reading import Campaign
 from springback.interfaces.cli import main
 
@@ -111,7 +112,7 @@ def started(*words: str, cwd: Path) -> subprocess.Popen[str]:
     """A campaign that goes on; it yields to this test, lest it be done before it is looked at."""
     return subprocess.Popen(
         ["nice", "-n", "19", *command(*words)], cwd=cwd, stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True, start_new_session=True,
+        stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=heed_interrupts,
     )  # fmt: skip
 
 
