@@ -12,6 +12,7 @@ from springback.experiments.result import Flight
 from springback.experiments.run_ups import run_up_scenario
 from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves, rebuilt
+from springback.kernels.vectors import Vec
 from springback.recovery.journey import CRUISE, HOVER, LOOK, RECOVER, RETURN
 from springback.simulation.measures import Outcome
 from springback.simulation.ticks import decided
@@ -97,6 +98,30 @@ def test_the_truth_is_poison_and_nothing_changes() -> None:
     for axis in "xyz":
         apart = np.abs(plain.columns[axis] - compiled.columns[axis])
         assert apart.max() < 1e-9  # sums in another order, grown by a bounce
+
+
+def test_the_observer_waits_for_a_sample() -> None:
+    """Of the external wrench only the rotors' thrust goes on between inertial samples."""
+    scenario = scenario_from(hit("arq", 0.0, 3.5, 0.002))
+    own = cascade_of(scenario, scenario.flight_model(), scenario.start_state())
+    told: list[Any] = []
+
+    def noting(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
+        told.append(measurement)
+        said = decided(own.settings, 1e-3, 0, measurement, own.memory, 4)
+        return said.thrust, said.memory
+
+    springback.fly(scenario, pilot=noting)
+    inertial = told[-1].inertial
+    before = own.memory.wrench
+    after = {}
+    for fresh in (0.0, 1.0):
+        felt = inertial._replace(fresh=fresh, specific_force=Vec(5.0, 0.0, 0.0))
+        seen = told[-1]._replace(inertial=felt)
+        after[fresh] = decided(own.settings, 1e-3, 0, seen, own.memory, 4).memory.wrench
+    assert after[0.0]._replace(thrust=before.thrust) == before
+    assert after[1.0].force.x > before.force.x + 0.1
+    assert after[1.0].thrust == after[0.0].thrust
 
 
 def test_two_runs_without_landing() -> None:

@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 from pydantic import ValidationError
 
 from oracles.estimating import NOTHING, ZERO
+from springback.kernels.layout import Like, got
+from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.complementary import Complementary
 from springback.sensing.estimation import EstimatorSettings, KalmanSettings, Rhythm
 from springback.sensing.kalman import Kalman
-from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose, estimated
+from springback.sensing.measurement import (
+    Estimate,
+    Inertial,
+    Measurement,
+    Pose,
+    believe,
+    estimated,
+)
 from springback.sensing.parameters import SensorSettings
 from springback.sensing.perfect import PerfectState
 
@@ -20,6 +31,16 @@ RHYTHM = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.0042)
 TRUTH = Estimate(
     Vec(1.0, 2.0, 3.0), Quat(0.6, 0.8, 0.0, 0.0), Vec(4.0, 5.0, 6.0), Vec(7.0, 8.0, 9.0)
 )
+
+
+class Lane(NamedTuple):
+    """What an estimator needs of what is aboard."""
+
+    estimator: Any
+    seen: Measurement
+    memory: Any
+    estimate: Estimate
+    tick: float
 
 
 def seen(inertial_fresh=1.0, pose_fresh=0.0, exact=NOTHING):
@@ -67,6 +88,26 @@ def test_between_inertial_samples_the_estimate_goes_on_at_constant_rates():
         assert 2.0 * math.asin(estimate.attitude.z) == pytest.approx(6e-3)
 
 
+@pytest.mark.parametrize("name", ["kalman", "complementary"])
+@pytest.mark.parametrize("fresh", [(1.0, 1.0, 1.0), (0.0, 0.0, 0.0), (1.0, 0.0, 1.0)])
+def test_lanes_believe_what_each_would_alone(name, fresh):
+    """Whoever of them has a sample, and whoever waits for one."""
+    settings = EstimatorSettings(type=name)
+    estimator = settings.estimator(RHYTHM, 9.81)
+    memory = settings.memory(estimator, TRUTH)
+    cabins = [
+        Lane(estimator, seen(has, pose_fresh=1.0 - k % 2), memory, NOTHING, 7.0)
+        for k, has in enumerate(fresh)
+    ]
+    like, width = Like(cabins[0]), len(cabins)
+    g = np.array([leaves(cabin) for cabin in cabins]).T.ravel()
+    believe(like.estimator, like.seen, like.memory, like.estimate, like.tick, g, width, 1)
+    for k, cabin in enumerate(cabins):
+        alone = estimated(estimator, 7.0, cabin.seen, memory)
+        for part, expected in ((like.estimate, alone.estimate), (like.memory, alone.memory)):
+            assert leaves(got(part, g, width, k)) == pytest.approx(leaves(expected), abs=1e-15)
+
+
 def test_slow_inertial_samples_cover_their_whole_interval():
     for name in ("kalman", "complementary"):
         settings = EstimatorSettings(type=name, kalman={"inertial_lag": 0.0})
@@ -88,8 +129,8 @@ def test_the_filter_speaks_for_the_main_body():
     assert memory.track.nominal.position != pytest.approx(TRUTH.position)
     quiet = seen(inertial_fresh=0.0)
     estimate, _ = estimated(estimator._replace(tick=0.0), 1.0, quiet, memory)
-    for got, expected in zip(estimate, TRUTH, strict=True):
-        assert got == pytest.approx(expected, abs=1e-12)
+    for part, expected in zip(estimate, TRUTH, strict=True):
+        assert part == pytest.approx(expected, abs=1e-12)
 
 
 def test_the_register_reaches_back_to_the_oldest_pose():
