@@ -4,9 +4,10 @@ from typing import NamedTuple
 
 import numba
 import numpy as np
+import pytest
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Like, got, put
+from springback.kernels.layout import Like, got, put, zeros
 from springback.kernels.vectors import Vec
 
 
@@ -88,3 +89,12 @@ def test_rows_are_known_to_lie_apart() -> None:
     (code,) = turned.inspect_llvm().values()
     assert "vector.body" in code
     assert "memcheck" not in code
+
+
+@pytest.mark.parametrize("shape", [(3,), (5, 7), (2, 3, 8)])
+def test_zeros_begin_a_line_of_the_cache(shape: tuple[int, ...]) -> None:
+    kept = [zeros(*shape) for _ in range(20)]  # so that each lies elsewhere
+    for buffer in kept:
+        assert buffer.shape == shape
+        assert not buffer.any()
+        assert buffer.ctypes.data % 64 == 0

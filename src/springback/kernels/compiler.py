@@ -24,21 +24,63 @@ import numba
 import numba.extending
 import platformdirs
 from numba import njit
+from numba.core import compiler, compiler_machinery, lowering, typed_passes
 from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
-#: numba.extending.overload and numba.config, whose stubs know only some of their options.
+#: Parts of numba whose stubs know only some of their options, or that have none.
 _overload: Any = numba.extending.overload
 _config: Any = numba.config
+_register_pass: Any = compiler_machinery.register_pass
+_Lower: Any = lowering.Lower
+_NativeLowering: Any = typed_passes.NativeLowering
+_Compiler: Any = compiler.Compiler
 
 F = TypeVar("F", bound=Callable[..., Any])
 P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
 
+
+#: Attributes of functions, of which llvmlite knows no more than how they are written.  LLVM by
+#: itself fills only half of a register of 512 bits on processors of Intel's, whose early ones
+#: slowed down with more; and it takes the stack as it comes, where a register put aside mostly
+#: lies across two lines of the cache.
+_FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
+
+
+class _LowerForLanes(_Lower):  # type: ignore[misc]
+    def setup_function(self, fndesc: Any) -> None:
+        super().setup_function(fndesc)
+        set.update(self.function.attributes, _FOR_LANES)
+
+
+@_register_pass(mutates_CFG=True, analysis_only=False)
+class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
+    _name = "lowering_for_lanes"
+
+    @property
+    def lowering_class(self) -> Any:
+        return _LowerForLanes
+
+
+class _CompilerForLanes(_Compiler):  # type: ignore[misc]
+    def define_pipelines(self) -> list[Any]:
+        pipelines: list[Any] = super().define_pipelines()
+        for pipeline in pipelines:
+            pipeline.passes = [
+                (_LoweringForLanes if step is _NativeLowering else step, title)
+                for step, title in pipeline.passes
+            ]
+            pipeline.finalize()
+        return pipelines
+
+
 #: Flags of code that may assume finite numbers; finiteness is checked outside
 #: (simulation.executor).
 FINITE = {"nnan", "ninf", "nsz"}
-_COMMON: dict[str, Any] = {"error_model": "numpy", "no_cfunc_wrapper": True}
+_COMMON: dict[str, Any] = {
+    "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": _CompilerForLanes,
+}  # fmt: skip
 #: Kernels hold floats only: without the code that counts references they compile a seventh faster.
 _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
 INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}

@@ -15,7 +15,7 @@ import numpy as np
 
 from springback.dynamics.gusts import Calm, first_gust
 from springback.kernels.compiler import executor, own_executor, rebound
-from springback.kernels.layout import Buffer, Like, row_of, rows
+from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.aboard import (
     Aboard,
@@ -196,7 +196,7 @@ def cabin_of(
 def cabins_loaded(cabins: list[Cabin], width: int) -> Buffer:
     """Buffers of what is aboard, lane by lane; spare lanes repeat the last flight."""
     groups, columns = -(-len(cabins) // width), [leaves(cabin) for cabin in cabins]
-    buffers = np.zeros((groups, len(columns[0]), width))
+    buffers = zeros(groups, len(columns[0]), width)
     for k in range(groups * width):
         group, lane = divmod(k, width)
         buffers[group, :, lane] = columns[min(k, len(columns) - 1)]

@@ -12,11 +12,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from springback.dynamics.motion import Motion, View
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, row_of, rows
+from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
 from springback.simulation.record import (
     ARRIVED,
     CRUISING,
@@ -98,12 +96,8 @@ def buffer_rows(shape: Shape, width: int) -> int:
 
 
 def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
-    """Zeroed buffers for a number of flights in groups of ``width``, aligned to cache lines."""
-    groups, size = -(-flights // width), buffer_rows(shape, width) * width
-    line = 64
-    raw = np.zeros(groups * size * 8 + line, dtype=np.uint8)
-    start = -raw.ctypes.data % line
-    return raw[start : start + groups * size * 8].view(np.float64).reshape(groups, size)
+    """Zeroed buffers for a number of flights in groups of ``width``."""
+    return zeros(-(-flights // width), buffer_rows(shape, width) * width)
 
 
 @kernel

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, row_of, rows
+from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import function_of
 from springback.simulation.aboard import Cabin
 from springback.simulation.flight import first_phase, loaded, shape_of
@@ -265,6 +265,6 @@ class Loader:
         lanes[-1, self._status, width - spare :] = FLYING + 1.0
         aboard = None
         if self.cabin is not None:
-            aboard = np.zeros((groups, rows(self.cabin) * width))
+            aboard = zeros(groups, rows(self.cabin) * width)
             self._cabins.buffers(aboard, width, self._aboard.rows)
         return Laid(self._shape, self.model, self.start, self.cabin, buffers, aboard)

@@ -17,7 +17,7 @@ import numpy as np
 from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import executor, kernel
 from springback.kernels.exponentials import logarithm
-from springback.kernels.layout import Buffer
+from springback.kernels.layout import Buffer, zeros
 from springback.simulation.aboard import Draw
 
 Words = np.ndarray[Any, np.dtype[np.uint64]]
@@ -190,7 +190,7 @@ STRETCH = 512
 
 def workplace(numbers: int) -> tuple[Words, Buffer]:
     """Memory that `deal` works in, for a number of ticks times lanes."""
-    return np.zeros((7, numbers), dtype=np.uint64), np.zeros((2, numbers))
+    return zeros(7, numbers).view(np.uint64), zeros(2, numbers)
 
 
 class Luck(NamedTuple):
@@ -229,7 +229,7 @@ def yet_to_be_dealt(
     keys = np.array([key_of(s) for s in seeds] + [key_of(seeds[-1])] * spare, dtype=np.uint64)
     numbers = np.array([*flights] + [flights[-1]] * spare, dtype=np.uint64)
     channels = sum(draw.channels for draw in draws)
-    noise = np.zeros((groups, stretch, channels * width))
+    noise = zeros(groups, stretch, channels * width)
     shape = (groups, width)
     places = workplace(stretch * width)
     return Luck(keys.reshape(shape), numbers.reshape(shape), plan_of(draws), noise, *places)
