@@ -1,10 +1,12 @@
 """What is asked of the compiler reaches it."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from llvmlite import binding
 
-from springback.kernels.compiler import executor, kernel
+from springback.kernels.compiler import kernel, own_executor
 from springback.kernels.layout import Buffer, zeros
 
 
@@ -15,25 +17,24 @@ def halved(lanes: Buffer) -> None:
         lanes[i] = 0.5 * lanes[i]
 
 
-def test_whole_vector_registers_are_used() -> None:
+def entry(lanes: Buffer) -> None:
+    halved(lanes)
+
+
+@pytest.fixture(scope="module")
+def compiled_entry() -> Any:
+    compiled = own_executor(entry, None)  # not kept, so that it can be looked into
+    compiled(zeros(64))
+    return compiled
+
+
+def test_whole_vector_registers_are_used(compiled_entry: Any) -> None:
     if not binding.get_host_cpu_features().get("avx512f"):
         pytest.skip("there are no registers of 512 bits")
-
-    @executor()
-    def entry(lanes: Buffer) -> None:
-        halved(lanes)
-
-    lanes = zeros(64)
-    entry(lanes)
-    (assembly,) = entry.inspect_asm().values()
+    (assembly,) = compiled_entry.inspect_asm().values()
     assert "zmm" in assembly
 
 
-def test_registers_are_put_aside_within_lines_of_the_cache() -> None:
-    @executor()
-    def entry(lanes: Buffer) -> None:
-        halved(lanes)
-
-    entry(zeros(64))
-    (text,) = entry.inspect_llvm().values()
+def test_the_stack_begins_with_a_line_of_the_cache(compiled_entry: Any) -> None:
+    (text,) = compiled_entry.inspect_llvm().values()
     assert '"stackrealign"' in text
