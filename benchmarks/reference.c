@@ -169,7 +169,10 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
     V j_xx = thrust, j_yy = thrust, j_xy = thrust, dj_xx = thrust, dj_yy = thrust, dj_xy = thrust;
     V arm_loss = thrust, stop_loss = thrust, contact_loss = thrust, friction_loss = thrust;
     V drive[ARMS], hold[ARMS];
-    V gripping = thrust, gripping_turn = thrust, gripping_arms = thrust;
+    /* Friction as a damper: of the vehicle in the plane of the arms and of its turns, of the worst arm;
+     * `lean` is what normals that lean out of that plane add. */
+    V grip_all = thrust, grip_z = thrust, grip_xx = thrust, grip_yy = thrust, grip_xy = thrust;
+    V lean_all = thrust, lean_z = thrust, grip_arm = thrust, lean_arm = thrust;
 
     if (view) {
         memset(view, 0, sizeof *view);
@@ -261,10 +264,17 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
             view->most_compressed = larger(view->most_compressed, compression);
             view->least_compressed = smaller(view->least_compressed, compression);
             view->bottomed = larger(view->bottomed, one_if(stopped & (l < a->shortest)));
-            const V along = c * n.x + q * n.y, reach = l + a->cage_radius;
-            gripping += grip;
-            gripping_turn += grip * (reach * reach);
-            gripping_arms += grip * u * a->inverse_mass * (all(1) - along * along);
+            const V along = c * n.x + q * n.y, out = n.z * n.z, pn = px * n.x + py * n.y;
+            const V upright = grip * (all(1) - out), far = px * px + py * py, give = u * a->inverse_mass;
+            grip_all += grip;
+            grip_z += grip * (pn * pn + out * far);
+            grip_xx += upright * (py * py);
+            grip_yy += upright * (px * px);
+            grip_xy += upright * (px * py);
+            lean_all += grip * out;
+            lean_z += grip * out * far;
+            grip_arm = larger(grip_arm, grip * (all(1) - along * along) * give);
+            lean_arm = larger(lean_arm, grip * out * give);
             view->on_ground += sel(gap < all(0), m->is_ground, all(0));
         }
     }
@@ -326,8 +336,15 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         view->specific_force = felt;
         view->mass_centre_velocity = plus(s->velocity, to_world(&r, times(moving, nzz)));
         view->touched_normal = to_world(&r, view->touched_normal);
-        view->friction_rate = gripping * nzz + gripping_turn / smaller(jxx, smaller(jyy, jzz))
-                            + gripping_arms;
+        /* Eigenvalues of two blocks, sliding in the plane and tumbling out of it, and what couples them. */
+        const V per = all(1) / (jxx * jyy - jxy * jxy);
+        const V mid = all(0.5) * per * (jyy * grip_xx + jxx * grip_yy + (jxy + jxy) * grip_xy);
+        const V apart = mid * mid - per * (grip_xx * grip_yy - grip_xy * grip_xy);
+        const V tumbling = mid + root(positive(apart));
+        const V in_plane = grip_all * nzz + grip_z / jzz + grip_arm;
+        const V lean = lean_all * nzz + lean_z / jzz + lean_arm;
+        const V across = (grip_all - lean_all) * nzz + tumbling, half = all(0.5) * (in_plane - across);
+        view->friction_rate = all(0.5) * (in_plane + across) + root(half * half + lean * across);
     }
 }
 
