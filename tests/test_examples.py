@@ -152,6 +152,14 @@ def typed(page: Path) -> Iterator[Typed]:
             k += 1
 
 
+@pytest.mark.parametrize("page", ["README.md", "docs/howto/campaigns.md"])
+def test_the_row_to_be_flown_again_is_one_of_the_example(page: str) -> None:
+    plan, _ = read_plan(ROOT / "examples/campaign.toml")
+    rows = re.findall(r"springback refly results (\d+)", (ROOT / page).read_text())
+    assert rows
+    assert max(map(int, rows)) < plan.samples * plan.repeats * len(plan.robots)
+
+
 def options_exist(words: list[str]) -> None:
     """Parse a command line as the program would, and leave it at that."""
     group: Any = cli

@@ -265,7 +265,7 @@ def refly(
 
     \b
     springback query results "SELECT flight FROM flights WHERE outcome = 'hit_ground' LIMIT 3"
-    springback refly results 4711 --out flight-4711
+    springback refly results 1711 --out flight-1711
     """
     from springback.experiments.campaign.reading import Campaign
     from springback.interfaces.files import output_folder, write_flight

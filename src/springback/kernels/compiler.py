@@ -41,17 +41,16 @@ P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
 
 
-#: Attributes of functions, of which llvmlite knows no more than how they are written.  LLVM by
-#: itself fills only half of a register of 512 bits on processors of Intel's, whose early ones
-#: slowed down with more; and it takes the stack as it comes, where a register put aside mostly
-#: lies across two lines of the cache.
+#: Attributes of every function, as LLVM writes them.  By itself LLVM fills only half of a register
+#: of 512 bits on processors of Intel's, whose early ones slowed down with more; and it takes the
+#: stack as it comes, where a register put aside mostly lies across two lines of the cache.
 _FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
 
 
 class _LowerForLanes(_Lower):  # type: ignore[misc]
     def setup_function(self, fndesc: Any) -> None:
         super().setup_function(fndesc)
-        set.update(self.function.attributes, _FOR_LANES)
+        set.update(self.function.attributes, _FOR_LANES)  # llvmlite's own `add` refuses these
 
 
 @_register_pass(mutates_CFG=True, analysis_only=False)
