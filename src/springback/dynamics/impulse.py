@@ -5,6 +5,9 @@ grow together, in small parts, with a Coulomb impulse against the slip of each (
 done when the work that its normal impulse gives back is e² of what compression took (Stronge).  For
 central or frictionless hits that is Newton's v⁺ = −e v⁻; where friction and lever arms couple,
 Newton's law can add energy and this one cannot.
+
+A cage that closes in slower than `RESTING` does not rebound.  Without such a speed a bouncing
+vehicle would come to rest through infinitely many impacts in a finite time.
 """
 
 from __future__ import annotations
@@ -16,7 +19,7 @@ from springback.contact.cage import meeting, slip_velocity, support
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
-from springback.dynamics.motion import LANDED, Motion, Work
+from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import each, total
 from springback.kernels.vectors import Mat, Vec, positive_part, rotation, solve_symmetric
@@ -24,8 +27,12 @@ from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inerti
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
-#: Parts into which the impulse of compression is divided.
+#: A cage that others push in faster than this is struck, too [m/s].
+STRUCK_AGAIN = 1e-6
+#: Parts into which the impulse of compression is divided ...
 PARTS = 200
+#: ... where a cage rests, which costs an impulse a step.
+RESTING_PARTS = 10
 #: Most parts in all, should cages strike again and again.
 MOST_PARTS = 100 * PARTS
 
@@ -33,7 +40,8 @@ MOST_PARTS = 100 * PARTS
 class Hit(NamedTuple):
     """One cage at one obstacle at the instant of an impulse."""
 
-    active: float  # 1 where it touches and closes in
+    near: float  # 1 where it touches and its surface follows the impulse law
+    closing: float  # 1 where it closes in, too
     normal: Vec  # out of the obstacle, world
     lever: Vec  # from the main body to the contact point, world [m]
     gap: float  # [m]
@@ -46,9 +54,17 @@ def _hit_obstacle(
 ) -> Hit:
     met = meeting(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
     at = support(contact_point, met.inward, arm.direction, radius)
-    closing = (met.gap <= LANDED) & (met.rate < 0.0) & (met.impulsive > 0.0)
+    near = (met.gap <= LANDED) & (met.impulsive > 0.0)
+    closing = near & (met.rate < 0.0)
     lever = r @ (arm.lever + at.normal_lever)
-    return Hit(1.0 if closing else 0.0, -(r @ met.inward), lever, met.gap, obstacle.surface)
+    return Hit(
+        1.0 if near else 0.0,
+        1.0 if closing else 0.0,
+        -(r @ met.inward),
+        lever,
+        met.gap,
+        obstacle.surface,
+    )
 
 
 @rare_kernel
@@ -71,6 +87,12 @@ def _give(mass: float, inertia: Mat, r: Mat, lever: Vec, along: Vec) -> float:
     """Velocity that a unit impulse along a direction gives to its own point along it [1/kg]."""
     turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
     return 1.0 / mass + along @ (turn ^ lever)
+
+
+@rare_kernel
+def _part(closing: float) -> float:
+    """The part of a closing speed that goes at a time [m/s]."""
+    return closing / (PARTS if closing > RESTING else RESTING_PARTS)
 
 
 @rare_kernel
@@ -98,15 +120,18 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift
 
-    part, open_, active, sunk = [0.0] * count, [False] * count, 0, Vec(0.0, 0.0, 0.0)
+    part, rebound, open_ = [0.0] * count, [0.0] * count, [False] * count
+    active, sunk = 0, Vec(0.0, 0.0, 0.0)
     taken, given_back, rubbed_off, given = [0.0] * count, [0.0] * count, 0.0, Vec(0.0, 0.0, 0.0)
     for k in range(count):
         hit = hits[k // len(hits[0])][k % len(hits[0])]
-        if hit.active > 0.0:
+        if hit.near > 0.0:
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)
-            part[k] = closing / _give(m, inertia, r, rho, n) / PARTS
-            open_[k], active = True, active + 1
+            if (hit.closing > 0.0) & (closing > STILL):
+                part[k] = _part(closing) / _give(m, inertia, r, rho, n)
+                rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
+                open_[k], active = True, active + 1
             push = n * (positive_part(-hit.gap) - sunk @ n)
             sunk = sunk + push if push @ n > 0.0 else sunk
 
@@ -141,7 +166,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
                     share, next_ = -speed / gain, -1
                 if speed >= -STILL:
                     speed = positive_part(speed)
-                    e = hit.surface.restitution
+                    e = rebound[k]
                     owed = positive_part(e * e * taken[k] - given_back[k]) / part[k]
                     root = math.sqrt(speed * speed + 2.0 * positive_part(gain) * owed)
                     ends = 2.0 * owed / (speed + root) if speed + root > 0.0 else 0.0
@@ -161,10 +186,14 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
         v, w = new_v, new_w
         if next_ >= 0:
             open_[next_], active = False, active - 1
-        for k in range(count):  # a cage that another one throws back strikes again
+        for k in range(count):  # a cage that another one throws in strikes, or strikes again
             hit = hits[k // len(hits[0])][k % len(hits[0])]
-            away = (v + (w ^ (hit.lever - centre))) @ hit.normal
-            if hit.active > 0.0 and not open_[k] and away < -1e3 * STILL:
+            n, rho = hit.normal, hit.lever - centre
+            closing = -((v + (w ^ rho)) @ n)
+            if hit.near > 0.0 and not open_[k] and closing > STRUCK_AGAIN:
+                if part[k] == 0.0:
+                    part[k] = _part(closing) / _give(m, inertia, r, rho, n)
+                rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
                 open_[k], active, taken[k], given_back[k] = True, active + 1, 0.0, 0.0
 
     after = State(

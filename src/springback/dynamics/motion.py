@@ -44,6 +44,9 @@ from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inerti
 
 #: Time to the next crossing when none is ahead [s].
 NEVER = 1e9
+#: A cage at a surface of the impulse law rests there while it is slower than this along the normal
+#: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
+RESTING = 1e-2
 
 
 class Work(NamedTuple):
@@ -88,7 +91,7 @@ class ArmView(NamedTuple):
     compression: float  # L − l [m]
     landing: float  # time to the next crossing of a gap or a stop through zero [s]
     touching: float  # 1 while the cage touches
-    impulsive: float  # 1 where it touches a surface of the impulse law
+    impulsive: float  # 1 where it closes in on a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     inward: Vec  # normal of the most deeply touched obstacle, world
 
@@ -156,15 +159,20 @@ def _landing(met: Meeting) -> float:
 
 @kernel
 def _touching(met: Meeting) -> float:
-    """1 while pressed in, from the instant of landing on to that of leaving."""
-    closing = (met.gap <= LANDED) & (met.rate < 0.0)
+    """1 while pressed in, from the instant of landing on to that of leaving.
+
+    At a surface of the impulse law: while it closes in, and while it rests.
+    """
+    leaving = met.impulsive * RESTING  # faster than this it has left
+    closing = (met.gap <= LANDED) & (met.rate < leaving)
     pressed = (met.gap < -LANDED) & (met.impulsive == 0.0)
     return 1.0 if closing | pressed else 0.0
 
 
 @kernel
 def _impulsive(met: Meeting) -> float:
-    return met.impulsive * _touching(met)
+    closing = (met.gap <= LANDED) & (met.rate < 0.0)
+    return met.impulsive if closing else 0.0
 
 
 @kernel

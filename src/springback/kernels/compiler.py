@@ -107,8 +107,12 @@ def guard(function: F) -> F:
 
 
 def rare_kernel(function: F) -> F:
-    """A kernel for rare events: compiled once and called, never inlined, strict about NaN."""
-    registered: F = register_jitable(**STRICT)(function)
+    """A kernel for rare events: compiled once and called, never inlined, strict about NaN.
+
+    It may hold lists.  Callees inherit their caller's flags unless they set them, so the code that
+    counts references, which kernels go without, is asked for here.
+    """
+    registered: F = register_jitable(**{**STRICT, "_nrt": True})(function)
     return registered
 
 

@@ -289,7 +289,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     phase = pick(touching > 0.0, IMPACT, still_busy)
     settles = phase < m.phase
     lock = settles & (timing.hybrid > 0.0)
-    strike = largest(column(view.arms, "impulsive")) > 0.0
+    # Time goes on between two impulses, whatever the first one left closing in.
+    strike = (largest(column(view.arms, "impulsive")) > 0.0) & (m.request != APPLY_IMPULSE)
 
     # Impacts: contacts closer together than the dwell time belong to one.
     last_touch = pick(touching > 0.0, m.time, m.last_touch_time)
