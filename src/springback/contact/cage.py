@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.grip import Grip, grip_of
+from springback.contact.grip import Grip, Press, grip_of, press_of
 from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
@@ -95,6 +95,7 @@ class Touch(NamedTuple):
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
     grip: Grip  # of friction, as a damper
+    press: Press  # the normal force, as a spring and a damper
 
 
 class Meeting(NamedTuple):
@@ -104,6 +105,8 @@ class Meeting(NamedTuple):
     rate: float  # of the gap [m/s]
     inward: Vec  # unit normal into the obstacle
     impulsive: float  # 1 where the surface follows the impulse law
+    rubbing_at: Vec  # where friction acts, from the main body [m]
+    per_speed: float  # of friction, 1/√(v² + v_s²); 0 where nothing rubs [s/m]
     touch: Touch
 
 
@@ -159,13 +162,36 @@ def meeting(
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
     """
+    return meeting_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical)
+
+
+@kernel
+def meeting_while(
+    obstacle: Obstacle,
+    engaged: float,
+    contact_point: Any,
+    radius: float,
+    arm: ArmPose,
+    omega: Vec,
+    vertical: Vec,
+) -> Meeting:
+    """`meeting`, without forces where the cage is not engaged.
+
+    A Runge–Kutta step that lands on a touch looks past it with its last stage.  So contact on or
+    off is decided at the first stage of a step, and kept.
+
+    Args:
+        obstacle: As for `meeting`, like all others.
+        engaged: 0 for a cage that was apart at the beginning of the step.
+    """
     surface, end = obstacle.surface, arm.lever
     gap, n, at = facing(obstacle, contact_point, radius, arm)
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
     # A step lands on the face to within rounding; a law that jumps there must see it at once.
     least_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
-    pressed = normal_force(surface, -gap if gap < -AT_TOUCH else least_depth, rate)
+    depth = -gap if gap < -AT_TOUCH else least_depth
+    pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 
@@ -174,8 +200,9 @@ def meeting(
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
     grip = grip_of(rubbed.grip, n, rubbing_at, arm.direction)
+    press = press_of(pressed.stiffness, pressed.damper, n, pressing, arm.direction)
     touch = Touch(
-        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip
+        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
-    return Meeting(gap, -rate, n, impulsive, touch)
+    return Meeting(gap, -rate, n, impulsive, rubbing_at, rubbed.per_speed, touch)

@@ -1,5 +1,6 @@
-"""How fast friction brings a sliding cage to rest: the stiffest thing in an impact.
+"""How fast contacts act on a vehicle: what steps must be short against.
 
+Friction first, which is the stiffest thing in most impacts.
 Below the slip speed of a surface friction is a damper g (1 − n nᵀ) at the point p of contact.  On
 the coordinates q of the vehicle that is K = Σ g Jᵀ (1 − n nᵀ) J, and a step must be short against
 the largest eigenvalue λ of M⁻¹ K.  It is bounded here by parts, without solving for it: for a sum
@@ -10,6 +11,10 @@ sections 4.3 and 7.7).
 What slips in the plane of the arms moves the arms, the vehicle in that plane, and turns it about
 z; what slips across moves it along z and turns it about x and y.  So the coordinates fall into two
 blocks, and only the part n_z of a normal that leans out of the plane couples them.
+
+The normal force is a spring of stiffness K and a damper C at p along n.  The square of its angular
+frequency, and its damping rate, are at most the sums over contacts of K and C times what a unit
+impulse there does to its own point, 1/m + (p × n)² / J + (e·n)² / m_a.
 """
 
 from __future__ import annotations
@@ -51,6 +56,61 @@ def grip_of(damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Grip:
         g, g * (1.0 - along * along), g * (pn * pn + out * square), upright * point.y * point.y,
         upright * point.x * point.x, upright * point.x * point.y, g * out, g * out * square,
     )  # fmt: skip
+
+
+class Press(NamedTuple):
+    """Normal force of one contact as a spring and a damper, or the sum over contacts."""
+
+    stiffness: float  # K [N/m]
+    damper: float  # C [N s/m]
+    turning_stiffness: float  # K (p × n)² [N m]
+    turning_damper: float  # C (p × n)² [N m s]
+    arm_stiffness: float  # K (e·n)², along the arm [N/m]
+    arm_damper: float  # C (e·n)², along the arm [N s/m]
+
+
+@kernel
+def press_of(stiffness: float, damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Press:
+    """Normal force of one contact.
+
+    Args:
+        stiffness: K [N/m].
+        damper: C [N s/m].
+        normal: Unit normal n.
+        point: p, of contact, in the plane of the arms [m].
+        arm_direction: e.
+    """
+    arm, along = point ^ normal, arm_direction @ normal
+    turning, sliding = arm @ arm, along * along
+    return Press(
+        stiffness, damper, stiffness * turning, damper * turning, stiffness * sliding,
+        damper * sliding,
+    )  # fmt: skip
+
+
+class Stiffness(NamedTuple):
+    """A spring and a damper per mass: ω² and 2 ζ ω."""
+
+    spring: float  # [1/s²]
+    damper: float  # [1/s]
+
+
+@kernel
+def contact_rate(press: Press, arms: Stiffness, mass: float, inertia: Mat) -> float:
+    """A bound on how fast contacts and end stops act [1/s]: ω + 2 ζ ω.
+
+    Args:
+        press: Sum over all contacts.
+        arms: Sum over all arms, of what acts along their slides.
+        mass: m [kg].
+        inertia: J about the main body, body axes [kg m²].
+    """
+    j = inertia
+    upright = j.x.x if j.x.x < j.y.y else j.y.y
+    per_mass, per_inertia = 1.0 / mass, 1.0 / (upright if upright < j.z.z else j.z.z)
+    spring = press.stiffness * per_mass + press.turning_stiffness * per_inertia + arms.spring
+    damper = press.damper * per_mass + press.turning_damper * per_inertia + arms.damper
+    return math.sqrt(spring) + damper
 
 
 class ArmGrip(NamedTuple):

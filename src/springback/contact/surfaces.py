@@ -82,11 +82,19 @@ def _linear(exponent: Linear, depth: float) -> float:
     return depth
 
 
+#: Against division by zero [m].
+TINY = 1e-12
+#: Steps look so far ahead in a contact that is being pressed in: it stiffens within them [s].
+AHEAD = 1e-4
+
+
 class NormalForce(NamedTuple):
-    """Normal force of one contact and what becomes of its work."""
+    """Normal force of one contact, what becomes of its work, and how it resists."""
 
     force: float  # f_n ≥ 0 [N]
     loss: float  # power turned into heat [W]
+    stiffness: float  # ∂f_n/∂δ, a little ahead [N/m]
+    damper: float  # ∂f_n/∂δ̇, likewise [N s/m]
 
 
 @kernel
@@ -106,7 +114,12 @@ def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
     elastic = k * power(surface.exponent, depth)
     pressed = positive_part(elastic + (d * elastic + b) * rate)
     force = pressed if depth > 0.0 else 0.0
-    return NormalForce(force, (force - elastic) * rate)
+    ahead = depth + AHEAD * positive_part(rate)
+    then = k * power(surface.exponent, ahead)
+    slope = surface.exponent.value * then / (ahead + TINY)
+    stiffness = slope * (1.0 + d * positive_part(rate)) if depth > 0.0 else 0.0
+    damper = d * then + b if depth > 0.0 else 0.0
+    return NormalForce(force, (force - elastic) * rate, stiffness, damper)
 
 
 @generic
@@ -135,6 +148,7 @@ class Friction(NamedTuple):
     force: Vec  # f_f [N]
     loss: float  # power turned into heat [W]
     grip: float  # −f_f / v, the damper that friction amounts to [N s/m]
+    per_speed: float  # 1/√(v² + v_s²); 0 where nothing presses or rubs [s/m]
 
 
 @kernel
@@ -150,8 +164,10 @@ def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Friction
         slip: Tangential velocity of the contact point [m/s].
     """
     v_s, square = surface.slip_speed, slip @ slip
-    grip = surface.friction * normal_force / math.sqrt(square + v_s * v_s)
-    return Friction(slip * -grip, grip * square, grip)
+    most = surface.friction * normal_force
+    per_speed = 1.0 / math.sqrt(square + v_s * v_s)
+    grip = most * per_speed
+    return Friction(slip * -grip, grip * square, grip, per_speed if most > 0.0 else 0.0)
 
 
 @kernel

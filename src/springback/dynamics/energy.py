@@ -130,21 +130,17 @@ def angular_momentum(airframe: Airframe, state: State) -> Vec:
 
 
 @rare_kernel
-def _rest_length(arm: Arm, length: float) -> float:
-    return arm.length if arm.compliance > 0.0 else length
-
-
-@rare_kernel
 def _still(arm: Arm) -> float:
     return 0.0
 
 
 @rare_kernel
 def locked(airframe: Airframe, state: State) -> State:
-    """The state after all arms have snapped to their free length and stopped there.
+    """The state after all arms have stopped where they are.
 
-    Keeps the place and velocity of the centre of mass and the angular momentum about it; the energy
-    that goes is the caller's to book.
+    Keeps the velocity of the centre of mass and the angular momentum about it.  What goes is the
+    kinetic energy of the arms along their slides (Carnot), never less than nothing; it is the
+    caller's to book.
     """
     r, omega, m = rotation(state.attitude), state.angular_velocity, airframe.mass
     now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
@@ -152,17 +148,13 @@ def locked(airframe: Airframe, state: State) -> State:
     spin = angular_momentum(airframe, state) @ r
     velocity = state.velocity + r @ ((omega ^ centre) + drift)
 
-    length = each(_rest_length, (airframe.arms, state.arm_length), ())
-    rate = each(_still, (airframe.arms,), ())
-    then = total(each(spread, (airframe.arms, length, rate), ()))
-    new_centre = then.first * (1.0 / m)
-    inertia = about_mass_centre(airframe.inertia + arms_inertia(then.second), m, new_centre)
+    inertia = about_mass_centre(airframe.inertia + arms_inertia(now.second), m, centre)
     new_omega = solve_symmetric(inertia, spin)
     return State(
-        state.position + r @ (centre - new_centre),
+        state.position,
         state.attitude,
-        velocity - r @ (new_omega ^ new_centre),
+        velocity - r @ (new_omega ^ centre),
         new_omega,
-        length,
-        rate,
+        state.arm_length,
+        each(_still, (airframe.arms,), ()),
     )

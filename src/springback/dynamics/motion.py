@@ -23,11 +23,12 @@ equations (1), with the centre of mass wherever the arms put it.
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import Meeting, meeting
-from springback.contact.grip import ArmGrip, Grip, rest_rate
+from springback.contact.cage import Meeting, meeting_while, slip_velocity
+from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
 from springback.kernels.compiler import generic, kernel
@@ -89,10 +90,12 @@ class ArmView(NamedTuple):
     normal: float  # f_n [N]
     friction: Vec  # f_f, world [N]
     compression: float  # L − l [m]
+    unbalance: float  # how far from where it would come to rest, m_j l̈ + b_l l̇ over k_l [m]
     landing: float  # time to the next crossing of a gap or a stop through zero [s]
-    touching: float  # 1 while the cage touches
+    engaged: tuple[float, ...]  # 1 while the cage touches, obstacle by obstacle
     impulsive: float  # 1 where it closes in on a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
+    stopped: float  # 1 while an end stop is pressed
     inward: Vec  # normal of the most deeply touched obstacle, world
 
 
@@ -106,6 +109,8 @@ class View(NamedTuple):
     arms: tuple[ArmView, ...]
     on_ground: float  # number of grounds touched
     friction_rate: float  # at most how fast friction brings a sliding cage to rest [1/s]
+    contact_rate: float  # at most how fast contacts and end stops act [1/s]
+    slip_rate: float  # how fast a slip changes, against its speed and that at which it fades [1/s]
 
 
 class ArmShare(NamedTuple):
@@ -127,6 +132,8 @@ class ArmShare(NamedTuple):
     friction_loss: float
     on_ground: float
     grip: Grip  # of friction
+    press: Press  # of the normal forces
+    slide: Stiffness  # of what acts along the slide, per mass of the arm
 
 
 class ArmPull(NamedTuple):
@@ -136,6 +143,14 @@ class ArmPull(NamedTuple):
     hold: float  # u_j
 
 
+class Rub(NamedTuple):
+    """Where and how fast a cage slips along an obstacle."""
+
+    inward: Vec  # unit normal into the obstacle, body
+    point: Vec  # from the main body, body [m]
+    per_speed: float  # 1/√(v² + v_s²); 0 where nothing rubs [s/m]
+
+
 class ArmState(NamedTuple):
     """Everything about one arm at one instant."""
 
@@ -143,6 +158,7 @@ class ArmState(NamedTuple):
     pull: ArmPull
     seen: ArmView
     grip: ArmGrip
+    rubs: tuple[Rub, ...]  # obstacle by obstacle
 
 
 @kernel
@@ -180,11 +196,18 @@ def _nearest_normal(met: Meeting, nearest: float) -> Vec:
     return met.inward * (1.0 if met.gap == nearest else 0.0)
 
 
+@kernel
+def _rub(met: Meeting) -> Rub:
+    return Rub(met.inward, met.rubbing_at, met.per_speed)
+
+
 class Stop(NamedTuple):
-    """Force of an end stop along the arm, and its heat."""
+    """Force of an end stop along the arm, its heat, and how it resists."""
 
     force: float  # positive lengthens the arm [N]
     loss: float  # [W]
+    stiffness: float  # [N/m]
+    damper: float  # [N s/m]
 
 
 @kernel
@@ -197,7 +220,9 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
     pressing = -rate if low > 0.0 else rate
     elastic = arm.stop_stiffness * (low + high)
     force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
-    return Stop(force if low > 0.0 else -force, (force - elastic) * pressing)
+    stiffness = arm.stop_stiffness if elastic > 0.0 else 0.0
+    damper = arm.stop_dissipation * elastic
+    return Stop(force if low > 0.0 else -force, (force - elastic) * pressing, stiffness, damper)
 
 
 @kernel
@@ -221,6 +246,7 @@ def arm_state(
     length: float,
     rate: float,
     thrust: float,
+    engaged: tuple[float, ...],
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
     state: State,
@@ -235,6 +261,7 @@ def arm_state(
         length: l_j [m].
         rate: l̇_j [m/s].
         thrust: T_j [N].
+        engaged: 0 for every obstacle that the cage was apart from when the step began.
         obstacles: As they are seen from the main body.
         contact_point: `Ring` or `ArmTip`.
         state: Of the vehicle.
@@ -247,7 +274,11 @@ def arm_state(
     e, lever = pose.direction, pose.lever
 
     vertical = Vec(r.z.x, r.z.y, r.z.z)
-    met = each(meeting, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical))
+    met = each(
+        meeting_while,
+        (obstacles, engaged),
+        (contact_point, arm.cage_radius, pose, omega, vertical),
+    )
     touch = total(column(met, "touch"))
     gap = least(column(met, "gap"))
     stop = end_stop(arm, length, rate)
@@ -259,6 +290,7 @@ def arm_state(
     h = e @ touch.force + outward + own
 
     carried, drift, sliding = ml * e, (m * rate) * e, (u * m) * e
+    per_mass = u * arm.inverse_mass
     share = ArmShare(
         force=touch.force,
         moment=touch.moment,
@@ -276,6 +308,11 @@ def arm_state(
         friction_loss=touch.friction_loss,
         on_ground=touch.on_ground,
         grip=touch.grip,
+        press=touch.press,
+        slide=Stiffness(
+            (touch.press.arm_stiffness + stop.stiffness) * per_mass,
+            (touch.press.arm_damper + stop.damper) * per_mass,
+        ),
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     landing = least(
@@ -292,20 +329,55 @@ def arm_state(
         normal=touch.normal,
         friction=r @ touch.friction,
         compression=arm.length - length,
+        unbalance=0.0,
         landing=landing,
-        touching=largest(each(_touching, (met,), ())),
+        engaged=each(_touching, (met,), ()),
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
+        stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
         inward=r @ inward,
     )
-    per_mass = u * arm.inverse_mass
     grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(share, ArmPull(h * per_mass, u), view, grip)
+    return ArmState(share, ArmPull(h * per_mass, u), view, grip, each(_rub, (met,), ()))
 
 
 @kernel
 def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
     return known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+
+
+@kernel
+def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
+    """The view of an arm whose acceleration is known."""
+    away = (arm.mass * sliding + arm.damping * rate) / arm.stiffness
+    return ArmView(
+        view.gap, view.depth, view.normal, view.friction, view.compression, away, view.landing,
+        view.engaged, view.impulsive, view.bottomed, view.stopped, view.inward,
+    )  # fmt: skip
+
+
+@kernel
+def _slip_rate(
+    obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec
+) -> float:
+    """How fast one slip changes: |v̇| / √(v² + v_s²), of the accelerations of main body and arm."""
+    change = end + (angular ^ rub.point)
+    along = slip_velocity(obstacle.surface, change, rub.inward, vertical)
+    return math.sqrt(along @ along) * rub.per_speed
+
+
+@kernel
+def _arm_slip_rate(
+    arm: Arm,
+    sliding: float,
+    rubs: tuple[Rub, ...],
+    obstacles: tuple[Obstacle, ...],
+    linear: Vec,
+    angular: Vec,
+    vertical: Vec,
+) -> float:
+    end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
+    return largest(each(_slip_rate, (obstacles, rubs), (end, angular, vertical)))
 
 
 class Accelerations(NamedTuple):
@@ -394,6 +466,16 @@ class Rates(NamedTuple):
 
 
 @kernel
+def _engaged_with(obstacle: Obstacle) -> float:
+    return 1.0
+
+
+@kernel
+def _engaged_arm(arm: Arm, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
+    return each(_engaged_with, (obstacles,), ())
+
+
+@kernel
 def rates(
     airframe: Airframe,
     world: World,
@@ -416,13 +498,37 @@ def rates(
         thrust: Of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
+    engaged = each(_engaged_arm, (airframe.arms,), (world.obstacles,))
+    return rates_while(
+        airframe, world, contact_point, guide, air, state, thrust, released, engaged
+    )
+
+
+@kernel
+def rates_while(
+    airframe: Airframe,
+    world: World,
+    contact_point: Any,
+    guide: Any,
+    air: Any,
+    state: State,
+    thrust: tuple[float, ...],
+    released: float,
+    engaged: tuple[tuple[float, ...], ...],
+) -> Rates:
+    """`rates`, with contacts held off: see `springback.contact.cage.meeting_while`.
+
+    Args:
+        airframe: As for `rates`, like all others.
+        engaged: Arm by arm and obstacle by obstacle, 0 where contact is held off.
+    """
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
     arms, a = each_summed(
         arm_state,
         "share",
-        (airframe.arms, state.arm_length, state.arm_rate, thrust),
+        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged),
         (obstacles, contact_point, state, r, velocity, released),
     )
 
@@ -458,10 +564,20 @@ def rates(
         push,
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
-    views = column(arms, "seen")
+    views = each(
+        _balanced, (column(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
+    )
     on_arms = column(arms, "grip")
     friction_rate = rest_rate(
         a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia
+    )
+    # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
+    vertical = Vec(r.z.x, r.z.y, r.z.z)
+    linear = solved.linear - world.gravity * vertical
+    slips = each(
+        _arm_slip_rate,
+        (airframe.arms, sliding, column(arms, "rubs")),
+        (obstacles, linear, solved.angular, vertical),
     )
     view = View(
         acceleration,
@@ -471,5 +587,7 @@ def rates(
         views,
         a.on_ground,
         friction_rate,
+        contact_rate(a.press, a.slide, airframe.mass, inertia),
+        largest(slips),
     )
     return Rates(Motion(state_rate, work_rate), view)

@@ -12,10 +12,19 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from springback.contact.obstacles import Forces, Impulses
+from springback.contact.obstacles import Forces, Impulses, Obstacle, World
 from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
-from springback.dynamics.motion import NEVER, ArmView, Motion, Rates, View, Work, rates
+from springback.dynamics.motion import (
+    NEVER,
+    ArmView,
+    Motion,
+    Rates,
+    View,
+    Work,
+    rates,
+    rates_while,
+)
 from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, Like, read, rows, write
@@ -55,7 +64,7 @@ WEIGHT = (1.0, 2.0, 2.0, 1.0)
 
 @rare_kernel
 def settled(model: Model, motion: Motion) -> Motion:
-    """The motion with its arms locked, the energy lost booked as settling."""
+    """The motion with its arms locked where they are, the energy lost booked as settling."""
     before = energy(model.airframe, model.world, model.contact_point, motion.state)
     state = locked(model.airframe, motion.state)
     after = energy(model.airframe, model.world, model.contact_point, state)
@@ -99,6 +108,25 @@ def rates_of(model: Model, state: State, phase: float) -> Rates:
 
 
 @kernel
+def rates_within(
+    model: Model, state: State, phase: float, engaged: tuple[tuple[float, ...], ...]
+) -> Rates:
+    """`rates_of` within a step: contact is on where it was at the beginning of the step."""
+    released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
+    return rates_while(
+        model.airframe,
+        model.world,
+        model.contact_point,
+        model.guide,
+        model.air,
+        state,
+        model.thrust,
+        released,
+        engaged,
+    )
+
+
+@kernel
 def begun(shape: Like, b: Buffer, w: int) -> None:
     """Begin a step: every lane is measured, its step chosen, its rates known."""
     at = places(shape, w)
@@ -124,7 +152,8 @@ def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
         rate = read(shape.motion.state, b, at.rate, w, i)
         so_far = read(shape.motion, b, at.total, w, i)
         h, phase = b[at.step * w + i], b[at.phase * w + i]
-        known = rates_of(model, along(state, rate, reach * h), phase)
+        engaged = read(shape.record.engaged, b, at.engaged, w, i)
+        known = rates_within(model, along(state, rate, reach * h), phase, engaged)
         write(known.motion.state, b, at.rate, w, i)
         write(along(so_far, known.motion, weight), b, at.total, w, i)
 
@@ -147,20 +176,31 @@ def landed(motion: Motion, x: Flight) -> Motion:
 
 
 @kernel
-def _far_arm(arm: Arm, length: float, room: float) -> ArmView:
-    none = Vec(0.0, 0.0, 0.0)
+def _apart(obstacle: Obstacle) -> float:
+    return 0.0
+
+
+@kernel
+def _far_arm(
+    arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]
+) -> ArmView:
+    none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
     pressed = arm.length - length
-    return ArmView(room, 0.0, 0.0, none, pressed, NEVER, 0.0, 0.0, 0.0, none)
+    return ArmView(room, 0.0, 0.0, none, pressed, 0.0, NEVER, apart, 0.0, 0.0, 0.0, none)
 
 
 @kernel
 def cruise_view(
-    airframe: Airframe, lengths: tuple[float, ...], known: FlightRates, room: float
+    airframe: Airframe,
+    world: World,
+    lengths: tuple[float, ...],
+    known: FlightRates,
+    room: float,
 ) -> View:
     """The view of a flight that cruises: no cage touches, no arm moves."""
-    arms = each(_far_arm, (airframe.arms, lengths), (room,))
+    arms = each(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
-    return View(a, known.specific_force, centre, none, arms, 0.0, 0.0)
+    return View(a, known.specific_force, centre, none, arms, 0.0, 0.0, 0.0, 0.0)
 
 
 @guard
@@ -206,7 +246,7 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
             pick(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
         )
         if w == 1:
-            view = cruise_view(model.airframe, s.arm_length, known, record.room)
+            view = cruise_view(model.airframe, model.world, s.arm_length, known, record.room)
             write(view, b, at.seen, w, i)
 
 

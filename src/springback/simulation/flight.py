@@ -75,10 +75,11 @@ def still_work() -> Work:
 def shape_of(model: Model, state: State) -> Shape:
     """The trees of a flight, for the executor."""
     zero = Vec(0.0, 0.0, 0.0)
-    arm = ArmView(*(0.0,) * 3, zero, *(0.0,) * 5, zero)
-    count = len(model.airframe.arms)
-    view = View(zero, zero, zero, zero, (arm,) * count, 0.0, 0.0)
-    return Shape(model, Motion(state, still_work()), view, blank_record(count))
+    count, obstacles = len(model.airframe.arms), len(model.world.obstacles)
+    apart = (0.0,) * obstacles
+    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, 0.0, apart, 0.0, 0.0, 0.0, zero)
+    view = View(zero, zero, zero, zero, (arm,) * count, 0.0, 0.0, 0.0, 0.0)
+    return Shape(model, Motion(state, still_work()), view, blank_record(count, obstacles))
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:

@@ -56,6 +56,7 @@ class Places(NamedTuple):
     request: int
     cruising: int
     room: int
+    engaged: int
     end: int
 
 
@@ -86,6 +87,7 @@ def places(shape: Like | Shape, w: int) -> Places:
         r + 4,
         r + 5,
         r + 6,
+        r + row_of(shape.record, "engaged"),
         end,
     )
 

@@ -27,6 +27,11 @@ STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 #: A step is at most so many times that in which friction brings a cage to rest (chosen; the method
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
+#: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
+CONTACT_SHARE = 0.1
+#: ... and of that in which a slip changes, as it does when friction turns round (both chosen:
+#: studies/families.py).
+SLIP_SHARE = 0.3
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
 #: A flight is at its end within this time [s].
@@ -48,7 +53,7 @@ class Timing(NamedTuple):
     free_step: float  # in free flight [s]
     impact_step: float  # while something touches or a stop is pressed [s]
     settle_step: float  # while the arms settle [s]
-    arm_tolerance: float  # an arm has settled within this distance of its free length [m] ...
+    arm_tolerance: float  # an arm has settled within this distance of its balance [m] ...
     rate_tolerance: float  # ... and this rate [m/s]
     dwell: float  # a new touch later than this starts a new impact [s]
     hybrid: float  # 1: one rigid body in free flight; 0: the arms are always free to slide
@@ -80,7 +85,7 @@ class Record(NamedTuple):
     steps: float  # taken so far
     touching: float  # 1 while any cage touches
     contacts: float  # times that the vehicle came into contact, one by one
-    arm_touching: tuple[float, ...]
+    engaged: tuple[tuple[float, ...], ...]  # 1 where a cage touches: arm by arm, obstacle by obstacle
     arm_contacts: tuple[float, ...]  # the same for each cage
     impacts: float  # contacts closer than the dwell time are one impact
     impact_open: float
@@ -98,6 +103,7 @@ class Record(NamedTuple):
     return_time: float  # the main body is back at n · p of first touch [s]
     return_speed: float  # n · v of the main body [m/s]
 
+    # Of the whole flight.
     peak_acceleration: float  # ‖v̇‖ of the main body [m/s²]
     peak_acceleration_time: float  # [s]
     peak_specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
@@ -106,25 +112,39 @@ class Record(NamedTuple):
     peak_penetration: float  # δ [m]
     peak_compression: float  # L − l [m]
     peak_extension: float  # l − L [m]
-    travel: float  # n · p past its value at first touch, first impact [m]
+    # The same of the first impact, from its first touch on until its arms have settled.
+    impact_peak_acceleration: float
+    impact_peak_acceleration_time: float
+    impact_peak_specific_force: float
+    impact_peak_angular_rate: float
+    impact_peak_normal_force: float
+    impact_penetration: float
+    impact_arm_stroke: float
+    impact_arm_extension: float
+    travel: float  # n · p past its value at first touch, until the last separation [m]
     bottomed_time: float  # an arm reached the end of its stroke [s]
     ground_time: float  # a cage touched the ground [s]
 
 
-def blank_record(arm_count: int) -> Record:
+def blank_record(arm_count: int, obstacle_count: int = 1) -> Record:
     """The record of a flight that has not begun."""
     never, none = -1.0, (0.0,) * arm_count
+    apart = ((0.0,) * obstacle_count,) * arm_count
     return Record(
         time=0.0, step=0.0, status=FLYING, phase=FREE_FLIGHT, request=NOTHING,
         cruising=MAY_LOOK, room=0.0,
-        steps=0.0, touching=0.0, contacts=0.0, arm_touching=none, arm_contacts=none,
+        steps=0.0, touching=0.0, contacts=0.0, engaged=apart, arm_contacts=none,
         impacts=0.0, impact_open=0.0, last_touch_time=never, contact_duration=0.0,
         inward=Vec(0.0, 0.0, 0.0), touch_time=never, touch_depth=0.0, touch_speed=0.0,
         touch_mass_centre_speed=0.0, separation_time=never, separation_speed=0.0,
         separation_mass_centre_speed=0.0, return_time=never, return_speed=0.0,
         peak_acceleration=0.0, peak_acceleration_time=0.0, peak_specific_force=0.0,
         peak_angular_rate=0.0, peak_normal_force=0.0, peak_penetration=0.0,
-        peak_compression=0.0, peak_extension=0.0, travel=0.0,
+        peak_compression=0.0, peak_extension=0.0,
+        impact_peak_acceleration=0.0, impact_peak_acceleration_time=never,
+        impact_peak_specific_force=0.0, impact_peak_angular_rate=0.0,
+        impact_peak_normal_force=0.0, impact_penetration=0.0, impact_arm_stroke=0.0,
+        impact_arm_extension=0.0, travel=0.0,
         bottomed_time=never, ground_time=never,
     )  # fmt: skip
 
@@ -135,14 +155,22 @@ def _extension(arm: ArmView) -> float:
 
 
 @kernel
-def _touched_normal(arm: ArmView) -> Vec:
-    return arm.inward * arm.touching
+def _touched_normal(arm: ArmView, touching: float) -> Vec:
+    return arm.inward * touching
+
+
+@kernel
+def _touching(engaged: tuple[float, ...]) -> float:
+    return largest(engaged)
 
 
 @kernel
 def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
-    """1 while a sliding arm is away from its free length, or moves."""
-    away = view.compression * view.compression > timing.arm_tolerance * timing.arm_tolerance
+    """1 while a sliding arm is away from where it would come to rest, or moves.
+
+    That is its free length only while the vehicle does not turn.
+    """
+    away = view.unbalance * view.unbalance > timing.arm_tolerance * timing.arm_tolerance
     moving = rate * rate > timing.rate_tolerance * timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
 
@@ -214,7 +242,7 @@ def cruised_past(
     return Record(
         m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
         pick(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
-        m.steps + 1.0, m.touching, m.contacts, m.arm_touching, m.arm_contacts,
+        m.steps + 1.0, m.touching, m.contacts, m.engaged, m.arm_contacts,
         m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
         m.inward, m.touch_time, m.touch_depth, m.touch_speed, m.touch_mass_centre_speed,
         m.separation_time, m.separation_speed, m.separation_mass_centre_speed,
@@ -223,7 +251,10 @@ def cruised_past(
         pick(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
         larger(norm(known.specific_force), m.peak_specific_force),
         larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
-        m.peak_compression, m.peak_extension, m.travel, m.bottomed_time, m.ground_time,
+        m.peak_compression, m.peak_extension,
+        m.impact_peak_acceleration, m.impact_peak_acceleration_time, m.impact_peak_specific_force,
+        m.impact_peak_angular_rate, m.impact_peak_normal_force, m.impact_penetration,
+        m.impact_arm_stroke, m.impact_arm_extension, m.travel, m.bottomed_time, m.ground_time,
     )  # fmt: skip
 
 
@@ -240,6 +271,12 @@ def is_quiet(
     """Whether nothing goes on that a step as one rigid body would miss."""
     still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
     return still & (not ahead) & (timing.hybrid > 0.0)
+
+
+@kernel
+def _grown(counts: bool, value: float, so_far: float) -> float:
+    """The largest value so far, where this one counts."""
+    return pick(counts & (value > so_far), value, so_far)
 
 
 class Sight(NamedTuple):
@@ -267,14 +304,15 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     No branches: every line is an arithmetic selection, so that lanes of flights stay abreast.
     """
     timing, state = model.timing, motion.state
-    arm_touching = column(view.arms, "touching")
+    engaged = column(view.arms, "engaged")
+    arm_touching = each(_touching, (engaged,), ())
     touching = largest(arm_touching)
     began, ended = touching > m.touching, touching < m.touching
 
     # The first touch fixes the direction along which speeds are measured.
     never_touched = m.contacts == 0.0
     first = began & never_touched
-    met = total(each(_touched_normal, (view.arms,), ()))
+    met = total(each(_touched_normal, (view.arms, arm_touching), ()))
     length = norm(met)
     inward = pick(first, met * (1.0 / pick(length > 0.0, length, 1.0)), m.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
@@ -299,13 +337,17 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     impacts = m.impacts + _rises(impact_open, m.impact_open)
     of_first = (impacts == 1.0) & (impact_open > 0.0)
     leaves = ended & of_first
+    within = (impacts == 1.0) & (phase == IMPACT)  # until its arms have settled
     ahead = returns_yet(impacts, m)
     returns = ahead & (depth - touch_depth <= LANDED) & (speed < 0.0)
 
-    # The next step lands on the next crossing: touch, separation, stop, return.
+    # The next step lands on the next crossing: touch, separation, stop, return.  A crossing that is
+    # predicted from afar is met from nearby: a second prediction is a hundred times as good.
     landing = least(column(view.arms, "landing"))
     landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
-    impact_step = pick(touching > 0.0, timing.impact_step, timing.settle_step)
+    landing = pick(landing > timing.impact_step, landing - 0.5 * timing.impact_step, landing)
+    pressed = larger(touching, largest(column(view.arms, "stopped"))) > 0.0
+    impact_step = pick(pressed, timing.impact_step, timing.settle_step)
     sliding = (phase > 0.0) | (timing.hybrid == 0.0)
     step = pick(sliding, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
@@ -314,7 +356,9 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     near = least(column(view.arms, "gap"))
     step = smaller(step, larger(near / larger(fastest, TINY), timing.impact_step))
     calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
-    step = smaller(step, larger(calm, SHORTEST * timing.impact_step))
+    stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
+    fine = smaller(calm, 1.0 / larger(stiff, 1.0))
+    step = smaller(step, larger(fine, SHORTEST * timing.impact_step))
     left = timing.until - m.time
     finished = left <= ARRIVED
     changed = (phase != m.phase) | strike
@@ -323,8 +367,11 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     quiet = is_quiet(timing, touching, phase, impact_open, ahead) & (step > 0.0)
     cruising = pick(quiet & has_room(timing, near, fastest), CRUISING, STEERED)
 
-    a = norm(view.acceleration)
-    grew = a > m.peak_acceleration
+    a, felt, spin = norm(view.acceleration), norm(view.specific_force), norm(state.angular_velocity)
+    grew, hit_harder = a > m.peak_acceleration, within & (a > m.impact_peak_acceleration)
+    normal, depth_in = largest(column(view.arms, "normal")), largest(column(view.arms, "depth"))
+    stroke = largest(column(view.arms, "compression"))
+    extension = largest(each(_extension, (view.arms,), ()))
     bottomed = largest(column(view.arms, "bottomed")) > 0.0
     return Record(
         time=m.time,
@@ -337,8 +384,10 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         steps=m.steps + pick(step > 0.0, 1.0, 0.0),
         touching=touching,
         contacts=m.contacts + pick(began, 1.0, 0.0),
-        arm_touching=arm_touching,
-        arm_contacts=each(_count, (m.arm_contacts, arm_touching, m.arm_touching), ()),
+        engaged=engaged,
+        arm_contacts=each(
+            _count, (m.arm_contacts, arm_touching, each(_touching, (m.engaged,), ())), ()
+        ),
         impacts=impacts,
         impact_open=impact_open,
         last_touch_time=last_touch,
@@ -355,13 +404,21 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         return_speed=pick(returns, speed, m.return_speed),
         peak_acceleration=larger(a, m.peak_acceleration),
         peak_acceleration_time=pick(grew, m.time, m.peak_acceleration_time),
-        peak_specific_force=larger(norm(view.specific_force), m.peak_specific_force),
-        peak_angular_rate=larger(norm(state.angular_velocity), m.peak_angular_rate),
-        peak_normal_force=larger(largest(column(view.arms, "normal")), m.peak_normal_force),
-        peak_penetration=larger(largest(column(view.arms, "depth")), m.peak_penetration),
-        peak_compression=larger(largest(column(view.arms, "compression")), m.peak_compression),
-        peak_extension=larger(largest(each(_extension, (view.arms,), ())), m.peak_extension),
-        travel=pick(of_first, larger(depth - touch_depth, m.travel), m.travel),
+        peak_specific_force=larger(felt, m.peak_specific_force),
+        peak_angular_rate=larger(spin, m.peak_angular_rate),
+        peak_normal_force=larger(normal, m.peak_normal_force),
+        peak_penetration=larger(depth_in, m.peak_penetration),
+        peak_compression=larger(stroke, m.peak_compression),
+        peak_extension=larger(extension, m.peak_extension),
+        impact_peak_acceleration=pick(hit_harder, a, m.impact_peak_acceleration),
+        impact_peak_acceleration_time=pick(hit_harder, m.time, m.impact_peak_acceleration_time),
+        impact_peak_specific_force=_grown(within, felt, m.impact_peak_specific_force),
+        impact_peak_angular_rate=_grown(within, spin, m.impact_peak_angular_rate),
+        impact_peak_normal_force=_grown(within, normal, m.impact_peak_normal_force),
+        impact_penetration=_grown(within, depth_in, m.impact_penetration),
+        impact_arm_stroke=_grown(within, stroke, m.impact_arm_stroke),
+        impact_arm_extension=_grown(within, extension, m.impact_arm_extension),
+        travel=_grown(of_first & ((touching > 0.0) | ended), depth - touch_depth, m.travel),
         bottomed_time=pick(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
         ground_time=pick((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
     )
