@@ -14,7 +14,8 @@ blocks, and only the part n_z of a normal that leans out of the plane couples th
 
 The normal force is a spring of stiffness K and a damper C at p along n.  The square of its angular
 frequency, and its damping rate, are at most the sums over contacts of K and C times what a unit
-impulse there does to its own point, 1/m + (p × n)² / J + (e·n)² / m_a.
+impulse there does to its own point as one body, 1/m + (p × n)² / J, and the largest of what it does
+to an arm, (e·n)² / m_a.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import largest
+from springback.kernels.trees import column, largest
 from springback.kernels.vectors import Mat, Vec
 
 
@@ -80,8 +81,8 @@ def press_of(stiffness: float, damper: float, normal: Vec, point: Vec, arm_direc
         point: p, of contact, in the plane of the arms [m].
         arm_direction: e.
     """
-    arm, along = point ^ normal, arm_direction @ normal
-    turning, sliding = arm @ arm, along * along
+    lever, along = point ^ normal, arm_direction @ normal
+    turning, sliding = lever @ lever, along * along
     return Press(
         stiffness, damper, stiffness * turning, damper * turning, stiffness * sliding,
         damper * sliding,
@@ -96,20 +97,24 @@ class Stiffness(NamedTuple):
 
 
 @kernel
-def contact_rate(press: Press, arms: Stiffness, mass: float, inertia: Mat) -> float:
-    """A bound on how fast contacts and end stops act [1/s]: ω + 2 ζ ω.
+def contact_rate(
+    press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat
+) -> float:
+    """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
 
     Args:
         press: Sum over all contacts.
-        arms: Sum over all arms, of what acts along their slides.
+        slides: Of every arm, what acts along its slide.
         mass: m [kg].
         inertia: J about the main body, body axes [kg m²].
     """
     j = inertia
     upright = j.x.x if j.x.x < j.y.y else j.y.y
     per_mass, per_inertia = 1.0 / mass, 1.0 / (upright if upright < j.z.z else j.z.z)
-    spring = press.stiffness * per_mass + press.turning_stiffness * per_inertia + arms.spring
-    damper = press.damper * per_mass + press.turning_damper * per_inertia + arms.damper
+    spring = press.stiffness * per_mass + press.turning_stiffness * per_inertia
+    damper = press.damper * per_mass + press.turning_damper * per_inertia
+    spring = spring + largest(column(slides, "spring"))
+    damper = damper + largest(column(slides, "damper"))
     return math.sqrt(spring) + damper
 
 

@@ -30,6 +30,7 @@ from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting_while, slip_velocity
 from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.surfaces import AHEAD
 from springback.dynamics.air import aerodynamics
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import column, each, each_summed, largest, least, total
@@ -45,6 +46,8 @@ from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inerti
 
 #: Time to the next crossing when none is ahead [s].
 NEVER = 1e9
+#: A stop that will be pressed in by less than this does not matter to the step [m].
+GRAZED = 1e-7
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
@@ -133,7 +136,6 @@ class ArmShare(NamedTuple):
     on_ground: float
     grip: Grip  # of friction
     press: Press  # of the normal forces
-    slide: Stiffness  # of what acts along the slide, per mass of the arm
 
 
 class ArmPull(NamedTuple):
@@ -158,6 +160,7 @@ class ArmState(NamedTuple):
     pull: ArmPull
     seen: ArmView
     grip: ArmGrip
+    slide: Stiffness  # of what acts along the slide
     rubs: tuple[Rub, ...]  # obstacle by obstacle
 
 
@@ -220,7 +223,10 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
     pressing = -rate if low > 0.0 else rate
     elastic = arm.stop_stiffness * (low + high)
     force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
-    stiffness = arm.stop_stiffness if elastic > 0.0 else 0.0
+    # A step that lands on a stop ends a hair before it: the next one is taken on it.
+    ahead = AHEAD * rate
+    soon = (length - arm.length + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
+    stiffness = arm.stop_stiffness if (elastic > 0.0) | soon else 0.0
     damper = arm.stop_dissipation * elastic
     return Stop(force if low > 0.0 else -force, (force - elastic) * pressing, stiffness, damper)
 
@@ -309,10 +315,10 @@ def arm_state(
         on_ground=touch.on_ground,
         grip=touch.grip,
         press=touch.press,
-        slide=Stiffness(
-            (touch.press.arm_stiffness + stop.stiffness) * per_mass,
-            (touch.press.arm_damper + stop.damper) * per_mass,
-        ),
+    )
+    slide = Stiffness(
+        (touch.press.arm_stiffness + stop.stiffness) * per_mass,
+        (touch.press.arm_damper + stop.damper) * per_mass,
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     landing = least(
@@ -338,7 +344,7 @@ def arm_state(
         inward=r @ inward,
     )
     grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(share, ArmPull(h * per_mass, u), view, grip, each(_rub, (met,), ()))
+    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(_rub, (met,), ()))
 
 
 @kernel
@@ -587,7 +593,7 @@ def rates_while(
         views,
         a.on_ground,
         friction_rate,
-        contact_rate(a.press, a.slide, airframe.mass, inertia),
+        contact_rate(a.press, column(arms, "slide"), airframe.mass, inertia),
         largest(slips),
     )
     return Rates(Motion(state_rate, work_rate), view)

@@ -28,10 +28,10 @@ STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
 #: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
-CONTACT_SHARE = 0.1
+CONTACT_SHARE = 0.12
 #: ... and of that in which a slip changes, as it does when friction turns round (both chosen:
 #: studies/families.py).
-SLIP_SHARE = 0.3
+SLIP_SHARE = 0.25
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
 #: A flight is at its end within this time [s].
@@ -179,6 +179,11 @@ def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
 def _reach(arm: Arm) -> float:
     """Distance of the cage's farthest point from the main body [m]."""
     return arm.length + arm.cage_radius
+
+
+@kernel
+def _speed(rate: float) -> float:
+    return rate if rate > 0.0 else -rate
 
 
 @kernel
@@ -354,7 +359,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     # No point moves faster than this, so no cage can touch unnoticed within the step.
     fastest = fastest_cage(model.airframe, state.velocity, state.angular_velocity)
     near = least(column(view.arms, "gap"))
-    step = smaller(step, larger(near / larger(fastest, TINY), timing.impact_step))
+    haste = larger(fastest + largest(each(_speed, (state.arm_rate,), ())), TINY)
+    step = smaller(step, larger(near / haste, timing.impact_step))
     calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
     stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
     fine = smaller(calm, 1.0 / larger(stiff, 1.0))
