@@ -63,21 +63,25 @@ OUTPUT = [
     ),
     *(f"motion.work.impulse.{k}" for k in "xyz"),
     "time", "step", "status", "phase", "request", "steps", "touching", "contacts",
-    *(f"arm_touching.{j}" for j in _ARMS), *(f"arm_contacts.{j}" for j in _ARMS),
+    *(f"engaged.{j}.1" for j in _ARMS), *(f"arm_contacts.{j}" for j in _ARMS),
     "impacts", "impact_open", "last_touch_time", "contact_duration",
     *(f"inward.{k}" for k in "xyz"),
     "touch_time", "touch_depth", "touch_speed", "touch_mass_centre_speed",
     "separation_time", "separation_speed", "separation_mass_centre_speed",
     "return_time", "return_speed", "peak_acceleration", "peak_acceleration_time",
     "peak_specific_force", "peak_angular_rate", "peak_normal_force", "peak_penetration",
-    "peak_compression", "peak_extension", "travel", "bottomed_time", "ground_time",
+    "peak_compression", "peak_extension",
+    "impact_peak_acceleration", "impact_peak_acceleration_time", "impact_peak_specific_force",
+    "impact_peak_angular_rate", "impact_peak_normal_force", "impact_penetration",
+    "impact_arm_stroke", "impact_arm_extension", "travel", "bottomed_time", "ground_time",
 ]  # fmt: skip
 
 #: Measures that must agree, each with the size of a value that counts as small.
 COMPARED = {
     "steps": 1.0, "contacts": 1.0, "touch_speed": 1.0, "separation_speed": 1.0,
     "contact_duration": 1e-2, "peak_acceleration": 1.0, "peak_normal_force": 1.0, "travel": 1e-2,
-    "peak_compression": 1e-2, "motion.work.contact": 1.0, "motion.work.friction": 1.0,
+    "peak_compression": 1e-2, "impact_peak_acceleration": 1.0, "impact_arm_extension": 1e-2,
+    "impact_peak_normal_force": 1.0, "motion.work.contact": 1.0, "motion.work.friction": 1.0,
     "motion.work.arm": 1.0, "motion.work.settling": 1.0, "motion.work.thrust": 1.0,
     "motion.state.velocity.x": 1.0, "motion.state.angular_velocity.y": 1.0,
 }  # fmt: skip

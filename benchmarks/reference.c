@@ -102,7 +102,10 @@ typedef struct {
     V touch_time, touch_depth, touch_speed, touch_mass_centre_speed;
     V separation_time, separation_speed, separation_mass_centre_speed, return_time, return_speed;
     V peak_acceleration, peak_acceleration_time, peak_specific_force, peak_angular_rate;
-    V peak_normal_force, peak_penetration, peak_compression, peak_extension, travel;
+    V peak_normal_force, peak_penetration, peak_compression, peak_extension;
+    V impact_peak_acceleration, impact_peak_acceleration_time, impact_peak_specific_force;
+    V impact_peak_angular_rate, impact_peak_normal_force, impact_penetration, impact_arm_stroke;
+    V impact_arm_extension, travel;
     V bottomed_time, ground_time;
 } Record;
 
@@ -114,12 +117,17 @@ typedef struct {
     V landing, largest_normal, deepest, most_compressed, least_compressed;
     V bottomed, on_ground, nearest;
     V friction_rate; /* at most how fast friction brings a sliding cage to rest */
+    V contact_rate;  /* how fast contacts and end stops act */
+    V slip_rate;     /* how fast a slip changes */
+    V stopped;       /* 1 while an end stop is pressed */
+    V unbalance[ARMS];
 } View;
 
 #define ROWS(T) ((int)(sizeof(T) / sizeof(V)))
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
 static const double FRICTION_SHARE = 2, TINY = 1e-9, AT_TOUCH = 1e-30;
+static const double CONTACT_SHARE = 0.12, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
 
 INLINE V crossing_time(V value, V rate)
 {
@@ -147,8 +155,9 @@ INLINE Mat rotation(V w, V x, V y, V z)
     };
 }
 
-/* Rates of everything that is integrated; the view too, where one is asked for. */
-INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View *view)
+/* Rates of everything that is integrated; the view too, where one is asked for.  Without a view, cages
+ * that were apart at the beginning of the step feel nothing. */
+INLINE void rates(const Model *m, const State *s, V released, const V *engaged, Motion *rate, View *view)
 {
     const Mat r = rotation(s->qw, s->qx, s->qy, s->qz);
     const Vec w = s->omega, v = to_body(&r, s->velocity);
@@ -173,6 +182,9 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
      * `lean` is what normals that lean out of that plane add. */
     V grip_all = thrust, grip_z = thrust, grip_xx = thrust, grip_yy = thrust, grip_xy = thrust;
     V lean_all = thrust, lean_z = thrust, grip_arm = thrust, lean_arm = thrust;
+    /* Contacts and stops as springs and dampers: of the vehicle, of its turns, of the worst arm. */
+    V press_k = thrust, press_c = thrust, turn_k = thrust, turn_c = thrust, arm_k = thrust, arm_c = thrust;
+    V rub_x[ARMS], rub_y[ARMS], per_speed[ARMS];
 
     if (view) {
         memset(view, 0, sizeof *view);
@@ -193,7 +205,9 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         const Vec at = vec(v.x + dl * c - w.z * py, v.y + dl * q + w.z * px, v.z + w.x * py - w.y * px);
         const V approach = dot(at, n);
         const M at_touch = (gap <= all(LANDED)) & (approach > all(0));
-        const V depth = sel(gap < all(-AT_TOUCH), -gap, sel(at_touch, all(AT_TOUCH), all(0)));
+        V depth = sel(gap < all(-AT_TOUCH), -gap, sel(at_touch, all(AT_TOUCH), all(0)));
+        if (!view)
+            depth = sel(engaged[j] > all(0), depth, all(0));
         const V elastic = m->stiffness * (depth * root(depth));
         const V pressed = positive(elastic + (m->dissipation * elastic + m->viscosity) * approach);
         const V normal = sel(depth > all(0), pressed, all(0));
@@ -275,6 +289,24 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
             lean_z += grip * out * far;
             grip_arm = larger(grip_arm, grip * (all(1) - along * along) * give);
             lean_arm = larger(lean_arm, grip * out * give);
+            const V on = positive(approach), ahead = depth + all(AHEAD) * on;
+            const V then = m->stiffness * (ahead * root(ahead)), slope = all(1.5) * then / (ahead + all(1e-12));
+            const V spring = sel(depth > all(0), slope * (all(1) + m->dissipation * on), all(0));
+            const V dashpot = sel(depth > all(0), m->dissipation * then + m->viscosity, all(0));
+            const Vec lever = cross(vec(px, py, all(0)), n);
+            const V turned = dot(lever, lever), out_ = all(AHEAD) * dl;
+            const M soon = (-compression + out_ > all(GRAZED)) | (a->shortest - l - out_ > all(GRAZED));
+            const V stopping = sel((stored > all(0)) | soon, a->stop_stiffness, all(0));
+            press_k += spring;
+            press_c += dashpot;
+            turn_k += spring * turned;
+            turn_c += dashpot * turned;
+            arm_k = larger(arm_k, (spring * (along * along) + stopping) * give);
+            arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * stored) * give);
+            view->stopped = larger(view->stopped, one_if(u * stopping > all(0)));
+            rub_x[j] = px;
+            rub_y[j] = py;
+            per_speed[j] = sel(m->friction * normal > all(0), all(1) / root(square + squared_slip_speed), all(0));
             view->on_ground += sel(gap < all(0), m->is_ground, all(0));
         }
     }
@@ -345,6 +377,20 @@ INLINE void rates(const Model *m, const State *s, V released, Motion *rate, View
         const V lean = lean_all * nzz + lean_z / jzz + lean_arm;
         const V across = (grip_all - lean_all) * nzz + tumbling, half = all(0.5) * (in_plane - across);
         view->friction_rate = all(0.5) * (in_plane + across) + root(half * half + lean * across);
+        const V per_inertia = all(1) / smaller(smaller(jxx, jyy), jzz);
+        view->contact_rate = root(press_k * nzz + turn_k * per_inertia + arm_k)
+                           + (press_c * nzz + turn_c * per_inertia + arm_c);
+        const Vec falling = minus(felt, vec(r.z.x * m->gravity, r.z.y * m->gravity, r.z.z * m->gravity));
+#pragma GCC unroll 4
+        for (int j = 0; j < ARMS; j++) {
+            const Arm *a = &m->arm[j];
+            const V ddl = ds->rate[j], px = rub_x[j], py = rub_y[j];
+            view->unbalance[j] = (a->mass * ddl + a->damping * s->rate[j]) / a->stiffness;
+            Vec change = vec(falling.x + a->cosine * ddl - alpha.z * py, falling.y + a->sine * ddl + alpha.z * px,
+                             falling.z + alpha.x * py - alpha.y * px);
+            change = minus(change, times(n, dot(change, n)));
+            view->slip_rate = larger(view->slip_rate, norm(change) * per_speed[j]);
+        }
     }
 }
 
@@ -353,12 +399,13 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
 {
     const State *s = &x->state;
     const V zero = all(0), one = all(1);
-    V touching = zero, unsettled = zero, reach = zero;
+    V touching = zero, unsettled = zero, reach = zero, quickest = zero;
 #pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         touching = larger(touching, v->touching[j]);
         reach = larger(reach, m->arm[j].length + m->arm[j].cage_radius);
-        const V away = m->arm[j].length - s->length[j], rate = s->rate[j];
+        const V away = v->unbalance[j], rate = s->rate[j];
+        quickest = larger(quickest, larger(rate, -rate));
         const M busy = (away * away > m->arm_tolerance * m->arm_tolerance)
                      | (rate * rate > m->rate_tolerance * m->rate_tolerance);
         unsettled = larger(unsettled, sel(busy, m->arm[j].compliance, zero));
@@ -389,30 +436,46 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const V past = depth - k->touch_depth;
     const M returns = ahead & (past <= all(LANDED)) & (speed < zero);
 
-    const V landing = smaller(v->landing, sel(ahead, crossing_time(past, speed), all(NEVER)));
+    const M within = (k->impacts == one) & (phase == one);
+    V landing = smaller(v->landing, sel(ahead, crossing_time(past, speed), all(NEVER)));
+    landing = sel(landing > m->impact_step, landing - all(0.5) * m->impact_step, landing);
+    const M pressed = in_touch | (v->stopped > zero);
     const V shortest = all(SHORTEST) * m->impact_step;
     const M sliding = (phase > zero) | (m->hybrid == zero);
-    V step = sel(sliding, sel(in_touch, m->impact_step, m->settle_step), m->free_step);
+    V step = sel(sliding, sel(pressed, m->impact_step, m->settle_step), m->free_step);
     step = smaller(step, larger(landing, shortest));
     /* No point moves faster than this, so no cage can touch unnoticed within the step. */
     const V fastest = norm(s->velocity) + reach * norm(s->omega);
-    step = smaller(step, larger(v->nearest / larger(fastest, all(TINY)), m->impact_step));
-    step = smaller(step, larger(all(FRICTION_SHARE) / larger(v->friction_rate, one), shortest));
+    step = smaller(step, larger(v->nearest / larger(fastest + quickest, all(TINY)), m->impact_step));
+    const V calm = all(FRICTION_SHARE) / larger(v->friction_rate, one);
+    const V stiff = larger(v->contact_rate / all(CONTACT_SHARE), v->slip_rate / all(SLIP_SHARE));
+    step = smaller(step, larger(smaller(calm, one / larger(stiff, one)), shortest));
     const V left = m->until - k->time;
     const M finished = left <= all(1e-12), flies = k->status == zero;
     const M halted = finished | (phase != k->phase) | (k->status != zero);
     step = sel(halted, zero, smaller(step, left));
 
     const V a = norm(v->acceleration);
+    const V felt = norm(v->specific_force), spin = norm(s->omega);
+    const M harder = within & (a > k->impact_peak_acceleration);
+    k->impact_peak_acceleration_time = sel(harder, k->time, k->impact_peak_acceleration_time);
+    k->impact_peak_acceleration = sel(harder, a, k->impact_peak_acceleration);
+#define GROWN(field, counts, value) k->field = sel((counts) & ((value) > k->field), (value), k->field)
+    GROWN(impact_peak_specific_force, within, felt);
+    GROWN(impact_peak_angular_rate, within, spin);
+    GROWN(impact_peak_normal_force, within, v->largest_normal);
+    GROWN(impact_penetration, within, v->deepest);
+    GROWN(impact_arm_stroke, within, v->most_compressed);
+    GROWN(impact_arm_extension, within, -v->least_compressed);
+    GROWN(travel, of_first & (in_touch | ended), past);
     k->peak_acceleration_time = sel(a > k->peak_acceleration, k->time, k->peak_acceleration_time);
     k->peak_acceleration = larger(a, k->peak_acceleration);
-    k->peak_specific_force = larger(norm(v->specific_force), k->peak_specific_force);
-    k->peak_angular_rate = larger(norm(s->omega), k->peak_angular_rate);
+    k->peak_specific_force = larger(felt, k->peak_specific_force);
+    k->peak_angular_rate = larger(spin, k->peak_angular_rate);
     k->peak_normal_force = larger(v->largest_normal, k->peak_normal_force);
     k->peak_penetration = larger(v->deepest, k->peak_penetration);
     k->peak_compression = larger(v->most_compressed, k->peak_compression);
     k->peak_extension = larger(-v->least_compressed, k->peak_extension);
-    k->travel = sel(of_first, larger(past, k->travel), k->travel);
     k->separation_time = sel(leaves, k->time, k->separation_time);
     k->separation_speed = sel(leaves, speed, k->separation_speed);
     k->separation_mass_centre_speed = sel(leaves, centre_speed, k->separation_mass_centre_speed);
@@ -508,7 +571,7 @@ static double energy(const Plain *m, const Plainly *s, const D3 rows[3], double 
     return e;
 }
 
-/* Settled arms snap to their free length: momentum and the centre of mass stay, the loss is booked. */
+/* Settled arms stop where they are: momentum stays, the loss is booked. */
 static __attribute__((noinline)) void lock(const Model *model, Motion *x, int lane)
 {
     Plain m;
@@ -530,17 +593,13 @@ static __attribute__((noinline)) void lock(const Model *model, Motion *x, int la
     const D3 relative = add3(cross3(s.omega, centre), mul3(p.drift, 1 / m.mass));
     const D3 spin = sub3(transform(p.second, s.omega), mul3(cross3(centre, relative), m.mass));
     const D3 velocity = add3(s.velocity, WORLD(relative));
-    for (int a = 0; a < ARMS; a++) {
-        s.length[a] = m.arm[a][COMPLIANCE] > 0 ? m.arm[a][LENGTH] : s.length[a];
+    for (int a = 0; a < ARMS; a++)
         s.rate[a] = 0;
-    }
-    p = spread(&m, &s);
-    const D3 c = mul3(p.first, 1 / m.mass);
+    const D3 c = centre;
     const double cc[3] = {c.x, c.y, c.z};
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
             p.second[a][b] -= m.mass * ((a == b ? dot3(c, c) : 0) - cc[a] * cc[b]);
-    s.position = add3(s.position, WORLD(sub3(centre, c)));
     s.omega = solve3(p.second, spin);
     s.velocity = sub3(velocity, WORLD(cross3(s.omega, c)));
     memcpy(values, &s, sizeof s);
@@ -558,7 +617,7 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
     View view;
     while (budget--) {
         V released = one_if((m->hybrid == all(0)) | (k->phase > all(0)));
-        rates(m, &x->state, released, &rate, &view);
+        rates(m, &x->state, released, NULL, &rate, &view);
         observe(m, x, &view, k);
         total = rate;
         released = one_if((m->hybrid == all(0)) | (k->phase > all(0)));
@@ -568,7 +627,7 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
             const V *from = (V *)&x->state, *slope = (V *)&rate.state;
             for (int i = 0; i < ROWS(State); i++)
                 ((V *)&here)[i] = from[i] + h * slope[i];
-            rates(m, &here, released, &rate, NULL);
+            rates(m, &here, released, k->arm_touching, &rate, NULL);
             for (int i = 0; i < ROWS(Motion); i++)
                 ((V *)&total)[i] += weight[stage] * ((V *)&rate)[i];
         }
@@ -630,6 +689,7 @@ void fly(const double *input, double *output, long first, long last, long budget
         }
         record.last_touch_time = record.touch_time = record.separation_time = all(-1);
         record.return_time = record.bottomed_time = record.ground_time = all(-1);
+        record.impact_peak_acceleration_time = all(-1);
         fly_group(&model, &motion, &record, budget);
         for (int lane = 0; lane < LANES && group + lane < last; lane++) {
             double *row = output + (group + lane) * (ROWS(Motion) + ROWS(Record));

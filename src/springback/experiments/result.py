@@ -186,8 +186,9 @@ def _work(flown: Flown) -> dict[str, Array]:
     names = [name for name in trace.columns if name.startswith(stem)]
     work = {name.removeprefix(stem): np.ascontiguousarray(trace[name]) for name in names}
     touching = np.zeros(len(trace.values))
-    for j in range(1, len(flown.start.arm_length) + 1):
-        np.maximum(touching, trace[f"arms.{j}.touching"], out=touching)
+    for name in trace.columns:
+        if ".engaged." in name:
+            np.maximum(touching, trace[name], out=touching)
     return work | {"touching": touching}
 
 
