@@ -34,7 +34,7 @@ def test_never_pulls_and_never_gains(law: Surface, depth: float, rate: float) ->
 @given(rate=rates)
 def test_apart_means_no_force(law: Surface, rate: float) -> None:
     """Nothing acts on a cage that does not touch, however fast it moves."""
-    assert normal_force(law, 0.0, rate) == (0.0, 0.0)
+    assert normal_force(law, 0.0, rate) == (0.0, 0.0, 0.0, 0.0)
 
 
 @laws

@@ -27,6 +27,12 @@ class Plane(NamedTuple):
     offset: float  # normal · x of the face [m]
 
 
+class Again(NamedTuple):
+    """A shape once more: for the second point at which one ring touches it."""
+
+    shape: Any
+
+
 class Obstacle(NamedTuple):
     """A shape with its surface."""
 
@@ -96,6 +102,24 @@ def seen(shape: Any, position: Vec, r: Mat) -> Any:
 @kernel
 def _plane_seen(plane: Plane, position: Vec, r: Mat) -> Plane:
     return Plane(plane.normal @ r, plane.offset - plane.normal @ position)
+
+
+@seen.register(Again)
+@kernel
+def _seen_again(again: Again, position: Vec, r: Mat) -> Again:
+    return Again(seen(again.shape, position, r))
+
+
+@signed_distance.register(Again)
+@kernel
+def _distance_again(again: Again, point: Vec) -> float:
+    return signed_distance(again.shape, point)
+
+
+@outward_normal.register(Again)
+@kernel
+def _normal_again(again: Again, point: Vec) -> Vec:
+    return outward_normal(again.shape, point)
 
 
 @signed_distance.register(Seen)

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from springback.contact.obstacles import Obstacle, Plane
+from springback.contact.obstacles import Again, Obstacle, Plane
 from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
     AnyExponent,
@@ -194,6 +194,8 @@ def obstacles(
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
     all_faces += [face for entry in settings for face in faces(entry)]
     all_faces += [(shape, surface, 0.0) for shape, surface in own]
+    # A ring can touch what is not plane at two points.
+    all_faces += [(Again(s), surface, 0.0) for s, surface in own if not isinstance(s, Plane)]
     exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
     if not all_faces:
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import meeting, slip_velocity, support
+from springback.contact.cage import meeting, slip_velocity
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
@@ -27,8 +27,10 @@ from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inerti
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
-#: A cage that others push in faster than this is struck, too [m/s].
-STRUCK_AGAIN = 1e-6
+#: A cage that others push in faster than this is struck, too [m/s] ...
+STRUCK_AGAIN = 1e-9
+#: ... and where cages rest, which the next step looks after, faster than this.
+RESTING_STRUCK_AGAIN = 1e-6
 #: Parts into which the impulse of compression is divided ...
 PARTS = 200
 #: ... where a cage rests, which costs an impulse a step.
@@ -53,10 +55,9 @@ def _hit_obstacle(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat, omega: Vec
 ) -> Hit:
     met = meeting(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
-    at = support(contact_point, met.inward, arm.direction, radius)
     near = (met.gap <= LANDED) & (met.impulsive > 0.0)
     closing = near & (met.rate < 0.0)
-    lever = r @ (arm.lever + at.normal_lever)
+    lever = r @ met.pressing_at
     return Hit(
         1.0 if near else 0.0,
         1.0 if closing else 0.0,
@@ -121,7 +122,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     v = state.velocity + (w ^ centre) + drift
 
     part, rebound, open_ = [0.0] * count, [0.0] * count, [False] * count
-    active, sunk = 0, Vec(0.0, 0.0, 0.0)
+    active, sunk, tolerated = 0, Vec(0.0, 0.0, 0.0), RESTING_STRUCK_AGAIN
     taken, given_back, rubbed_off, given = [0.0] * count, [0.0] * count, 0.0, Vec(0.0, 0.0, 0.0)
     for k in range(count):
         hit = hits[k // len(hits[0])][k % len(hits[0])]
@@ -131,6 +132,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
             if (hit.closing > 0.0) & (closing > STILL):
                 part[k] = _part(closing) / _give(m, inertia, r, rho, n)
                 rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
+                tolerated = STRUCK_AGAIN if closing > RESTING else tolerated
                 open_[k], active = True, active + 1
             push = n * (positive_part(-hit.gap) - sunk @ n)
             sunk = sunk + push if push @ n > 0.0 else sunk
@@ -190,7 +192,7 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
             hit = hits[k // len(hits[0])][k % len(hits[0])]
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)
-            if hit.near > 0.0 and not open_[k] and closing > STRUCK_AGAIN:
+            if hit.near > 0.0 and not open_[k] and closing > tolerated:
                 if part[k] == 0.0:
                     part[k] = _part(closing) / _give(m, inertia, r, rho, n)
                 rebound[k] = hit.surface.restitution if closing > RESTING else 0.0

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import meeting, support
+from springback.contact.cage import meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, own_executor
@@ -194,9 +194,8 @@ def _press(
 ) -> Press:
     """One cage against one obstacle, in body axes from the main body."""
     met = meeting(obstacle, contact_point, radius, arm, omega, vertical)
-    at = support(contact_point, met.inward, arm.direction, radius)
     f_n = met.touch.normal
-    return Press(met.touch.force, f_n, met.touch.friction, f_n * (arm.lever + at.normal_lever))
+    return Press(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
 
 
 @kernel
