@@ -25,7 +25,6 @@ from springback.contact.obstacles import Forces, Obstacle, Plane, World
 from springback.contact.surfaces import (
     AnyExponent,
     BothTangents,
-    Linear,
     Surface,
     ThreeHalves,
     VerticalTangent,
@@ -105,7 +104,9 @@ def drawn(
     hover = vehicle.mass * GRAVITY / vehicle.arm_count if chance.random() < 0.5 else 0.0
     thrust = (hover,) * vehicle.arm_count
     timing = timing_for(vehicle, step)
-    return Draw(Model(vehicle.airframe(), world, point, Free(0.0), Still(0.0), thrust, timing), start)
+    return Draw(
+        Model(vehicle.airframe(), world, point, Free(0.0), Still(0.0), thrust, timing), start
+    )
 
 
 def _axes(chance: np.random.Generator) -> BothTangents | VerticalTangent:
@@ -267,7 +268,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
             fine = flown([finer(d) for d in draws]) if make is not extreme else None
             print(*report(name, coarse, fine), sep="\n", flush=True)
             for k, one in enumerate(coarse):
-                rows.append({"family": name, "draw": k, "outcome": one.outcome.word, **one.measures})
+                rows.append(
+                    {"family": name, "draw": k, "outcome": one.outcome.word, **one.measures}
+                )
     with (given.out / "families.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]))
         writer.writeheader()

@@ -32,7 +32,7 @@ END = "<!-- end of {name} -->"
 SIGNS = {Mark.FITTED: " *f*", Mark.PREDICTED: " ✓", Mark.CONTRADICTED: " ✗", Mark.GIVEN: ""}
 QUANTITIES = {
     "restitution_at_separation": ("restitution", 1.0, ".3f"),
-    "peak_acceleration": ("peak acceleration [m/s²]", 1.0, ".1f"),
+    "impact_peak_acceleration": ("peak acceleration [m/s²]", 1.0, ".1f"),
     "travel": ("travel [mm]", 1e3, ".1f"),
     "contact_time": ("contact time [ms]", 1e3, ".1f"),
     "time_to_return": ("time to return [ms]", 1e3, ".1f"),

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 
+class LedgerWarning(UserWarning):
+    """The energy ledger of a flight does not close: its numbers are not to be trusted."""
+
+
 class InputError(ValueError):
     """Something a user gave cannot be used.  Each problem is one line that says how to mend it."""
 

@@ -38,9 +38,7 @@ class Box(NamedTuple):
 
 @kernel
 def _outside(box: Box, point: Vec) -> Vec:
-    return Vec(
-        abs(point.x) - box.half.x, abs(point.y) - box.half.y, abs(point.z) - box.half.z
-    )
+    return Vec(abs(point.x) - box.half.x, abs(point.y) - box.half.y, abs(point.z) - box.half.z)
 
 
 @signed_distance.register(Box)  # type: ignore[attr-defined]
@@ -135,9 +133,7 @@ def test_a_tilted_ring_meets_a_pole_where_the_quartic_says(pole_radius: float) -
         # d/dθ |c + ρ (a cos θ + b sin θ)|² / 2ρ = p sin θ + q cos θ + s sin 2θ + u cos 2θ
         p, q = -(a @ c), b @ c
         s, u = 0.5 * RADIUS * (b @ b - a @ a), RADIUS * (a @ b)
-        roots = polynomial.polyroots(
-            [q + u, 2 * p + 4 * s, -6 * u, 2 * p - 4 * s, u - q]
-        )
+        roots = polynomial.polyroots([q + u, 2 * p + 4 * s, -6 * u, 2 * p - 4 * s, u - q])
         angles = [2.0 * math.atan(t.real) for t in roots if abs(t.imag) < 1e-6] + [math.pi]
         lows = [
             float(np.linalg.norm(c + RADIUS * (a * math.cos(x) + b * math.sin(x)))) for x in angles

@@ -107,9 +107,9 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
     assert arq["peak"] < before["peaks"][0]["peak"]  # a softer spring
     assert quad["peak"] == before["peaks"][1]["peak"]  # the rigid twin has none
     python = answer(settings_from([tuple(after["query"].split("="))]))  # type: ignore[list-item]
-    peak = next(row for row in python["measures"] if row["name"] == "peak_acceleration")["values"][
-        "arq"
-    ]
+    peak = next(row for row in python["measures"] if row["name"] == "impact_peak_acceleration")[
+        "values"
+    ]["arq"]
     assert arq["peak"] == pytest.approx(peak, rel=1e-6)
 
     link = browser.find_element(ID, "link").get_attribute("value")

@@ -36,7 +36,7 @@ from springback.simulation.measures import MEASURES, Outcome
 TOUCH, LASTS = 0.03, 0.04
 KNOWN = {
     "touch_time": TOUCH, "return_time": TOUCH + LASTS, "contact_time": LASTS, "time_to_return": LASTS,
-    "touch_speed": 1.85, "peak_acceleration": 100.0, "peak_acceleration_time": TOUCH + LASTS / 2,
+    "touch_speed": 1.85, "impact_peak_acceleration": 100.0, "impact_peak_acceleration_time": TOUCH + LASTS / 2,
     "restitution_at_separation": 0.5, "restitution_at_return": 0.5, "restitution_of_mass_centre": 0.5,
     "travel": 0.02, "energy_start": 3.0, "loss_contact": 2.0, "energy_kinetic": 1.0, "steps": 500.0,
     "ledger_residual": -4e-8, "work_thrust": 0.0, "energy_gravity": 0.0,

@@ -291,7 +291,7 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float) -> Lowest:
 
 @kernel
 def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
-    """Eq. (13) for a plane, whose normal is the same everywhere; on others a first approximation."""
+    """Eq. (13) for a plane, whose normal is the same everywhere; elsewhere approximately."""
     end = arm.lever
     first = support(contact_point, -outward_normal(shape, end), arm.direction, radius)
     n = -outward_normal(shape, end + first.point)
@@ -368,8 +368,13 @@ def meeting_while(
     off is decided at the first stage of a step, and kept.
 
     Args:
-        obstacle: As for `meeting`, like all others.
+        obstacle: As for `meeting`.
         engaged: 0 for a cage that was apart at the beginning of the step.
+        contact_point: As for `meeting`.
+        radius: As for `meeting`.
+        arm: As for `meeting`.
+        omega: As for `meeting`.
+        vertical: As for `meeting`.
     """
     surface, end = obstacle.surface, arm.lever
     gap, n, at = facing(obstacle, contact_point, radius, arm)

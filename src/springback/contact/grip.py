@@ -97,9 +97,7 @@ class Stiffness(NamedTuple):
 
 
 @kernel
-def contact_rate(
-    press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat
-) -> float:
+def contact_rate(press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat) -> float:
     """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
 
     Args:

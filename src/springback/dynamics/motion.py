@@ -363,9 +363,7 @@ def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
 
 
 @kernel
-def _slip_rate(
-    obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec
-) -> float:
+def _slip_rate(obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec) -> float:
     """How fast one slip changes: |v̇| / √(v² + v_s²), of the accelerations of main body and arm."""
     change = end + (angular ^ rub.point)
     along = slip_velocity(obstacle.surface, change, rub.inward, vertical)
@@ -505,9 +503,7 @@ def rates(
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     engaged = each(_engaged_arm, (airframe.arms,), (world.obstacles,))
-    return rates_while(
-        airframe, world, contact_point, guide, air, state, thrust, released, engaged
-    )
+    return rates_while(airframe, world, contact_point, guide, air, state, thrust, released, engaged)
 
 
 @kernel
@@ -525,7 +521,14 @@ def rates_while(
     """`rates`, with contacts held off: see `springback.contact.cage.meeting_while`.
 
     Args:
-        airframe: As for `rates`, like all others.
+        airframe: As for `rates`.
+        world: As for `rates`.
+        contact_point: As for `rates`.
+        guide: As for `rates`.
+        air: As for `rates`.
+        state: As for `rates`.
+        thrust: As for `rates`.
+        released: As for `rates`.
         engaged: Arm by arm and obstacle by obstacle, 0 where contact is held off.
     """
     r, omega = rotation(state.attitude), state.angular_velocity
@@ -570,9 +573,7 @@ def rates_while(
         push,
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
-    views = each(
-        _balanced, (column(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
-    )
+    views = each(_balanced, (column(arms, "seen"), airframe.arms, state.arm_rate, sliding), ())
     on_arms = column(arms, "grip")
     friction_rate = rest_rate(
         a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia

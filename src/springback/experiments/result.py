@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -13,7 +14,7 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
-from springback.errors import InputError
+from springback.errors import InputError, LedgerWarning
 from springback.experiments.guidance import OwnPilot, board_of
 from springback.experiments.pilots import careful, in_words, read_pilot, tried
 from springback.experiments.recovery_measures import (
@@ -26,7 +27,13 @@ from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
 from springback.simulation.flight import Executor, Flown, Trace, fly_one
 from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
-from springback.simulation.measures import MEASURES, Outcome, measures_of, outcome_of
+from springback.simulation.measures import (
+    FAILURES,
+    MEASURES,
+    Outcome,
+    measures_of,
+    outcome_of,
+)
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
@@ -40,7 +47,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Flight:
-    """Result of a flight.  Every measure is an attribute, too: ``flight.peak_acceleration``."""
+    """Result of a flight.  Every measure is an attribute, too: ``flight.touch_speed``."""
 
     scenario: Scenario
     outcome: Outcome
@@ -64,8 +71,28 @@ class Flight:
 
     @property
     def success(self) -> bool:
+        """As in campaigns: recovered, where that was asked for; else neither ground nor stop hit.
+
+        A simulation that diverged is no success either.
+        """
+        if "runs" in self.measures:
+            return self.outcome is Outcome.RECOVERED
+        return self.outcome not in FAILURES
+
+    @property
+    def is_finite(self) -> bool:
         """Whether the simulation stayed finite."""
         return self.outcome is not Outcome.NOT_FINITE
+
+    @property
+    def remark(self) -> str:
+        """What to be wary of, in a sentence; empty if there is nothing."""
+        if not self.measures.get("ledger_open"):
+            return ""
+        return (
+            f"the energy ledger leaves {self.measures['ledger_residual']:.1e} of the energy: the "
+            "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
+        )
 
     @property
     def message(self) -> str:
@@ -80,8 +107,8 @@ class Flight:
     def __repr__(self) -> str:
         shown = [
             ("touch_speed", "m/s"), ("restitution_at_separation", ""),
-            ("peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
-            ("arm_stroke", "m"), ("contacts", ""),
+            ("impact_peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
+            ("impact_arm_stroke", "m"), ("contacts", ""), ("peak_acceleration", "m/s²"),
         ]  # fmt: skip
         if "runs" in self.measures:
             shown += [
@@ -89,9 +116,12 @@ class Flight:
                 ("nose_up", "rad"), ("nose_down", "rad"), ("runs", ""), ("recovered_runs", ""),
             ]  # fmt: skip
         lines = [f"Flight {self.scenario.name!r}: {self.message}"]
+        width = max(len(name) for name, _ in shown)
         for name, unit in shown:
             value = self.measures[name]
-            lines.append(f"  {name:<26} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}")
+            lines.append(
+                f"  {name:<{width}} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}"
+            )
         return "\n".join(lines)
 
     def plot(self) -> Figure:
@@ -261,6 +291,9 @@ def fly(
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called now and then with the simulated time [s].
 
+    Warns:
+        LedgerWarning: If the energy ledger does not close to 1e-4.
+
     Raises:
         InputError: If the scenario cannot be flown; one line for each problem.  If a pilot of one's
             own fails, in one line with its file and line; what it raised is the cause.
@@ -270,11 +303,18 @@ def fly(
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
     if ready.reference is not None or flown_by is not None:
-        return _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        return _wary(_guided(ready, model, start, flown_by, trajectory, executor, progress))
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    return Flight(ready, outcome, measures, columns, units, work=_work(flown))
+    return _wary(Flight(ready, outcome, measures, columns, units, work=_work(flown)))
+
+
+def _wary(flight: Flight) -> Flight:
+    """The flight, with a warning where it needs one."""
+    if flight.remark:
+        warnings.warn(f"{flight.scenario.name}: {flight.remark}", LedgerWarning, stacklevel=3)
+    return flight
 
 
 def _guided(

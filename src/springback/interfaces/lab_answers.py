@@ -118,7 +118,7 @@ def coarsened(flight: Flight) -> Flight:
     touching = np.sum([c[name] for name in c if name.startswith("fn")], axis=0) > 0.0
     changes = np.flatnonzero(touching[1:] != touching[:-1])
     keep[np.concatenate([changes, changes + 1, [len(t) - 1]])] = True
-    for name in ("touch_time", "separation_time", "peak_acceleration_time"):
+    for name in ("touch_time", "separation_time", "impact_peak_acceleration_time"):
         if (when := m[name]) is not None:
             keep[min(int(np.searchsorted(t, when)), len(t) - 1)] = True
     return replace(flight, columns={name: values[keep] for name, values in c.items()})

@@ -38,19 +38,19 @@ class Shown(NamedTuple):
 IMPACT = (
     Shown("touch_speed", "speed at touch", "m/s"),
     Shown("restitution_at_separation", "restitution", "", printed="restitution"),
-    Shown("peak_acceleration", "peak acceleration", "m/s²", printed="peak_acceleration"),
+    Shown("impact_peak_acceleration", "peak acceleration", "m/s²", printed="peak_acceleration"),
     Shown("contact_time", "contact time", "ms", 1e3, "contact_time"),
     Shown("travel", "travel of the body", "mm", 1e3, "travel"),
-    Shown("arm_stroke", "arm compression", "mm", 1e3),
-    Shown("penetration", "depth of a cage", "mm", 1e3),
-    Shown("peak_normal_force", "peak force on a cage", "N"),
+    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
+    Shown("impact_penetration", "depth of a cage", "mm", 1e3),
+    Shown("impact_peak_normal_force", "peak force on a cage", "N"),
 )
 FLIGHT = (
     Shown("touch_speed", "speed at touch", "m/s"),
     Shown("restitution_at_separation", "restitution", ""),
-    Shown("peak_acceleration", "peak acceleration", "m/s²"),
+    Shown("impact_peak_acceleration", "peak acceleration", "m/s²"),
     Shown("contact_time", "contact time", "ms", 1e3),
-    Shown("arm_stroke", "arm compression", "mm", 1e3),
+    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
     Shown("detection_delay", "noticed after", "ms", 1e3),
     Shown("recovery_time", "at rest after", "s"),
     Shown("height_loss", "height lost", "mm", 1e3),
@@ -146,7 +146,7 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     if again is not None and lasted is not None:
         left = again * m["touch_speed"]
         words += f", leaves it at {left:.2f} m/s after {1e3 * lasted:.0f} ms"
-    peak = m["peak_acceleration"] or 0.0
+    peak = m["impact_peak_acceleration"] or 0.0
     words += f", feels {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
     return f"{words}; {_ending(settings, flight)}."
 
@@ -158,7 +158,7 @@ def _ending(settings: LabSettings, flight: Flight) -> str:
         rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
         return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower"
     if out is Outcome.SEPARATED:
-        stroke = m["arm_stroke"] or 0.0
+        stroke = m["impact_arm_stroke"] or 0.0
         return f"its arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
     if out is Outcome.IN_CONTACT:
         return f"still touches when the time is up, at {m['end_time'] or 0.0:.3g} s"

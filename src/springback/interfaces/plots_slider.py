@@ -203,7 +203,7 @@ def readings_figure(results: SliderResults) -> Figure:
     }
     lines = [
         ("COR", "restitution_at_separation", "restitution_at_return"),
-        ("peak\nacceleration", "peak_acceleration", ""),
+        ("peak\nacceleration", "impact_peak_acceleration", ""),
         ("travel", "travel", ""),
         ("contact\ntime", "contact_time", "time_to_return"),
     ]
@@ -256,7 +256,7 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
         kind = f"{name}, {'rigid' if case.robot == 'quad' else 'compliant'} arms"
         for ax, column in ((left, "vx"), (right, "ax")):
             ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=kind)
-        peak, when = m["peak_acceleration"], m["peak_acceleration_time"]
+        peak, when = m["impact_peak_acceleration"], m["impact_peak_acceleration_time"]
         if peak is not None and when is not None:
             at = 1e3 * (when - touch)
             right.plot(at, -peak, "o", color=colour, ms=5, label=f"_{kind}, peak")

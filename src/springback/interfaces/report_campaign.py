@@ -46,12 +46,12 @@ def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple
     words = sorted({word for robot in robots for word in robot.outcomes})
     rows = [
         (
-            one.robot, one.flights, one.refused, _share(one.success),
+            one.robot, one.flights, one.refused, one.ledger_open, _share(one.success),
             *(one.outcomes.get(word, 0) for word in words),
         )
         for one in robots
     ]  # fmt: skip
-    return ["robot", "flights", "refused", "success (95 %)", *words], rows
+    return ["robot", "flights", "refused", "ledger open", "success (95 %)", *words], rows
 
 
 def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:

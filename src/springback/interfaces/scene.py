@@ -141,7 +141,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         scenario=flight.scenario.name,
         outcome=flight.outcome.word,
         sentence=flight.message,
-        success=flight.outcome.word in ("recovered", "separated", "no_contact"),
+        success=flight.success,
         arms=_arm_shapes(model),
         most_thrust=propulsion.most_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),

@@ -181,9 +181,7 @@ def _apart(obstacle: Obstacle) -> float:
 
 
 @kernel
-def _far_arm(
-    arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]
-) -> ArmView:
+def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]) -> ArmView:
     none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
     pressed = arm.length - length
     return ArmView(room, 0.0, 0.0, none, pressed, 0.0, NEVER, apart, 0.0, 0.0, 0.0, none)

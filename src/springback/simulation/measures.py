@@ -57,7 +57,13 @@ def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list
     return [said[k] for k in chosen.tolist()]
 
 
-#: Unit and meaning of every measure.
+#: An energy ledger that leaves no more than this share of the largest energy closes.
+CLOSED = 1e-4
+#: Outcomes of a flight without a recovery that are no success.
+FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
+
+#: Unit and meaning of every measure.  Those of the first impact, from its first touch until its
+#: arms have settled, stand apart from those of the whole flight.
 MEASURES = {
     "restitution_at_separation": ("", "|v_n| of the main body, last separation / first touch"),
     "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
@@ -68,16 +74,36 @@ MEASURES = {
     "return_time": ("s", "main body back where it was at first touch"),
     "contact_time": ("s", "first touch to last separation of the first impact"),
     "time_to_return": ("s", "first touch to the main body's return"),
-    "contact_duration": ("s", "total time in contact, all contacts"),
-    "peak_acceleration": ("m/s^2", "largest |dv/dt| of the main body"),
+    "travel": (
+        "m",
+        "of the main body past its place at first touch, into the obstacle, until last separation",
+    ),
+    "impact_peak_acceleration": ("m/s^2", "first impact: largest |dv/dt| of the main body"),
+    "impact_peak_acceleration_time": ("s", "when"),
+    "impact_peak_specific_force": (
+        "m/s^2",
+        "first impact: largest specific force of the main body, gravity included",
+    ),
+    "impact_peak_angular_rate": ("rad/s", "first impact: largest angular rate"),
+    "impact_peak_normal_force": ("N", "first impact: largest normal force of one cage"),
+    "impact_penetration": ("m", "first impact: deepest penetration of a cage"),
+    "impact_arm_stroke": ("m", "first impact: largest compression of an arm"),
+    "impact_arm_extension": (
+        "m",
+        "first impact: largest extension of an arm past its free length",
+    ),
+    "contact_duration": ("s", "whole flight: total time in contact, all contacts"),
+    "peak_acceleration": ("m/s^2", "whole flight: largest |dv/dt| of the main body"),
     "peak_acceleration_time": ("s", "when"),
-    "peak_specific_force": ("m/s^2", "largest specific force of the main body, gravity included"),
-    "peak_angular_rate": ("rad/s", "largest angular rate"),
-    "peak_normal_force": ("N", "largest normal force of one cage"),
-    "penetration": ("m", "deepest penetration of a cage"),
-    "arm_stroke": ("m", "largest compression of an arm"),
-    "arm_extension": ("m", "largest extension of an arm past its free length"),
-    "travel": ("m", "of the main body past its place at first touch, into the obstacle"),
+    "peak_specific_force": (
+        "m/s^2",
+        "whole flight: largest specific force of the main body, gravity included",
+    ),
+    "peak_angular_rate": ("rad/s", "whole flight: largest angular rate"),
+    "peak_normal_force": ("N", "whole flight: largest normal force of one cage"),
+    "penetration": ("m", "whole flight: deepest penetration of a cage"),
+    "arm_stroke": ("m", "whole flight: largest compression of an arm"),
+    "arm_extension": ("m", "whole flight: largest extension of an arm past its free length"),
     "impulse_x": ("N s", "of all contact forces, world X"),
     "impulse_y": ("N s", "of all contact forces, world Y"),
     "impulse_z": ("N s", "of all contact forces, world Z"),
@@ -102,6 +128,7 @@ MEASURES = {
     "loss_settling": ("J", "lost when settled arms are locked again"),
     "loss_air": ("J", "taken by the air; negative where wind gives"),
     "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
+    "ledger_open": ("", "1 where that is more than 1e-4: the numbers are not to be trusted"),
 }  # fmt: skip
 
 
@@ -162,6 +189,15 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "return_time": _time(m.return_time),
         "contact_time": where(left, m.separation_time - m.touch_time),
         "time_to_return": where(back, m.return_time - m.touch_time),
+        "travel": m.travel,
+        "impact_peak_acceleration": where(touched, m.impact_peak_acceleration),
+        "impact_peak_acceleration_time": _time(m.impact_peak_acceleration_time),
+        "impact_peak_specific_force": where(touched, m.impact_peak_specific_force),
+        "impact_peak_angular_rate": where(touched, m.impact_peak_angular_rate),
+        "impact_peak_normal_force": where(touched, m.impact_peak_normal_force),
+        "impact_penetration": where(touched, m.impact_penetration),
+        "impact_arm_stroke": where(touched, m.impact_arm_stroke),
+        "impact_arm_extension": where(touched, m.impact_arm_extension),
         "contact_duration": m.contact_duration,
         "peak_acceleration": m.peak_acceleration,
         "peak_acceleration_time": m.peak_acceleration_time,
@@ -171,7 +207,6 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "penetration": m.peak_penetration,
         "arm_stroke": m.peak_compression,
         "arm_extension": m.peak_extension,
-        "travel": m.travel,
         "impulse_x": w.impulse.x,
         "impulse_y": w.impulse.y,
         "impulse_z": w.impulse.z,
@@ -196,6 +231,7 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "loss_settling": w.settling,
         "loss_air": w.air,
         "ledger_residual": residual,
+        "ledger_open": np.where(np.abs(residual) <= CLOSED, 0.0, 1.0),
     }
     return {name: where(np.isfinite(value), value) for name, value in values.items()}
 

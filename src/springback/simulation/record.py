@@ -85,7 +85,9 @@ class Record(NamedTuple):
     steps: float  # taken so far
     touching: float  # 1 while any cage touches
     contacts: float  # times that the vehicle came into contact, one by one
-    engaged: tuple[tuple[float, ...], ...]  # 1 where a cage touches: arm by arm, obstacle by obstacle
+    engaged: tuple[
+        tuple[float, ...], ...
+    ]  # 1 where a cage touches: arm by arm, obstacle by obstacle
     arm_contacts: tuple[float, ...]  # the same for each cage
     impacts: float  # contacts closer than the dwell time are one impact
     impact_open: float

@@ -70,9 +70,9 @@ def test_a_summary_counts_the_rows(campaign: Campaign) -> None:
         won = sum(row["success"] for row in flown)
         assert (one.flights, one.refused, one.successes) == (400, 400 - len(flown), won)
         assert sum(one.outcomes.values()) == len(flown)
-        count, quantiles = one.measures["peak_acceleration"]
+        count, quantiles = one.measures["impact_peak_acceleration"]
         assert count == len(flown)
-        want = np.quantile([row["peak_acceleration"] for row in flown], (0.1, 0.5, 0.9))
+        want = np.quantile([row["impact_peak_acceleration"] for row in flown], (0.1, 0.5, 0.9))
         assert [e.value for e in quantiles] == pytest.approx(want)
         assert "recovery_time" not in one.measures  # nobody has it
     [pair] = found.pairs
@@ -84,7 +84,7 @@ def test_a_summary_counts_the_rows(campaign: Campaign) -> None:
     assert pair.first_only == sum(p["arq"] > p["quad"] for p in known)
     assert pair.second_only == sum(p["arq"] < p["quad"] for p in known)
     assert pair.both + pair.neither == sum(p["arq"] == p["quad"] for p in known)
-    assert pair.medians["peak_acceleration"][0] == len(known)
+    assert pair.medians["impact_peak_acceleration"][0] == len(known)
 
 
 def test_marginals_count_every_flight_once(campaign: Campaign) -> None:

@@ -42,6 +42,7 @@ from springback.experiments.campaign.sampling import (
 from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
+from springback.simulation.measures import FAILURES
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
@@ -91,7 +92,8 @@ class Design:
             return self.plan.success
         if self.bases[0].get("recovery") is not None:
             return "outcome = 'recovered'"
-        return "outcome NOT IN ('hit_ground', 'arm_bottomed', 'not_finite')"
+        failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
+        return f"outcome NOT IN ({failures})"
 
     def dealt(self, first: int, last: int) -> Dealt:
         """Flights from ``first`` to before ``last``, whatever is dealt beside them."""

@@ -27,6 +27,8 @@ class Part:
     sha256: str
     refused: int = 0
     """Flights that could not be flown."""
+    ledger_open: int = 0
+    """Flights whose energy ledger does not close to 1e-4."""
     withdrawn: bool = False
     """Whether it was found damaged, and is to be flown again."""
 

@@ -37,6 +37,8 @@ class Progress:
     flights: int
     parts: int
     refused: int
+    ledger_open: int
+    """Flights whose energy ledger does not close to 1e-4."""
     given_up: int
     rate: float
     """Flights per second, lately; 0 while unknown."""
@@ -56,6 +58,8 @@ class Progress:
             parts.append(f"{in_time(self.left)} left")
         if self.refused:
             parts.append(f"{self.refused} refused")
+        if self.ledger_open:
+            parts.append(f"warning: {self.ledger_open} with an energy ledger that does not close")
         return ", ".join(parts)
 
 
@@ -89,7 +93,8 @@ class _Watch:
         parts = self.store.parts
         refused = sum(part.refused for part in parts)
         return Progress(
-            done, self.store.design.flights, len(parts), refused, self.given_up, rate
+            done, self.store.design.flights, len(parts), refused,
+            sum(part.ledger_open for part in parts), self.given_up, rate,
         )  # fmt: skip
 
 

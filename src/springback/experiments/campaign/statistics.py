@@ -20,8 +20,8 @@ from springback.experiments.paper.resilience import CONFIDENCE
 
 #: Measures that a summary shows, where any flight has them.
 MAIN = (
-    "touch_speed", "peak_acceleration", "arm_stroke", "contact_time", "detection_delay",
-    "recovery_time", "height_loss", "excursion", "nose_up", "nose_down", "direction_error",
+    "touch_speed", "impact_peak_acceleration", "impact_arm_stroke", "contact_time",
+    "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down", "direction_error",
 )  # fmt: skip
 PARTS = (0.1, 0.5, 0.9)
 """Of flights below the quantiles that are shown."""
@@ -36,6 +36,8 @@ class RobotSummary:
     """That are there."""
     refused: int
     """That could not be flown; they count nowhere else."""
+    ledger_open: int
+    """Whose energy ledger does not close to 1e-4."""
     successes: int
     success: Estimate
     outcomes: dict[str, int]
@@ -53,7 +55,8 @@ class RobotSummary:
         }  # fmt: skip
         return {
             "robot": self.robot, "flights": self.flights, "refused": self.refused,
-            "successes": self.successes, "success": self.success._asdict(),
+            "ledger_open": self.ledger_open, "successes": self.successes,
+            "success": self.success._asdict(),
             "outcomes": self.outcomes, "quantiles": quantiles,
         }  # fmt: skip
 
@@ -146,6 +149,8 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     sql = """SELECT outcome, count(*), coalesce(sum(success), 0) FROM flights WHERE robot = ?
              GROUP BY outcome ORDER BY outcome"""
     rows = campaign.query(sql, [robot]).rows
+    wary = "SELECT coalesce(sum(ledger_open), 0) FROM flights WHERE robot = ?"
+    [(ledger_open,)] = campaign.query(wary, [robot]).rows
     outcomes = {word: int(count) for word, count, _ in rows}
     refused = outcomes.pop("refused", 0)
     flown, won = sum(outcomes.values()), int(sum(row[2] for row in rows))
@@ -157,7 +162,8 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
         if len(known):
             measures[name] = (len(known), tuple(quantile(known, part) for part in PARTS))
     return RobotSummary(
-        robot, flown + refused, refused, won, share(won, flown), outcomes, measures
+        robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
+        measures,
     )  # fmt: skip
 
 

@@ -36,7 +36,7 @@ QUANTITIES = {
     "restitution_at_separation": "",
     "restitution_at_return": "",
     "restitution_of_mass_centre": "",
-    "peak_acceleration": "m/s^2",
+    "impact_peak_acceleration": "m/s^2",
     "travel": "m",
     "contact_time": "s",
     "time_to_return": "s",
@@ -180,7 +180,7 @@ def _solved(error: Callable[[float], float], low: float = 0.0, high: float = 1.5
 def _printed_of(printed: Impact, quantity: str) -> tuple[float, float | None]:
     if quantity.startswith("restitution"):
         return printed.restitution, printed.restitution_test
-    if quantity == "peak_acceleration":
+    if quantity == "impact_peak_acceleration":
         return printed.peak_acceleration, printed.peak_acceleration_test
     if quantity == "travel":
         return printed.travel, None
@@ -291,7 +291,7 @@ def _arq_cases(reading: Reading, surface: str) -> list[Case]:
 
 def _peak(reading: Reading, robot: str, speed: float, c_a: float) -> float:
     flight = _fly(reading, "wall", speed, c_a, FREE_MASS[robot], False)
-    return flight.measures["peak_acceleration"] or 0.0
+    return flight.measures["impact_peak_acceleration"] or 0.0
 
 
 def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -> None:
