@@ -57,6 +57,7 @@ def test_the_default_step_is_within_a_thousandth(scenario: dict[str, Any]) -> No
         assert default.measures[name] == pytest.approx(fine.measures[name], rel=1e-3)
 
 
+@pytest.mark.filterwarnings("ignore::springback.errors.LedgerWarning")  # of the coarsest step
 @cases
 def test_errors_fall_with_the_step(scenario: dict[str, Any]) -> None:
     """Restitution at every halving of the step is nearer the finest, until rounding is reached."""
