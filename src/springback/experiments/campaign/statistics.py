@@ -21,7 +21,8 @@ from springback.experiments.paper.resilience import CONFIDENCE
 #: Measures that a summary shows, where any flight has them.
 MAIN = (
     "touch_speed", "impact_peak_acceleration", "impact_arm_stroke", "contact_time",
-    "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down", "direction_error",
+    "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down",
+    "direction_error",
 )  # fmt: skip
 PARTS = (0.1, 0.5, 0.9)
 """Of flights below the quantiles that are shown."""
