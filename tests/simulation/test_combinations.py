@@ -35,11 +35,12 @@ def scenario(
 ) -> dict[str, Any]:
     """A hair in front of a wall, at 2 m/s."""
     vehicle, model = ARMS[arms]
+    front = 0.2445 if point == "ring" else 0.2125  # of the foremost cages, and 0.3 to 0.4 mm of air
     surface = {**LAWS[law], "friction": 0.8, "friction_axes": axes}
     tables: dict[str, Any] = {
         "vehicle": {"preset": "arq", **vehicle},
         "world": {"obstacles": [{"type": "wall", "distance": 1.0, "surface": surface}]},
-        "start": {"position": [0.7545, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
+        "start": {"position": [1.0 - front, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
         "model": {"contact_point": point, "arms": model},
         "simulation": {"duration": duration},
     }
@@ -119,4 +120,5 @@ def test_impulses_end_whatever_the_restitution() -> None:
         m = fly(rough(chance, restitution), trajectory=False).measures
         assert m["end_time"] == pytest.approx(0.5)
         assert abs(m["ledger_residual"] or 0.0) < 1e-6
-        assert (m["loss_contact"] or 0.0) > -1e-6 * (m["energy_start"] or 0.0)
+        # A cage that has landed a micrometre too deep is put back, against its weight.
+        assert (m["loss_contact"] or 0.0) > -1e-5 * (m["energy_start"] or 0.0)
