@@ -114,7 +114,7 @@ class Store:
             size = draft.stat().st_size
             _moved(draft, path)
             refused = sum(word == "refused" for word in columns["outcome"])
-            wary = sum(value == 1.0 for value in columns["ledger_open"])
+            wary = int(sum(value == 1.0 for value in columns["ledger_open"]))
             part = ledger.Part(first, last, name, size, digest, refused, wary)
             ledger.append(self.folder / ledger.NAME, part)
         except Exception as error:
