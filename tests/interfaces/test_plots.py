@@ -107,7 +107,8 @@ def made_up_results(readings: tuple[Reading, ...] = READINGS) -> SliderResults:
                 results.cases.append(Case(robot, surface, reading, 0.4, source, flight))
                 for quantity, unit in QUANTITIES.items():
                     stem = "restitution" if quantity.startswith("restitution") else quantity
-                    number = getattr(printed, stem.replace("time_to_return", "contact_time"))
+                    stem = stem.removeprefix("impact_").replace("time_to_return", "contact_time")
+                    number = getattr(printed, stem)
                     ours = (1.0 if robot == "quad" else 0.9 + 0.1 * k) * number / 1.001
                     mark = Mark.PREDICTED if abs(ours / number - 1.0) < 0.05 else Mark.CONTRADICTED
                     results.rows.append(

@@ -30,9 +30,13 @@ from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import Meeting, meeting_while, slip_velocity
 from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
-from springback.contact.surfaces import AHEAD
 from springback.dynamics.air import aerodynamics
-from springback.kernels.compiler import generic, kernel
+from springback.dynamics.solution import Free as Free
+from springback.dynamics.solution import Slider as Slider
+from springback.dynamics.solution import System as System
+from springback.dynamics.solution import solve as solve
+from springback.dynamics.stops import end_stop as end_stop
+from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, each_summed, largest, least, total
 from springback.kernels.vectors import (
     Mat,
@@ -40,14 +44,11 @@ from springback.kernels.vectors import (
     positive_part,
     quaternion_rate,
     rotation,
-    solve_symmetric,
 )
 from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
 #: Time to the next crossing when none is ahead [s].
 NEVER = 1e9
-#: A stop that will be pressed in by less than this does not matter to the step [m].
-GRAZED = 1e-7
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
@@ -71,18 +72,6 @@ class Motion(NamedTuple):
 
     state: State
     work: Work
-
-
-class Free(NamedTuple):
-    """No constraint: six degrees of freedom and the arms."""
-
-    unused: float
-
-
-class Slider(NamedTuple):
-    """The vehicle moves along one world axis only and does not turn, as on the paper's testbed."""
-
-    axis: Vec  # unit vector, world
 
 
 class ArmView(NamedTuple):
@@ -202,33 +191,6 @@ def _nearest_normal(met: Meeting, nearest: float) -> Vec:
 @kernel
 def _rub(met: Meeting) -> Rub:
     return Rub(met.inward, met.rubbing_at, met.per_speed)
-
-
-class Stop(NamedTuple):
-    """Force of an end stop along the arm, its heat, and how it resists."""
-
-    force: float  # positive lengthens the arm [N]
-    loss: float  # [W]
-    stiffness: float  # [N/m]
-    damper: float  # [N s/m]
-
-
-@kernel
-def end_stop(arm: Arm, length: float, rate: float) -> Stop:
-    """Push of the end stops, k δ (1 + d δ̇), never adhesive, and its heat.
-
-    One acts on an arm that has bottomed out, the other on one past its free length.
-    """
-    low, high = positive_part(arm.shortest - length), positive_part(length - arm.length)
-    pressing = -rate if low > 0.0 else rate
-    elastic = arm.stop_stiffness * (low + high)
-    force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
-    # A step that lands on a stop ends a hair before it: the next one is taken on it.
-    ahead = AHEAD * rate
-    soon = (length - arm.length + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
-    stiffness = arm.stop_stiffness if (elastic > 0.0) | soon else 0.0
-    damper = arm.stop_dissipation * elastic
-    return Stop(force if low > 0.0 else -force, (force - elastic) * pressing, stiffness, damper)
 
 
 @kernel
@@ -382,84 +344,6 @@ def _arm_slip_rate(
 ) -> float:
     end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
     return largest(each(_slip_rate, (obstacles, rubs), (end, angular, vertical)))
-
-
-class Accelerations(NamedTuple):
-    """Solution of the six equations."""
-
-    linear: Vec  # a' = Rᵀ(v̇ + g e_Z), body [m/s²]
-    angular: Vec  # α, body [rad/s²]
-
-
-class System(NamedTuple):
-    """The six equations of the module docstring."""
-
-    mass: float
-    sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
-    carried: Vec  # s, in the body plane
-    inertia: Mat  # J
-    force: Vec  # right-hand side of a', body
-    moment: Vec  # right-hand side of α, body
-
-
-class PlanarInverse(NamedTuple):
-    """M⁻¹ for M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
-
-    xx: float
-    yy: float
-    xy: float
-    zz: float
-
-
-@kernel
-def planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
-    """Inverse of the mass matrix of translation, arms' own accelerations eliminated [1/kg]."""
-    xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
-    scale = 1.0 / (xx * yy - xy * xy)
-    return PlanarInverse(yy * scale, xx * scale, -xy * scale, 1.0 / mass)
-
-
-@kernel
-def times(n: PlanarInverse, b: Vec) -> Vec:
-    """M⁻¹ b."""
-    return Vec(n.xx * b.x + n.xy * b.y, n.xy * b.x + n.yy * b.y, n.zz * b.z)
-
-
-@generic
-def solve(guide: Any, system: System, r: Mat, gravity: float) -> Accelerations:
-    """Accelerations of the main body under a constraint."""
-    raise TypeError(f"{type(guide).__name__} is no guide")
-
-
-@solve.register(Free)
-@kernel
-def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelerations:
-    """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
-    n, s = planar_inverse(system.mass, system.sliding), system.carried
-    alone = times(n, system.force)
-    j = system.inertia
-    sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y
-    jxx, jyy, jxy = j.x.x - n.zz * syy, j.y.y - n.zz * sxx, j.x.y + n.zz * sxy
-    jzz = j.z.z - (n.xx * syy - 2.0 * n.xy * sxy + n.yy * sxx)
-    reduced = Mat(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
-    alpha = solve_symmetric(reduced, system.moment - (s ^ alone))
-    return Accelerations(alone - times(n, alpha ^ s), alpha)
-
-
-@solve.register(Slider)
-@kernel
-def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Accelerations:
-    """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
-    u = guide.axis @ r
-    weight = Vec(0.0, 0.0, gravity) @ r
-    m, slide = system.mass, system.sliding
-    mu = Vec(
-        (m - slide.x) * u.x - slide.z * u.y,
-        (m - slide.y) * u.y - slide.z * u.x,
-        m * u.z,
-    )
-    along_axis = (u @ system.force - mu @ weight) / (mu @ u)
-    return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
 
 
 class Rates(NamedTuple):

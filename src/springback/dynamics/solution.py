@@ -1,0 +1,98 @@
+"""The six equations of motion, solved: elimination of the translation, with guides or without."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.vectors import Mat, Vec, solve_symmetric
+
+
+class Free(NamedTuple):
+    """No constraint: six degrees of freedom and the arms."""
+
+    unused: float
+
+
+class Slider(NamedTuple):
+    """The vehicle moves along one world axis only and does not turn, as on the paper's testbed."""
+
+    axis: Vec  # unit vector, world
+
+
+class Accelerations(NamedTuple):
+    """Solution of the six equations."""
+
+    linear: Vec  # a' = Rᵀ(v̇ + g e_Z), body [m/s²]
+    angular: Vec  # α, body [rad/s²]
+
+
+class System(NamedTuple):
+    """The six equations of the module docstring."""
+
+    mass: float
+    sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
+    carried: Vec  # s, in the body plane
+    inertia: Mat  # J
+    force: Vec  # right-hand side of a', body
+    moment: Vec  # right-hand side of α, body
+
+
+class PlanarInverse(NamedTuple):
+    """M⁻¹ for M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
+
+    xx: float
+    yy: float
+    xy: float
+    zz: float
+
+
+@kernel
+def planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
+    """Inverse of the mass matrix of translation, arms' own accelerations eliminated [1/kg]."""
+    xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
+    scale = 1.0 / (xx * yy - xy * xy)
+    return PlanarInverse(yy * scale, xx * scale, -xy * scale, 1.0 / mass)
+
+
+@kernel
+def times(n: PlanarInverse, b: Vec) -> Vec:
+    """M⁻¹ b."""
+    return Vec(n.xx * b.x + n.xy * b.y, n.xy * b.x + n.yy * b.y, n.zz * b.z)
+
+
+@generic
+def solve(guide: Any, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Accelerations of the main body under a constraint."""
+    raise TypeError(f"{type(guide).__name__} is no guide")
+
+
+@solve.register(Free)
+@kernel
+def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
+    n, s = planar_inverse(system.mass, system.sliding), system.carried
+    alone = times(n, system.force)
+    j = system.inertia
+    sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y
+    jxx, jyy, jxy = j.x.x - n.zz * syy, j.y.y - n.zz * sxx, j.x.y + n.zz * sxy
+    jzz = j.z.z - (n.xx * syy - 2.0 * n.xy * sxy + n.yy * sxx)
+    reduced = Mat(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
+    alpha = solve_symmetric(reduced, system.moment - (s ^ alone))
+    return Accelerations(alone - times(n, alpha ^ s), alpha)
+
+
+@solve.register(Slider)
+@kernel
+def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Accelerations:
+    """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
+    u = guide.axis @ r
+    weight = Vec(0.0, 0.0, gravity) @ r
+    m, slide = system.mass, system.sliding
+    mu = Vec(
+        (m - slide.x) * u.x - slide.z * u.y,
+        (m - slide.y) * u.y - slide.z * u.x,
+        m * u.z,
+    )
+    along_axis = (u @ system.force - mu @ weight) / (mu @ u)
+    return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
