@@ -44,6 +44,10 @@ BETWEEN_LINES = 10.0
 @click.option(
     "--scheduler", metavar="ADDRESS", help="Fly on Dask: tcp://HOST:8786 of its scheduler."
 )
+@click.option(
+    "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
+    help="Where flights fly; gpu is an NVIDIA GPU of this machine.",
+)  # fmt: skip
 @json_option
 @quiet_option
 def campaign(
@@ -55,6 +59,7 @@ def campaign(
     workers: int | None,
     chunk: int | None,
     scheduler: str | None,
+    device: Any,
     as_json: bool,
     quiet: bool,
 ) -> None:
@@ -88,7 +93,7 @@ def campaign(
         with _told(quiet) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                progress=tell, remark=remark,
+                device=device, progress=tell, remark=remark,
             )  # fmt: skip
     except Stopped as error:
         _say(f"error: {error}", False)
