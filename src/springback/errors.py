@@ -10,3 +10,7 @@ class InputError(ValueError):
         """One line for each problem."""
         super().__init__("\n".join(problems))
         self.problems = problems
+
+
+class CacheWarning(UserWarning):
+    """Something kept from earlier runs was left aside, or could not be kept; results are the same."""
