@@ -13,4 +13,4 @@ class InputError(ValueError):
 
 
 class CacheWarning(UserWarning):
-    """Something kept from earlier runs was left aside, or could not be kept; results are the same."""
+    """What earlier runs kept was left aside, or cannot be kept; results are the same."""

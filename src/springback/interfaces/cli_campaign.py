@@ -104,7 +104,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     from springback.experiments.campaign.design import laid_out
     from springback.experiments.campaign.plan import read_plan
     from springback.experiments.campaign.reading import check_conditions
-    from springback.experiments.campaign.store import PLAN, about
+    from springback.experiments.campaign.store import stored_plan
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
@@ -112,8 +112,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
         check_conditions(design, source)
         return design
     assert out is not None
-    about(out)
-    return laid_out(*read_plan(out / PLAN), tried=False)
+    return laid_out(stored_plan(out), tried=False)
 
 
 def _again(plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None) -> str:

@@ -2,8 +2,8 @@
 
 A file holds SHA-256 of the rest, then a pickle of the key and the compiled code.  A pickle is a
 program, so only files are read that the user or root owns and that nobody else can write, as ssh
-does with its keys.  Whatever cannot be read, checked or written is left aside with a `CacheWarning`,
-and the kernel is compiled for this process alone.
+does with its keys.  Whatever cannot be read, checked or written is left aside with a
+`CacheWarning`, and the kernel is compiled for this process alone.
 
 The compiler's own cache has an index with neither checksum nor owner: an empty or torn file stops
 every later start, and two processes that keep different signatures at once can exchange them.
@@ -19,6 +19,7 @@ import secrets
 import stat
 import time
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,9 @@ from numba.core import compiler, serialize
 
 from springback.errors import CacheWarning
 
+#: What reads and writes compiled code.
+_rebuild: Any = compiler.CompileResult._rebuild
+_dumps: Any = serialize.dumps
 #: Length of SHA-256 [bytes].
 _DIGEST = 32
 #: Drafts older than this are of processes that were killed [s] (chosen).
@@ -75,7 +79,7 @@ class KernelCache:
                 known, payload = pickle.loads(data)
                 if known != key:
                     continue
-                return compiler.CompileResult._rebuild(context, *payload)
+                return _rebuild(context, *payload)
             except Exception as error:  # whatever a torn or foreign file leads to
                 _say(f"{path}: kept kernel left aside ({_reason(error)}); compiling it anew")
                 return None
@@ -89,7 +93,7 @@ class KernelCache:
             return
         key = self._key(signature, result.codegen)
         try:
-            data = serialize.dumps((key, result._reduce()))
+            data = _dumps((key, result._reduce()))
             self._folder.mkdir(parents=True, exist_ok=True)
             _remove_stale(self._folder)
             _write(self._free(key), hashlib.sha256(data).digest() + data)
@@ -102,7 +106,7 @@ class KernelCache:
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
 
-    def _candidates(self, key: tuple[Any, ...]) -> Any:
+    def _candidates(self, key: tuple[Any, ...]) -> Iterator[Path]:
         """Files that may hold a key: types of equal names share a stem."""
         stem = hashlib.sha256(repr(key).encode()).hexdigest()[:32]
         return (self._folder / f"{stem}-{k}.kernel" for k in range(100))
