@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from springback.errors import InputError
+from springback.interfaces import last_words
 from springback.interfaces.cli import (
     OUT,
     _have_figures,
@@ -23,6 +24,7 @@ from springback.interfaces.cli import (
     json_option,
     quiet_option,
 )
+from springback.interfaces.plain_text import plain_text
 
 if TYPE_CHECKING:
     from springback.experiments.campaign.running import Progress
@@ -84,6 +86,7 @@ def campaign(
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     again = _again(plan, overrides, out, scheduler)
+    last_words.say(f"interrupted; what was flown is kept; go on by: {again}")
     try:
         with _told(quiet) as (tell, remark):
             flown = run_campaign(
@@ -94,9 +97,6 @@ def campaign(
         _say(f"error: {error}", False)
         _say(f"what was flown is kept; go on by: {again}", False)
         sys.exit(1)
-    except KeyboardInterrupt:
-        _say(f"interrupted; what was flown is kept; go on by: {again}", False)
-        sys.exit(130)
     _finished(flown, out, as_json, quiet)
 
 
@@ -170,7 +170,7 @@ def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
-            console.print(text, markup=False, highlight=False)
+            console.print(plain_text(text), markup=False, highlight=False)
 
         yield tell, remark
 
@@ -207,7 +207,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     springback query results "FROM flights WHERE NOT success" --out failures.csv
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.answers import SUFFIXES, rendered, write_answer
+    from springback.interfaces.answers import SUFFIXES, lines_of, write_answer
 
     known = Campaign(folder)
     if out is not None and out.suffix not in SUFFIXES and (out.suffix != ".parquet" or not sql):
@@ -217,15 +217,26 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     if out is not None and sql is not None and out.suffix == ".parquet":
         _say(f"{known.save(sql, out)} rows written to {out}", False)
         return
+
+    def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
+        if out is not None:
+            return write_answer(columns, stretches, out)
+        # Data for a program stay as they are; a terminal is not to be steered by them.
+        clean = plain_text if form == "table" or _is_terminal() else str
+        for line in lines_of(columns, stretches, form):
+            click.echo(clean(line))
+        return 0
+
     if sql is None:
-        columns, rows = ["column", "unit", "meaning"], _columns(known)
+        count = taken(["column", "unit", "meaning"], iter([_columns(known)]))
     else:
-        columns, rows = known.query(sql)
-    if out is None:
-        _print(rendered(columns, rows, form), False)
-        return
-    write_answer(columns, rows, out)
-    _say(f"{len(rows)} rows written to {out}", False)
+        count = known.stream(sql, taken)
+    if out is not None:
+        _say(f"{count} rows written to {out}", False)
+
+
+def _is_terminal() -> bool:
+    return sys.stdout is not None and sys.stdout.isatty()
 
 
 def _columns(known: Any) -> list[tuple[Any, ...]]:
@@ -267,13 +278,16 @@ def refly(
     springback refly results 1711 --out flight-1711
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.files import output_folder, write_flight
+    from springback.interfaces.files import FLIGHT_FILES, output_folder, write_flight
 
     known = Campaign(folder)
     with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
         again = known.refly(row)
     if out is not None:
-        with output_folder(out, force=force) as place, _patience("writing", quiet):
+        with (
+            output_folder(out, force=force, replaces=FLIGHT_FILES) as place,
+            _patience("writing", quiet),
+        ):
             figures = not no_figures and _have_figures(quiet)
             names = [path.name for path in write_flight(again.flight, place, figures=figures)]
         _say(f"written to {out}: {', '.join(names)}", quiet)

@@ -109,7 +109,9 @@ GOOD = [
 def test_ordinary_questions_are_answered_and_saved(pair: Path, tmp_path: Path, sql: str) -> None:
     campaign = Campaign(pair / "a")
     found = campaign.query(sql)
-    streamed = campaign.stream(sql, lambda names, rows: (names, [row for some in rows for row in some]))
+    streamed = campaign.stream(
+        sql, lambda names, rows: (names, [row for some in rows for row in some])
+    )
     assert (found.columns, found.rows) == streamed
     if not sql.startswith("DESCRIBE"):
         assert campaign.count(sql) == len(found.rows)
@@ -205,7 +207,10 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
     design = filled(tmp_path / "d")
     (tmp_path / "thesis.txt").write_text("years of work")
     entered(tmp_path / "d", Part(30, 40, file, 13, ""))
-    for ask in (lambda: Campaign(tmp_path / "d"), lambda: opened(tmp_path / "d", design, resume=True).__enter__()):
+    for ask in (
+        lambda: Campaign(tmp_path / "d"),
+        lambda: opened(tmp_path / "d", design, resume=True).__enter__(),
+    ):
         with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a ledger"):
             ask()
     assert (tmp_path / "thesis.txt").read_text() == "years of work"
@@ -214,7 +219,11 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
 @pytest.mark.parametrize(("first", "last"), [("0", 10), (0.0, 10), (-5, 10), (10, 10), (True, 10)])
 def test_a_ledgers_numbers_are_numbers(tmp_path: Path, first: Any, last: Any) -> None:
     filled(tmp_path)
-    data = {**ledger.asdict(Part(0, 10, "parts/part-0000000000.parquet", 1, "")), "first": first, "last": last}
+    data = {
+        **ledger.asdict(Part(0, 10, "parts/part-0000000000.parquet", 1, "")),
+        "first": first,
+        "last": last,
+    }
     with (tmp_path / ledger.NAME).open("a") as file:
         file.write(json.dumps(sealed(data)) + "\n")
     with pytest.raises(InputError, match=r":4: is not a line of a ledger"):
@@ -226,15 +235,17 @@ def test_flights_that_two_parts_hold_are_refused(tmp_path: Path) -> None:
     design = filled(tmp_path)
     path = tmp_path / ledger.file_of(25)
     store.write_rows(path, rows(design, 25, 35), design)
-    entered(tmp_path, Part(25, 35, ledger.file_of(25), path.stat().st_size, ledger.file_digest(path)))
+    entered(
+        tmp_path, Part(25, 35, ledger.file_of(25), path.stat().st_size, ledger.file_digest(path))
+    )
     with pytest.raises(InputError, match=r"holds flights from 25 on, which .* holds up to 29"):
         Campaign(tmp_path)
 
 
 def test_flights_beyond_the_campaign_are_refused(tmp_path: Path) -> None:
     filled(tmp_path, parts=1, samples=5, robots=["arq"], repeats=2)
-    with pytest.raises(InputError):
-        entered(tmp_path, Part(10, 20, ledger.file_of(10), 1, ""))
+    entered(tmp_path, Part(10, 20, ledger.file_of(10), 1, ""))
+    with pytest.raises(InputError, match="holds flights up to 19, and the campaign has 10"):
         Campaign(tmp_path)
 
 
@@ -251,11 +262,12 @@ def test_drafts_have_no_foreseeable_name_and_follow_no_link(tmp_path: Path) -> N
     assert len(names) == 2
     assert (tmp_path / "x.csv").read_text() == "new"
     assert victim.read_text() == "precious"
-    with pytest.raises(ZeroDivisionError), drafted(tmp_path / "x.csv") as draft:
-        draft.write_text("half")
-        1 / 0  # noqa: B018
+    with pytest.raises(OSError, match="directory"), drafted(tmp_path / "x.csv") as draft:
+        draft.with_name("nowhere").joinpath("x").write_text("half")
     assert (tmp_path / "x.csv").read_text() == "new"
-    assert not [path for path in tmp_path.iterdir() if path.suffix == ".draft" and not path.is_symlink()]
+    assert not [
+        path for path in tmp_path.iterdir() if path.suffix == ".draft" and not path.is_symlink()
+    ]
 
 
 # -- damage ---------------------------------------------------------------------------------------
@@ -276,8 +288,7 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
     if name == ledger.NAME and kind == "nothing":
         return  # it may have been torn at once: all is flown again
     with pytest.raises(InputError, match=name) as told:
-        summary(Campaign(tmp_path))
-        print(Campaign(tmp_path).design)
+        asked(tmp_path)
     assert "\n" not in str(told.value)
     with pytest.raises(InputError, match=name), opened(tmp_path, design, resume=True):
         store.stored_plan(tmp_path)
@@ -314,8 +325,7 @@ def test_one_byte_anywhere_is_noticed_or_without_effect(tmp_path: Path, name: st
         try:
             said = asked(folder)
         except InputError as error:
-            noticed += 1
-            assert len(str(error).splitlines()) == 1
+            noticed += len(error.problems)
         else:
             assert repr(said) == repr(before), (place, harmed[place])
         shutil.rmtree(folder)

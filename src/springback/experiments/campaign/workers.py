@@ -18,6 +18,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
+from springback.errors import warn_in_one_line
 from springback.experiments.campaign.flying import Chunk, Flown, flown
 from springback.experiments.campaign.stopped import Stopped
 
@@ -80,6 +81,7 @@ def _single_threads() -> Iterator[None]:
 def serve(line: Connection, text: str) -> None:
     """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
+    warn_in_one_line()
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError):
         line.send(None)
