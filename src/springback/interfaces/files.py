@@ -152,7 +152,10 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
         folder.parent.mkdir(parents=True, exist_ok=True)
         os.rename(draft, folder)
         return
-    if Path.cwd().is_relative_to(folder):  # somebody stands in it
+    elsewhere = folder.stat().st_dev != draft.stat().st_dev
+    if elsewhere or Path.cwd().is_relative_to(
+        folder
+    ):  # a disk is mounted there, or one stands in it
         _move_into(draft, folder, replaces)
         return
     _keep_others(folder, draft, replaces)
@@ -161,7 +164,7 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
     old = draft.with_name(f"{draft.name}-old{DRAFT}")
     try:
         os.rename(folder, old)
-    except OSError:  # it is where another disk is mounted
+    except OSError:  # it is in use in a way that holds its name
         _move_into(draft, folder, replaces)
         return
     try:
@@ -211,9 +214,9 @@ def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
             (folder / name).unlink()
     for source in sorted(draft.rglob("*"), key=lambda path: (path.name == SUMMARY, path)):
         target = folder / source.relative_to(draft)
-        if source.is_dir():
+        if source.is_dir() and not source.is_symlink():
             target.mkdir(parents=True, exist_ok=True)
-        else:
+        elif not (os.path.lexists(target) and os.path.samestat(source.lstat(), target.lstat())):
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.move(source, target)
 

@@ -10,6 +10,8 @@ from types import FrameType
 from typing import Any
 
 NOTHING = "interrupted; nothing was written"
+#: Until an exception that Python dropped is raised again [s] (chosen).
+SOON = 0.02
 _words = [NOTHING]
 _came = threading.Event()
 
@@ -39,7 +41,9 @@ def listen() -> None:
 
     def unraisable(info: Any) -> None:
         if issubclass(info.exc_type, KeyboardInterrupt):
-            _thread.interrupt_main()
+            again = threading.Timer(SOON, _once_more)  # not in here, where it is dropped
+            again.daemon = True
+            again.start()
         elif not came():
             before(info)
 
@@ -50,6 +54,15 @@ def listen() -> None:
     sys.unraisablehook = unraisable
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # a job in the background
         signal.signal(signal.SIGINT, interrupted)
+
+
+def _once_more() -> None:
+    """Press Ctrl-C for the main thread, so that it also wakes up."""
+    ident = threading.main_thread().ident
+    if ident is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(ident, signal.SIGINT)
+    else:
+        _thread.interrupt_main()
 
 
 def deafen() -> None:
