@@ -44,8 +44,11 @@ BETWEEN_LINES = 10.0
 @click.option("--workers", type=int, help="Processes; by default as many as there are cores.")
 @click.option("--chunk", type=int, help="Flights flown and kept together; by default at most 2000.")
 @click.option(
-    "--scheduler", metavar="ADDRESS", help="Fly on Dask: tcp://HOST:8786 of its scheduler."
+    "--scheduler", metavar="ADDRESS", help="Fly on Dask: tls://HOST:8786 of its scheduler."
 )
+@click.option("--tls-ca", type=click.Path(path_type=Path), help="Of the cluster: its authority.")
+@click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate to show there.")
+@click.option("--tls-key", type=click.Path(path_type=Path), help="Its private key.")
 @json_option
 @quiet_option
 def campaign(
@@ -57,6 +60,9 @@ def campaign(
     workers: int | None,
     chunk: int | None,
     scheduler: str | None,
+    tls_ca: Path | None,
+    tls_cert: Path | None,
+    tls_key: Path | None,
     as_json: bool,
     quiet: bool,
 ) -> None:
@@ -78,6 +84,7 @@ def campaign(
 
     if plan is None and not (resume and out):
         raise InputError("PLAN is missing: a file such as plan.toml (or --resume with --out)")
+    tls = _tls(scheduler, tls_ca, tls_cert, tls_key)
     with _patience("reading the plan", quiet):
         design = _design(plan, overrides, out)
     if dry_run:
@@ -85,19 +92,32 @@ def campaign(
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
-    again = _again(plan, overrides, out, scheduler)
+    again = _again(plan, overrides, out, scheduler, tls)
     last_words.say(f"interrupted; what was flown is kept; go on by: {again}")
     try:
         with _told(quiet) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                progress=tell, remark=remark,
+                tls=tls, progress=tell, remark=remark,
             )  # fmt: skip
     except Stopped as error:
         _say(f"error: {error}", False)
         _say(f"what was flown is kept; go on by: {again}", False)
         sys.exit(1)
     _finished(flown, out, as_json, quiet)
+
+
+def _tls(
+    scheduler: str | None, authority: Path | None, certificate: Path | None, key: Path | None
+) -> Any:
+    """Certificates for a cluster, if any are given; then all are."""
+    if authority is None and certificate is None and key is None:
+        return None
+    if scheduler is None or authority is None or certificate is None or key is None:
+        raise InputError("--tls-ca, --tls-cert and --tls-key belong together, and to --scheduler")
+    from springback.experiments.campaign.cluster import Tls
+
+    return Tls(authority, certificate, key)
 
 
 def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> Any:
@@ -115,12 +135,18 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     return laid_out(stored_plan(out), tried=False)
 
 
-def _again(plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None) -> str:
+def _again(
+    plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None, tls: Any
+) -> str:
     import shlex
 
     words = ["springback", "campaign", *([str(plan)] if plan else []), *overrides]
     words += ["--out", str(out), "--resume"]
-    return shlex.join(words + (["--scheduler", scheduler] if scheduler else []))
+    words += ["--scheduler", scheduler] if scheduler else []
+    if tls is not None:
+        given = {"ca": tls.authority, "cert": tls.certificate, "key": tls.key}
+        words += [word for name, path in given.items() for word in (f"--tls-{name}", str(path))]
+    return shlex.join(words)
 
 
 def _finished(flown: Any, out: Path, as_json: bool, quiet: bool) -> None:

@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from springback.errors import InputError
 from springback.experiments.campaign.design import Design, laid_out
@@ -19,6 +19,9 @@ from springback.experiments.campaign.reading import Campaign, check_conditions
 from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import Store, changed_versions, opened
 from springback.experiments.campaign.workers import GivenUp, Remark, fly_locally
+
+if TYPE_CHECKING:
+    from springback.experiments.campaign.cluster import Tls
 
 #: Flights of a chunk (chosen): seconds of work, and some 1.5 MB of rows.
 CHUNK = 2000
@@ -101,6 +104,7 @@ def run_campaign(
     workers: int | None = None,
     chunk: int | None = None,
     scheduler: str | None = None,
+    tls: Tls | None = None,
     progress: Callable[[Progress], None] | None = None,
     remark: Remark | None = None,
 ) -> Campaign:
@@ -117,6 +121,7 @@ def run_campaign(
         chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
             all workers have some.
         scheduler: Address of a Dask scheduler to fly on, in place of processes.
+        tls: Certificates for it, if it speaks TLS.
         progress: Told how far it is, after each part.
         remark: Told of what went wrong and was mended, in one line each.
 
@@ -133,7 +138,7 @@ def run_campaign(
     wanted = _at_least_one("chunk", chunk, CHUNK)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
-    with _team(scheduler, crew) as fly, opened(folder, design, resume=resume) as store:
+    with _team(scheduler, crew, tls, say) as fly, opened(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // (SHARES * crew))
@@ -167,14 +172,14 @@ Fly = Callable[[str, list[Chunk], Remark], Generator[Flown | GivenUp]]
 
 
 @contextlib.contextmanager
-def _team(scheduler: str | None, crew: int) -> Iterator[Fly]:
+def _team(scheduler: str | None, crew: int, tls: Tls | None, remark: Remark) -> Iterator[Fly]:
     """Who flies: processes of this machine, or a cluster that answers."""
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say)
         return
     from springback.experiments.campaign.cluster import connected, fly_on_cluster
 
-    with connected(scheduler) as client:
+    with connected(scheduler, tls, remark) as client:
         yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
 
 
