@@ -19,6 +19,7 @@ T = TypeVar("T")
 
 _LOCK = (
     "SET enable_external_access = false",
+    "SET allow_persistent_secrets = false",
     "SET autoinstall_known_extensions = false",
     "SET autoload_known_extensions = false",
     "SET lock_configuration = true",

@@ -54,7 +54,6 @@ ESCAPES = [
     "CHECKPOINT",
     "SELECT * FROM secret_of_python",
     "SELECT getenv('HOME')",
-    "SELECT * FROM duckdb_secrets()",
     "SELECT 1) TO '{target}'; --",
     "SELECT 1\n) TO '{target}' (FORMAT csv); --",
     "",
