@@ -38,6 +38,12 @@ bench:
 lock:
 	uv lock
 	uv export --quiet --all-extras --no-hashes --no-emit-project --output-file constraints.txt
+	for extra in all dev docs; do \
+		uv export --quiet --locked --extra $$extra --no-emit-project --no-annotate \
+			--output-file tools/locked/$$extra.txt || exit 1; \
+	done
+	printf 'hatchling\nuv\n' | uv pip compile --quiet --universal --python-version 3.11 \
+		--generate-hashes --no-annotate --output-file tools/locked/build.txt -
 
 # The script of the pages, after a change under web/; needs node, which nothing else does.
 web:
