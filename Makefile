@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest docs bench lock web clean
+.PHONY: run test lint types layers pytest attack docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -25,6 +25,11 @@ layers:
 
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
+
+# Damage, foreign SQL, broken caches, Ctrl-C and kill -9 at any instant, and `make fuzz`: a table.
+attack:
+	@tools/environment dev
+	cd tests && ../$(BIN)/python -m attack $(ATTACK)
 
 docs:
 	@tools/environment docs

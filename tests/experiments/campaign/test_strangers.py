@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-import random
-import shutil
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from attack.campaigns import CONDITIONS, ESCAPES, all_said
+from attack.damage import one_byte
 from experiments.campaign.made_up import filled, rows
 from experiments.campaign.plans import plan
 from springback.errors import InputError
@@ -19,7 +20,6 @@ from springback.experiments.campaign import ledger, store
 from springback.experiments.campaign.design import laid_out
 from springback.experiments.campaign.ledger import Part
 from springback.experiments.campaign.reading import Campaign, check_conditions
-from springback.experiments.campaign.statistics import summary
 from springback.experiments.campaign.store import opened
 from springback.experiments.database import in_database, locked
 from springback.experiments.drafts import drafted
@@ -27,40 +27,6 @@ from springback.experiments.sealed import sealed
 
 # -- SQL ------------------------------------------------------------------------------------------
 
-ESCAPES = [
-    "SELECT * FROM read_csv('/etc/hostname')",
-    "SELECT * FROM read_text('{secret}')",
-    "SELECT * FROM '{secret}'",
-    "SELECT * FROM glob('/etc/*')",
-    "SELECT * FROM sniff_csv('{secret}')",
-    "SELECT * FROM parquet_metadata('{other}')",
-    "SELECT * FROM read_parquet('{other}')",
-    "SELECT (SELECT count(*) FROM read_text('{secret}')) FROM flights",
-    "SELECT * FROM query('COPY flights TO ''{target}''')",
-    "SELECT * FROM query_table('{secret}')",
-    "FROM flights; COPY flights TO '{target}'",
-    "COPY flights TO '{target}'",
-    "COPY (SELECT 1) TO '{part}'",
-    "ATTACH '{target}'",
-    "EXPORT DATABASE '{target}'",
-    "INSTALL httpfs",
-    "LOAD httpfs",
-    "DROP VIEW flights",
-    "CREATE TABLE t AS FROM flights",
-    "SET enable_external_access = true",
-    "RESET lock_configuration",
-    "PRAGMA enable_profiling",
-    "CALL pragma_version()",
-    "CHECKPOINT",
-    "SELECT * FROM secret_of_python",
-    "SELECT getenv('HOME')",
-    "SELECT 1) TO '{target}'; --",
-    "SELECT 1\n) TO '{target}' (FORMAT csv); --",
-    "",
-    ";",
-    "SELECT '\udcff'",
-    "SELECT '\0'",
-]
 secret_of_python = {"x": [1.0]}
 
 
@@ -115,15 +81,6 @@ def test_ordinary_questions_are_answered_and_saved(pair: Path, tmp_path: Path, s
     if not sql.startswith("DESCRIBE"):
         assert campaign.count(sql) == len(found.rows)
         assert campaign.save(sql, tmp_path / "out.parquet") == len(found.rows)
-
-
-CONDITIONS = [
-    "true); COPY (SELECT 1) TO '{target}'; SELECT (true",
-    "true; COPY (SELECT 1) TO '{target}'",
-    "(SELECT count(*) FROM read_text('{secret}')) > 0",
-    "1 = 1 THEN true END)::TINYINT AS success FROM read_text('{secret}') --",
-    "speed > 1, 2", "speed > 1 --\n) FROM flights --", "", "\udcff",
-]  # fmt: skip
 
 
 @pytest.mark.parametrize("condition", CONDITIONS)
@@ -287,19 +244,10 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
     if name == ledger.NAME and kind == "nothing":
         return  # it may have been torn at once: all is flown again
     with pytest.raises(InputError, match=name) as told:
-        asked(tmp_path)
+        all_said(tmp_path)
     assert "\n" not in str(told.value)
     with pytest.raises(InputError, match=name), opened(tmp_path, design, resume=True):
         store.stored_plan(tmp_path)
-
-
-def asked(folder: Path) -> Any:
-    """All that a folder says: rows, columns, units, progress, summary."""
-    campaign = Campaign(folder)
-    said = campaign.query("FROM flights ORDER BY flight")
-    refused = sum(part.refused for part in campaign.parts)
-    about = {key: campaign.about[key] for key in ("flights", "robots", "seed", "units")}
-    return said, refused, campaign.units, about, campaign.design.plan, summary(campaign).as_dict()
 
 
 #: Cases for each file; `make attack` takes more.
@@ -308,26 +256,10 @@ CASES = int(os.environ.get("SPRINGBACK_DAMAGE", "25"))
 
 @pytest.mark.parametrize("name", ["part", store.PLAN, store.ABOUT, ledger.NAME])
 def test_one_byte_anywhere_is_noticed_or_without_effect(tmp_path: Path, name: str) -> None:
-    filled(tmp_path / "whole")
-    before, file = asked(tmp_path / "whole"), name
+    """Was: 369 of 600 changes of a part gave other numbers without a word."""
+    filled(tmp_path)
+    file = "parts/part-0000000010.parquet" if name == "part" else name
+    found = one_byte(tmp_path, file, all_said, CASES)
+    assert not found - Counter({"noticed": CASES, "without effect": CASES}), found
     if name == "part":
-        file = "parts/part-0000000010.parquet"
-    data = (tmp_path / "whole" / file).read_bytes()
-    luck, noticed = random.Random(17), 0
-    places = [luck.randrange(len(data)) for _ in range(CASES)] + [0, len(data) - 1]
-    for k, place in enumerate(places):
-        folder = tmp_path / f"d{k}"
-        shutil.copytree(tmp_path / "whole", folder)
-        harmed = bytearray(data)
-        harmed[place] ^= luck.randrange(1, 256)
-        (folder / file).write_bytes(harmed)
-        try:
-            said = asked(folder)
-        except InputError as error:
-            noticed += len(error.problems)
-        else:
-            assert repr(said) == repr(before), (place, harmed[place])
-        shutil.rmtree(folder)
-    if name == "part":
-        assert noticed == len(places)
-    print(f"{name}: {noticed} of {len(places)} noticed, the others without effect")
+        assert found == {"noticed": CASES}

@@ -130,6 +130,8 @@ def _is_sound(part: Part) -> bool:
 
 def _could_be_torn(line: bytes) -> bool:
     """Whether a line without an end may be the beginning of one that was written whole."""
+    if not line.isascii():  # which no line is
+        return False
     try:
         text = line.decode()
         _, end = json.JSONDecoder().raw_decode(text)
