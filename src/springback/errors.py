@@ -33,7 +33,7 @@ def warn_in_one_line() -> None:
         line: str | None = None,
     ) -> None:
         if category.__module__.startswith("springback."):
-            print(f"warning: {message}", file=file or sys.stderr)
+            (file or sys.stderr).write(f"warning: {message}\n")
         else:
             before(message, category, filename, lineno, file, line)
 
