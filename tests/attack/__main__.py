@@ -192,6 +192,7 @@ def caches(folder: Path) -> Row:
         nonlocal count
         count += 1
         done = flown(**environment)
+        print(f"{name}: {done.returncode}", file=sys.stderr, flush=True)
         lines = [line for line in done.stderr.splitlines() if line]
         if done.returncode or done.stdout != first.stdout or "Traceback" in done.stderr:
             bad.append(name)

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from interfaces.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces import files
 from springback.interfaces.files import FLIGHT_FILES, output_folder
@@ -266,5 +267,5 @@ def test_ctrl_c_that_python_drops_is_raised_again() -> None:
         "            os.kill(os.getpid(), signal.SIGINT)\n            time.sleep(0.1)\n"
         "    late = Late()\n    del late\n    time.sleep(30)"
     )
-    done = ended(body, timeout=25)
+    done = ended(body, timeout=60, preexec_fn=heed_interrupts)
     assert (done.returncode, done.stderr) == (130, "interrupted; nothing was written\n")
