@@ -251,7 +251,7 @@ def caches(folder: Path) -> Row:
         "HOME empty": "", "HOME a file": str(scenario), "HOME not writable": "/proc",
         "HOME not a path": "\x01",
     }.items():  # fmt: skip
-        meet(name, HOME=value)
+        meet(name, HOME=value, SPRINGBACK_CACHE_DIR=str(folders["springback"]))
     if before is not None:
         os.environ["SPRINGBACK_CACHE_DIR"] = before
     return Row(
