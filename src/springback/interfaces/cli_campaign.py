@@ -49,6 +49,10 @@ BETWEEN_LINES = 10.0
 @click.option("--tls-ca", type=click.Path(path_type=Path), help="Of the cluster: its authority.")
 @click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate to show there.")
 @click.option("--tls-key", type=click.Path(path_type=Path), help="Its private key.")
+@click.option(
+    "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
+    help="Where flights fly; gpu is an NVIDIA GPU of this machine.",
+)  # fmt: skip
 @json_option
 @quiet_option
 def campaign(
@@ -63,6 +67,7 @@ def campaign(
     tls_ca: Path | None,
     tls_cert: Path | None,
     tls_key: Path | None,
+    device: Any,
     as_json: bool,
     quiet: bool,
 ) -> None:
@@ -98,7 +103,7 @@ def campaign(
         with _told(quiet) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                tls=tls, progress=tell, remark=remark,
+                tls=tls, device=device, progress=tell, remark=remark,
             )  # fmt: skip
     except Stopped as error:
         _say(f"error: {error}", False)
