@@ -254,6 +254,11 @@ class Origin(NamedTuple):
     frozen: str
     """Digest of the values that it takes from elsewhere (`springback.kernels.frozen`)."""
 
+    def words(self) -> list[str]:
+        """What names a place where its kernels are kept."""
+        read = [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in self.files]
+        return [*self.files, *read, *self.modules, self.frozen]
+
 
 @functools.cache
 def own_executor(function: F, origin: Origin | None, **options: Any) -> F:
@@ -270,9 +275,6 @@ def own_executor(function: F, origin: Origin | None, **options: Any) -> F:
     """
     if origin is None:
         return _entry(function, None, options)
-    digest = hashlib.sha256(source_digest().encode())
-    for path in origin.files:
-        digest.update(path.encode() + Path(path).read_bytes())
-    digest.update("\n".join((*origin.modules, origin.frozen)).encode())
+    digest = hashlib.sha256("\n".join((source_digest(), *origin.words())).encode())
     folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:32]
     return _entry(function, folder, options)

@@ -386,9 +386,7 @@ def program(
     """
     kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
     said = [entry.__qualname__, numba.__version__, ARCHITECTURE, *map(str, kinds)]
-    if sources is not None:
-        read = [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in sources.files]
-        said += [*sources.files, *read, *sources.modules, sources.frozen]
+    said += sources.words() if sources is not None else []
     digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
     path = _kept(digest, "bc")
     if sources is not None and path.exists():
