@@ -38,7 +38,7 @@ from numba.core import (
 from numba.core.compiler_lock import global_compiler_lock
 from numba.np import arrayobj
 
-from springback.kernels.compiler import STRICT, cache_folder, is_writable, rebound
+from springback.kernels.compiler import STRICT, Origin, cache_folder, is_writable, rebound
 from springback.kernels.layout import Like, LikeType, rows
 from springback.kernels.trees import branches, leaf_count
 
@@ -373,7 +373,7 @@ def program(
     entry: Callable[..., Any],
     parameters: Sequence[Any],
     parts: Callable[[], dict[str, Any]],
-    sources: Sequence[str] | None = (),
+    sources: Origin | None = Origin((), (), ""),  # noqa: B008
 ) -> Program:
     """Lower an entry point, or take what is kept of it.
 
@@ -382,11 +382,11 @@ def program(
             thread.
         parameters: Of all arguments but the last, see `parameter`.
         parts: Gives what stands for globals of the entry, see `device_function`.
-        sources: Files of a user's code among the types; None keeps nothing.
+        sources: Where a user's code among the types comes from; None keeps nothing.
     """
     kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
     said = [entry.__qualname__, numba.__version__, ARCHITECTURE, *map(str, kinds)]
-    said += [path + hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in sources or ()]
+    said += sources.words() if sources is not None else []
     digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
     path = _kept(digest, "bc")
     if sources is not None and path.exists():

@@ -13,7 +13,8 @@ import numpy as np
 
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
-from springback.kernels.compiler import own_executor, registered
+from springback.kernels.compiler import Origin, own_executor, registered
+from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, Like, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
@@ -152,22 +153,27 @@ def _gather_types(tree: Any, found: set[type]) -> None:
             _gather_types(branch, found)
 
 
-def sources(types: set[type]) -> tuple[str, ...] | None:
-    """Files of own types, of what is registered for them, and of the modules beside them.
+def sources(types: set[type]) -> Origin | None:
+    """Files and modules of own types, of what is registered for them, and of the modules beside.
 
-    None if their kernels had better not be kept: those of a script or of a session, and those of a
-    file that was changed while this process runs, which may have read it before.
+    None if their kernels had better not be kept: those of a script or of a session, those of a
+    file that was changed while this process runs, which may have read it before, and those that
+    take values from elsewhere which no digest can stand for.
     """
-    own = {entry.__module__ for cls in types for entry in (cls, *registered(cls))}
-    own = {name for name in own if not name.startswith("springback.")}
+    entries = [entry for cls in types for entry in (cls, *registered(cls))]
+    entries = [entry for entry in entries if not entry.__module__.startswith("springback.")]
+    own = {entry.__module__ for entry in entries}
     files = {getattr(sys.modules.get(name), "__file__", None) for name in own}
     if "__main__" in own or None in files:
         return None
     named = sorted({str(file) for file in files} | _beside({str(file) for file in files}))
+    frozen = frozen_digest(sorted(entries, key=lambda one: (one.__module__, one.__qualname__)))
     try:
-        return tuple(named) if all(os.path.getmtime(file) < BEGUN for file in named) else None
+        if frozen is None or not all(os.path.getmtime(file) < BEGUN for file in named):
+            return None
     except OSError:
         return None
+    return Origin(tuple(named), tuple(sorted(own)), frozen)
 
 
 def _beside(files: set[str]) -> set[str]:

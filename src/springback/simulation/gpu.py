@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.kernels.compiler import Origin
 from springback.kernels.cuda import Loaded, Memory
 from springback.kernels.layout import Buffer, Like, rows, structure
 from springback.kernels.ptx import (
@@ -146,10 +147,10 @@ def _guided(shape: Shape, cabin: Cabin, channels: int) -> _Kind:
     return _kinds()[key]
 
 
-def _files(*trees: Any) -> tuple[str, ...] | None:
-    """Files of a user's code among the types of trees; None if there are none to be relied on."""
+def _files(*trees: Any) -> Origin | None:
+    """Where a user's code among the types of trees comes from; None if that cannot be relied on."""
     own: set[type] = set().union(*map(own_types, trees))
-    return sources(own) if own else ()
+    return sources(own) if own else Origin((), (), "")
 
 
 def fly_buffers_on_gpu(

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.dynamics.gusts import Calm, first_gust
-from springback.kernels.compiler import executor, own_executor, rebound
+from springback.kernels.compiler import Origin, executor, own_executor, rebound
 from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.aboard import (
@@ -218,9 +218,9 @@ def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> 
 
 @functools.cache
 def _own_entries(
-    own_model: frozenset[type], own_cabin: frozenset[type], files: tuple[str, ...] | None
+    own_model: frozenset[type], own_cabin: frozenset[type], files: Origin | None
 ) -> Entries:
-    """The functions for types of the user's, from some files."""
+    """The functions for types of the user's, of some origin."""
     plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
     parts["ticked"] = own_executor(plain["ticked"], files, nogil=True)
     parts["powered"] = own_executor(plain["powered"], files, nogil=True)

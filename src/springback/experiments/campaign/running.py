@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from springback.errors import InputError
 from springback.experiments.bulk import GPU_BLOCK, Device
@@ -20,6 +20,9 @@ from springback.experiments.campaign.reading import Campaign, check_conditions
 from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import Store, changed_versions, opened
 from springback.experiments.campaign.workers import GivenUp, Remark, fly_locally
+
+if TYPE_CHECKING:
+    from springback.experiments.campaign.cluster import Tls
 
 #: Flights of a chunk (chosen): seconds of work, and some 1.5 MB of rows.
 CHUNK = 2000
@@ -104,6 +107,7 @@ def run_campaign(
     workers: int | None = None,
     chunk: int | None = None,
     scheduler: str | None = None,
+    tls: Tls | None = None,
     device: Device = "cpu",
     progress: Callable[[Progress], None] | None = None,
     remark: Remark | None = None,
@@ -121,6 +125,7 @@ def run_campaign(
         chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
             all workers have some.
         scheduler: Address of a Dask scheduler to fly on, in place of processes.
+        tls: Certificates for it, if it speaks TLS.
         device: Where the workers' flights fly: ``cpu``, or ``gpu`` for an NVIDIA GPU that they
             share.
         progress: Told how far it is, after each part.
@@ -142,7 +147,8 @@ def run_campaign(
         _check_gpu(scheduler)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
-    with _team(scheduler, crew, device) as fly, opened(folder, design, resume=resume) as store:
+    team = _team(scheduler, crew, device, tls, say)
+    with team as fly, opened(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
@@ -176,14 +182,16 @@ Fly = Callable[[str, list[Chunk], Remark], Generator[Flown | GivenUp]]
 
 
 @contextlib.contextmanager
-def _team(scheduler: str | None, crew: int, device: Device) -> Iterator[Fly]:
+def _team(
+    scheduler: str | None, crew: int, device: Device, tls: Tls | None, remark: Remark
+) -> Iterator[Fly]:
     """Who flies: processes of this machine, or a cluster that answers."""
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
     from springback.experiments.campaign.cluster import connected, fly_on_cluster
 
-    with connected(scheduler) as client:
+    with connected(scheduler, tls, remark) as client:
         yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
 
 

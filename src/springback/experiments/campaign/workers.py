@@ -18,9 +18,11 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
+from springback.errors import warn_in_one_line
 from springback.experiments.bulk import Device
 from springback.experiments.campaign.flying import Chunk, Flown, flown
 from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import source
 
 Remark = Callable[[str], None]
 #: A chunk that takes so many workers with it is given up (chosen).
@@ -81,9 +83,10 @@ def _single_threads() -> Iterator[None]:
 def serve(line: Connection, text: str, device: Device) -> None:
     """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
+    warn_in_one_line()
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError):
-        line.send(None)
+        line.send(source())
         while True:
             chunk: Chunk = line.recv()
             answer: Flown | GivenUp
@@ -143,8 +146,10 @@ def fly_locally(
                     if lost is not None:
                         yield lost
                     continue
-                if answer is None:
+                if isinstance(answer, str):
                     worker.ready = True
+                    if answer != source():
+                        raise Stopped("springback's source was changed while it was flying")
                     continue
                 if waiting:
                     worker.fly(waiting.popleft())
