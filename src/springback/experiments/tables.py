@@ -8,7 +8,8 @@ from pydantic import model_validator
 
 from springback.contact.parameters import ObstacleSettings
 from springback.quantities import Angle, Duration, quantity, triple
-from springback.settings import Settings, problem
+from springback.settings import Settings, naming, problem
+from springback.vehicle.parameters import check_moments
 
 
 class WorldSettings(Settings):
@@ -62,6 +63,8 @@ class Payload(Settings):
             raise problem(
                 f"must be at least 0 kg m^2 each (got {list(self.inertia)} kg m^2)", "inertia"
             )
+        with naming("inertia"):
+            check_moments(self.inertia)
         return self
 
 
