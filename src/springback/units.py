@@ -21,7 +21,7 @@ LONGEST = 64
 DEGREE = math.pi / 180.0
 
 _NUMBER = re.compile(
-    r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?|[+-]?(?:inf|nan)(?![a-z]))"
+    r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?|[+-]?(?i:inf|infinity|nan)(?![a-zA-Z]))"
     r"[ \t]*(?P<unit>[^0-9 \t,.+*-].*|1 */.*)?",
     re.DOTALL,
 )
@@ -197,7 +197,7 @@ def read_number(text: str, unit: str, *, bare: bool = False) -> float:
         scale = target
     if scale.dimension != target.dimension:
         raise UnitError("has the wrong unit")
-    if number.lstrip("+-") in ("inf", "nan"):
+    if number.lstrip("+-")[0] in "iInN":
         return float(number)
     value = _rounded(Fraction(number) * scale.size / target.size)
     degrees = scale.degrees - target.degrees

@@ -105,6 +105,11 @@ def _place(error: BaseException, file: str) -> str:
     return f"{last.filename}:{last.lineno}"
 
 
+def failure_place(error: BaseException) -> str:
+    """File and line of an error that came from the user's own functions."""
+    return _place(error, "")
+
+
 def _home(pilot: Any) -> tuple[str, int]:
     """File and line where a pilot begins."""
     function = inspect.unwrap(getattr(pilot, "py_func", pilot))
