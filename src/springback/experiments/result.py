@@ -26,7 +26,7 @@ from springback.experiments.recovery_measures import (
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
 from springback.kernels.vectors import Vec
-from springback.simulation.flight import Executor, Flown, Trace, fly_one
+from springback.simulation.flight import Executor, Flown, Trace, check_instants, fly_one
 from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
 from springback.simulation.measures import MEASURES, Outcome, measures_of, outcome_of
 from springback.simulation.record import Model
@@ -273,6 +273,10 @@ def fly(
     check_own_obstacles(own, Vec(*ready.start.position))
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
+    if trajectory:
+        until, guided = model.timing.until, ready.reference is not None or flown_by is not None
+        foreseen = until * ready.clock if guided else until / model.timing.free_step
+        check_instants(int(foreseen), until, until)
     if ready.reference is not None or flown_by is not None:
         return _guided(ready, model, start, flown_by, trajectory, executor, progress)
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
