@@ -19,6 +19,9 @@ from springback.errors import shown_value
 from springback.settings import problem
 from springback.units import UnitError, read_number
 
+#: Sizes of numbers other than zero, in SI (chosen: no force, mass or length of a vehicle is beyond
+#: them, and their seventh powers are still numbers).
+SMALLEST, LARGEST = 1e-30, 1e30
 #: Most that a plain angle may be, either way: a full turn [rad].
 FULL_TURN = 2.0 * math.pi
 
@@ -69,6 +72,7 @@ def checked(
         and (above is None or number > above)
         and (least is None or number >= least)
         and (most is None or number <= most)
+        and is_sizeable(number)
     ):
         if unit == "rad" and abs(number) > FULL_TURN:
             raise problem(_beyond_a_turn(value, number))
@@ -80,8 +84,17 @@ def checked(
         (f"at least {_shown(least, unit)}", least is None or number >= least),
         (f"at most {_shown(most, unit)}", most is None or number <= most),
     ]
+    bounds += [
+        (f"at most {_shown(LARGEST, unit)} in size", abs(number) <= LARGEST),
+        (f"0, or at least {_shown(SMALLEST, unit)} in size", is_sizeable(number)),
+    ]
     broken = [claim for claim, holds in bounds if not holds]
     raise problem(f"must be {broken[0]} (got {given})")
+
+
+def is_sizeable(number: float) -> bool:
+    """Whether a number is 0, or of a size of which squares and products can be formed."""
+    return number == 0.0 or SMALLEST <= abs(number) <= LARGEST
 
 
 def _beyond_a_turn(value: Any, angle: float) -> str:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import contextlib
 import difflib
 from collections.abc import Iterator
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, model_validator
 from pydantic_core import PydanticCustomError
+
+from springback.errors import shown_value
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -23,6 +25,22 @@ def naming(field: str) -> Iterator[None]:
         yield
     except PydanticCustomError as error:
         raise problem(error.message(), field) from None
+
+
+#: Characters of a name (chosen: it goes into titles, columns and names of files).
+LONGEST_NAME = 200
+
+
+def _name(value: str) -> str:
+    """A name of printable characters, which no terminal takes for more than text."""
+    if len(value) > LONGEST_NAME:
+        raise problem(f"must have at most {LONGEST_NAME} characters (got {len(value)})")
+    if not value.isprintable():
+        raise problem(f"must be printable, without control characters (got {shown_value(value)})")
+    return value
+
+
+Name = Annotated[str, AfterValidator(_name)]
 
 
 class Settings(BaseModel):

@@ -89,7 +89,7 @@ def check_aboard(scenario: Scenario, own: bool) -> None:
 
 
 def check_clock(scenario: Scenario) -> None:
-    """Refuse more ticks than can be kept; of clock and duration, the one that was given is named."""
+    """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
     duration, clock = scenario.simulation.duration, scenario.clock
     if clock * duration <= MOST_TICKS:
         return

@@ -11,12 +11,22 @@ from springback.quantities import Angle, Duration, quantity, triple
 from springback.settings import Settings, naming, problem
 from springback.vehicle.parameters import check_moments
 
+#: More obstacles are a slip of the pen (chosen): a flight is compiled for each number of them.
+MOST_OBSTACLES = 64
+
 
 class WorldSettings(Settings):
     """What is there to hit, and gravity."""
 
     gravity: quantity("m/s^2", least=0.0) = 9.81  # type: ignore[valid-type]
     obstacles: tuple[ObstacleSettings, ...] = ()
+
+    @model_validator(mode="after")
+    def _countable(self) -> WorldSettings:
+        if len(self.obstacles) > MOST_OBSTACLES:
+            what = f"must be at most {MOST_OBSTACLES} (got {len(self.obstacles)})"
+            raise problem(what, "obstacles")
+        return self
 
 
 class Start(Settings):

@@ -8,12 +8,15 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
+from springback.errors import shown_value
 from springback.kernels.vectors import Mat, Vec
 from springback.quantities import Mass, checked, quantity, spread
-from springback.settings import Settings, naming, problem
+from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm
 
+#: More arms are a slip of the pen (chosen): a flight is compiled for each number of them.
+MOST_ARMS = 32
 #: Relative error that rounding may leave in moments and distances (chosen).
 ROUNDING = 1e-9
 
@@ -22,20 +25,22 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     """Three principal moments or a full matrix [kg m²], checked to be an inertia."""
     unit = "kg m^2"
     if not isinstance(value, list | tuple) or len(value) != 3:
-        raise problem(f"must be three moments or a 3 x 3 matrix in kg m² (got {value!r})")
+        raise problem(
+            f"must be three moments or a 3 x 3 matrix in kg m² (got {shown_value(value)})"
+        )
     if not any(isinstance(row, list | tuple) for row in value):
         moments = [checked(entry, unit, above=0.0) for entry in value]
         check_moments(moments)
         return tuple(tuple(m if i == j else 0.0 for j in range(3)) for i, m in enumerate(moments))
     if not all(isinstance(row, list | tuple) and len(row) == 3 for row in value):
-        raise problem(f"must be a 3 x 3 matrix in kg m² (got {value!r})")
+        raise problem(f"must be a 3 x 3 matrix in kg m² (got {shown_value(value)})")
     rows = [[checked(entry, unit) for entry in row] for row in value]
     matrix = np.array(rows)
     if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
-        raise problem(f"must be symmetric (got {rows} kg m²)")
+        raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
     principal = np.linalg.eigvalsh(matrix)
     if principal[0] <= 0.0:
-        raise problem(f"must have positive principal moments (got {rows} kg m²)")
+        raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
     check_moments(principal)
     return tuple(tuple(row) for row in rows)
 
@@ -63,7 +68,9 @@ def _flags(value: Any) -> bool | tuple[bool, ...]:
         return value
     if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
         return tuple(value)
-    raise problem(f"must be true or false, or a list of them, one for each arm (got {value!r})")
+    raise problem(
+        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
+    )
 
 
 def _signs(value: Any) -> tuple[int, ...] | None:
@@ -72,7 +79,7 @@ def _signs(value: Any) -> tuple[int, ...] | None:
         return None
     if isinstance(value, list | tuple) and all(entry in (-1, 1) for entry in value):
         return tuple(int(entry) for entry in value)
-    raise problem(f"must be a list of -1 and 1, one for each rotor (got {value!r})")
+    raise problem(f"must be a list of -1 and 1, one for each rotor (got {shown_value(value)})")
 
 
 class Body(Settings):
@@ -114,8 +121,10 @@ class Arms(Settings):
     @model_validator(mode="after")
     def _consistent(self) -> Arms:
         count = len(self.directions)
-        if count < 1:
-            raise problem("must name at least one arm", "directions")
+        if not 1 <= count <= MOST_ARMS:
+            raise problem(
+                f"must name at least one arm and at most {MOST_ARMS} (got {count})", "directions"
+            )
         for name in type(self).model_fields:
             value = getattr(self, name)
             if isinstance(value, tuple) and len(value) != count:
@@ -188,7 +197,7 @@ class Arms(Settings):
 class Vehicle(Settings):
     """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
 
-    name: str = "vehicle"
+    name: Name = "vehicle"
     body: Body
     arms: Arms
     propulsion: Propulsion | None = None
