@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest docs bench lock web clean
+.PHONY: run test lint types layers pytest fuzz docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -25,6 +25,13 @@ layers:
 
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
+
+# Inputs as strangers write them, some 10^5 in an hour; a seed is printed with what is found.
+CASES ?= 100000
+SEED ?= 1
+fuzz:
+	@tools/environment dev
+	PYTHONPATH=tests $(BIN)/python -m attacks.fuzz --cases $(CASES) --seed $(SEED)
 
 docs:
 	@tools/environment docs

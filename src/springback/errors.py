@@ -4,6 +4,8 @@ from __future__ import annotations
 
 #: Characters of a given value that are shown in a message (chosen).
 LONGEST_VALUE = 80
+#: Characters of a line of an error (chosen).
+LONGEST_LINE = 2000
 
 
 class InputError(ValueError):
@@ -11,7 +13,7 @@ class InputError(ValueError):
 
     def __init__(self, *problems: str) -> None:
         """One line for each problem."""
-        self.problems = tuple(plain(text) for text in problems)
+        self.problems = tuple(shortened(plain(text), LONGEST_LINE) for text in problems)
         super().__init__("\n".join(self.problems))
 
 
@@ -33,6 +35,11 @@ def plain(text: str, *, keep: str = "") -> str:
     )
 
 
+def shortened(text: str, most: int = 2 * LONGEST_VALUE) -> str:
+    """Text as a message quotes it: its beginning, where it is long."""
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
 def shown_value(value: object) -> str:
     """A value as a message shows it: `repr`, no longer than fits into a line."""
     if isinstance(value, int) and abs(value) >= 10**LONGEST_VALUE:
@@ -44,4 +51,4 @@ def shown_value(value: object) -> str:
         text = repr(value)
     except (RecursionError, ValueError):  # nested too deep, or whole numbers too long to write
         text = f"a {type(value).__name__} that is too deep or too long to show"
-    return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
+    return shortened(text, LONGEST_VALUE)

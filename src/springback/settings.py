@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BaseModel, ConfigDict, model_validator
 from pydantic_core import PydanticCustomError
 
-from springback.errors import shown_value
+from springback.errors import shortened, shown_value
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -57,5 +57,5 @@ class Settings(BaseModel):
                     near = difflib.get_close_matches(str(key), fields, n=1, cutoff=0.5)
                     known = "known keys: " + ", ".join(fields)
                     hint = f"did you mean {near[0]}?" if near else known
-                    raise problem(f"unknown key; {hint}", str(key))
+                    raise problem(f"unknown key; {hint}", shortened(str(key)))
         return given

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from pydantic import ValidationError
 
-from springback.errors import shown_value
+from springback.errors import shortened, shown_value
 
 #: Tables of which there are several kinds, by the name of the key that holds them.
 _KINDS = {
@@ -73,6 +73,7 @@ def key_path(text: str) -> tuple[str | int, ...]:
 def dotted(path: tuple[str | int, ...]) -> str:
     """``world.obstacles[0].distance`` of a path."""
     text = ""
-    for part in path:
+    for key in path:
+        part = key if isinstance(key, int) else shortened(key)
         text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
     return text

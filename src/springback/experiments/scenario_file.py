@@ -10,7 +10,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from springback.errors import InputError, shown_value
+from springback.errors import InputError, shortened, shown_value
 from springback.experiments.problems import dotted, key_path, problem_paths
 from springback.experiments.scenario import Scenario, expanded
 from springback.experiments.source_text import (
@@ -74,11 +74,11 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
-            raise InputError(f"{word!r}: there is no entry {head}")
+            raise InputError(f"{shown_value(word)}: there is no entry {head}")
         entry = replaced(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
-        raise InputError(f"{word!r}: {head!r} is not inside a table")
+        raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = {"preset": value}
     return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
@@ -124,7 +124,7 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
     for word in reversed(overrides):
         parts = key_path(word.partition("=")[0])
         if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
-            return f"override {word}"
+            return f"override {shortened(word)}"
     return f"{name}:{line_of(text, path)}"
 
 
@@ -161,7 +161,9 @@ def checked_scenario(
         quoted = re.search(r"'([^']+)'", str(error))
         value = f"""[=\\s{{\\[]["']?{re.escape(quoted[1])}["']?\\s*([,}}#]|$)""" if quoted else "$^"
         lines = [n for n, line in enumerate(text.splitlines(), 1) if re.search(value, line)]
-        where = next((f"override {w}" for w in overrides if quoted and quoted[1] in w), None)
+        where = next(
+            (f"override {shortened(w)}" for w in overrides if quoted and quoted[1] in w), None
+        )
         raise InputError(f"{where or f'{name}:{lines[0] if lines else 1}'}: {error}") from None
     except ValidationError as error:
         problems = []

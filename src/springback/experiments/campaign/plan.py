@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
-from springback.errors import InputError, shown_value
+from springback.errors import InputError, shortened, shown_value
 from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario_file import line_of, overridden, read_scenario
 from springback.experiments.source_text import json_tables, source_text, toml_tables
@@ -213,7 +213,7 @@ class Source:
             return said
         for word in reversed(self.overrides):
             if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
-                return f"override {word}: {said}"
+                return f"override {shortened(word)}: {said}"
         return f"{self.name}:{line_of(self.text, keys)}: {said}"
 
 
