@@ -386,6 +386,8 @@ def test_wrong_settings_are_refused_with_the_line(port: int, query: str) -> None
     ("/flight", {"Host": "evil.example:80"}, 421, b"name"),
     ("/flight", {"Origin": "http://evil.example"}, 403, b"evil.example may not ask"),
     ("/flight", {"Origin": "null"}, 403, b"may not ask"),
+    ("/flight", {"Origin": "http://["}, 403, b"may not ask"),
+    ("/flight", {"Origin": ""}, 403, b"may not ask"),
     ("/flight", {"Sec_Fetch_Site": "cross-site", "Sec_Fetch_Mode": "no-cors"}, 403, b"other sites"),
     ("/flight?" + "speed=2&" * 200, {}, 414, b"letters"),
     ("/flight", {"method": "POST"}, 405, b"GET"),
