@@ -4,8 +4,8 @@ from __future__ import annotations
 
 #: Characters of a given value that are shown in a message (chosen).
 LONGEST_VALUE = 80
-#: Characters of a line of an error (chosen).
-LONGEST_LINE = 2000
+#: Characters of a line of an error, and lines (chosen).
+LONGEST_LINE, MOST_PROBLEMS = 2000, 50
 
 
 class InputError(ValueError):
@@ -13,7 +13,9 @@ class InputError(ValueError):
 
     def __init__(self, *problems: str) -> None:
         """One line for each problem."""
-        self.problems = tuple(shortened(plain(text), LONGEST_LINE) for text in problems)
+        shown = tuple(shortened(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
+        left = len(problems) - len(shown)
+        self.problems = (*shown, f"and {left} more problems") if left else shown
         super().__init__("\n".join(self.problems))
 
 
