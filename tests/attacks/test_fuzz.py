@@ -21,6 +21,7 @@ from attacks.inputs import (
     texts,
     timed,
 )
+from springback.errors import InputError
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
 FOUND: list[tuple[tuple[str | int, ...], Any]] = [
@@ -39,6 +40,18 @@ FOUND: list[tuple[tuple[str | int, ...], Any]] = [
     (("simulation", "duration"), 1e300),
     (("clock",), 1e300),
 ]
+#: The same of a scenario with a pilot.
+FOUND_ALOFT: list[tuple[tuple[str | int, ...], Any]] = [
+    (("sensors",), {"hall": {"magnet_radius": 1e9}}),
+    (("vehicle",), {"preset": "quad", "arms": {"stroke": 1e30}}),
+]
+
+
+@pytest.mark.parametrize(("path", "value"), FOUND_ALOFT)
+def test_what_was_found_aloft(path: tuple[str | int, ...], value: Any) -> None:
+    """The output of a sensor that does not change has no inverse: a division by zero."""
+    with pytest.raises(InputError, match=r"distance: leaves an output that does not change"):
+        scenario_tables(put(SCENARIOS[1], path, value))
 
 
 @pytest.mark.parametrize(
