@@ -65,7 +65,8 @@ class StepsSettings(Settings):
     @model_validator(mode="after")
     def _some(self) -> StepsSettings:
         if not 1 <= len(self.positions) <= MOST_POSITIONS:
-            what = f"must name at least one position and at most {MOST_POSITIONS} (got {len(self.positions)})"
+            count = len(self.positions)
+            what = f"must name at least one position and at most {MOST_POSITIONS} (got {count})"
             raise problem(what, "positions")
         return self
 
