@@ -26,7 +26,7 @@ _NUMBER = re.compile(
     re.DOTALL,
 )
 _TERM = re.compile(
-    r"(?P<root>√)?(?P<symbol>[a-zA-Zµμ°%]+)"
+    r"(?P<root>√)?(?P<symbol>g_?0|[a-zA-Zµμ°%]+)"
     r"(?:\^(?P<power>-?[0-9](?:\.[0-9])?)|(?P<raised>⁻?[¹²³⁴]))?"
 )
 _JOINED = re.compile(r"[ \t]*[·*][ \t]*|[ \t]+")
@@ -110,6 +110,7 @@ _NAMES = {
     "meter": "m", "meters": "m", "metre": "m", "metres": "m",
     "second": "s", "seconds": "s", "minute": "min", "minutes": "min", "hour": "h", "hours": "h",
     "gram": "g", "grams": "g", "newton": "N", "newtons": "N", "percent": "%",
+    "g_0": "gn", "g0": "gn",
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "rev": "turn", "revolution": "turn",
 }  # fmt: skip
 #: Every symbol that is read, by what it stands for.
