@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest attack docs bench lock web clean
+.PHONY: run test lint types layers pytest attack fuzz docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -30,6 +30,13 @@ pytest:
 attack:
 	@tools/environment dev
 	cd tests && ../$(BIN)/python -m attack $(ATTACK)
+
+# Inputs as strangers write them, some 10^5 in an hour; a seed is printed with what is found.
+CASES ?= 100000
+SEED ?= 1
+fuzz:
+	@tools/environment dev
+	PYTHONPATH=tests $(BIN)/python -m attacks.fuzz --cases $(CASES) --seed $(SEED)
 
 docs:
 	@tools/environment docs

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from springback.contact.library import SURFACES
-from springback.errors import InputError
+from springback.errors import InputError, shown_value
 from springback.vehicle.library import VEHICLES
 
 
@@ -22,7 +22,9 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
     hint = f"did you mean {near[0]}?" if near else ""
     raise InputError(
-        " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
+        " ".join(
+            f"unknown {kind} preset {shown_value(name)}; known: {', '.join(known)}. {hint}".split()
+        )
     )
 
 

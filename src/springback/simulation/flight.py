@@ -13,6 +13,7 @@ import numpy as np
 
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
+from springback.errors import InputError
 from springback.kernels.compiler import Origin, own_executor, registered
 from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, Like, row_of, rows
@@ -31,6 +32,8 @@ LANES = 8
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
+#: Most instants of a trajectory that are kept (chosen: some 2.5 GB with the diary and all columns).
+MOST_INSTANTS = 1_000_000
 #: When this process read its first sources [s since the epoch].
 BEGUN = time.time()
 
@@ -215,6 +218,9 @@ def fly_one(
         trace: Keep the trajectory: every step of it.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called now and then with the simulated time [s].
+
+    Raises:
+        InputError: If the trajectory has more instants than can be kept.
     """
     shape = shape_of(model, start)
     buffers = loaded(shape, [model], [start], 1)
@@ -227,14 +233,35 @@ def fly_one(
         logged = np.zeros(1, dtype=np.int64)
         flying = run(like, buffers, 0, 1, (0,), log, logged, SLICE, 0.0)
         logs.append(log[: logged[0]])
+        time_now = float(buffers[0, record_row])
+        check_instants(sum(map(len, logs)), time_now, model.timing.until)
         if progress is not None:
-            progress(float(buffers[0, record_row]))
+            progress(time_now)
         if not flying:
             break
     flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
     return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+
+
+def check_instants(instants: int, reached: float, until: float) -> None:
+    """Stop a flight whose trajectory has become too long to be kept.
+
+    Args:
+        instants: Of the trajectory so far, or foreseen.
+        reached: Simulated time by then [s].
+        until: When the flight ends [s].
+
+    Raises:
+        InputError: What there is, and what helps.
+    """
+    if instants > MOST_INSTANTS:
+        raise InputError(
+            f"simulation.duration: of {until:g} s makes a trajectory of more than {MOST_INSTANTS} "
+            f"instants, which are all that can be kept; it has {instants} by {reached:.4g} s; give "
+            "a shorter duration, coarser steps or a slower clock, or in Python trajectory=False"
+        )
 
 
 def trace_columns(shape: Shape) -> tuple[str, ...]:

@@ -32,6 +32,7 @@ from springback.simulation.flight import (
     Executor,
     Flown,
     Trace,
+    check_instants,
     loaded,
     own_types,
     shape_of,
@@ -265,8 +266,12 @@ def fly_guided(
         trace: Keep the trajectory and the diary.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called now and then with the simulated time [s].
+
+    Raises:
+        InputError: If the trajectory has more instants than can be kept.
     """
     shape, duration = shape_of(model, start), model.timing.until
+    check_instants(len(noise) if trace else 0, duration, duration)
     buffers, cabins = loaded(shape, [model], [start], 1), cabins_loaded([cabin], 1)
     entries, ticks = entries_for(model, cabin, executor), len(noise)
     channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
@@ -292,8 +297,10 @@ def fly_guided(
                 if trace:  # the page of this tick has been written before the pilot spoke
                     diary[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
         logs.append(log[: logged[0]])
+        time_now = float(buffers[0, record_row])
+        check_instants(sum(map(len, logs)), time_now, duration)
         if progress is not None:
-            progress(float(buffers[0, record_row]))
+            progress(time_now)
     aboard = rebuilt(cabin.aboard, cabins[0, rows(cabin.guidance) :])
     flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:
