@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.run_ups import CONDITIONS, PAPER_WALL
 from springback.experiments.scenario import merged
 from springback.experiments.trials import Condition, Trial, fly_trials
 from springback.vehicle.library import VEHICLES
@@ -56,7 +56,7 @@ def _thrust(factor: float) -> Changes:
 
 def surface_of(friction: float) -> Mapping[str, Any]:
     """The paper's wall with another friction coefficient."""
-    wall = {"type": "wall", "distance": 2.75, "surface": {"preset": "wall", "friction": friction}}
+    wall = {"type": "wall", "distance": 2.75, "surface": {"preset": PAPER_WALL, "friction": friction}}
     return {"world": {"obstacles": [wall]}}
 
 
