@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
 
 from springback.experiments.comparison import Mark, Row, predicted_or_contradicted
 from springback.experiments.paper.printed import (
@@ -24,6 +23,8 @@ from springback.experiments.paper.printed import (
 )
 from springback.experiments.result import Flight, fly
 from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.shares import CONFIDENCE as CONFIDENCE
+from springback.experiments.shares import wilson as wilson
 from springback.experiments.trials import (
     HOME,
     Condition,
@@ -41,8 +42,6 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 ROBOTS = ("arq", "quad")
 TRIALS = 10
 """Section Impact Resilience: ten trials of each condition."""
-CONFIDENCE = 0.95
-"""Of the intervals of success rates."""
 SLOWEST = (0.0, 1.0)
 """Pitch [deg] and speed [m/s] of flights that only serve to see how detection goes with speed."""
 FASTEST = (0.0, 3.5)
@@ -79,13 +78,6 @@ class Tally(NamedTuple):
     def rate(self) -> float:
         """Share of the trials."""
         return self.successes / self.trials
-
-
-def wilson(successes: int, trials: int) -> tuple[float, float]:
-    """Wilson's interval of a share, at `CONFIDENCE` (Wilson 1927)."""
-    test = scipy.stats.binomtest(successes, trials)
-    interval = test.proportion_ci(confidence_level=CONFIDENCE, method="wilson")
-    return float(interval.low), float(interval.high)
 
 
 @dataclass(frozen=True)
