@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.experiments.bulk import fly_scenarios
+from springback.experiments.run_ups import WALL_DISTANCE
 from springback.experiments.trials import Condition, Trial, fly_trials
+from springback.vehicle.library import VEHICLES
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -25,7 +27,7 @@ AXES = ("vertical", "both")
 """Of `SurfaceSettings.friction_axes`."""
 FRICTIONS = tuple(round(0.1 * k, 1) for k in range(11))
 """Coefficients; Table II prints 0.8."""
-YAWS = tuple(5.0 * k for k in range(10))
+YAWS = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 7.5, *(5.0 * k for k in range(2, 10)))
 """[deg]: at 0 two arms at 45 degrees meet the wall, at 45 one arm straight ahead."""
 SPEED = 2.0
 """[m/s], the slower of the paper's speeds."""
@@ -33,8 +35,8 @@ PRINTED_FRICTION = 0.8
 SPEEDS = (2.0, 3.5)
 """[m/s], of the trials."""
 TRIALS = 40
-ROOM, WALL = 0.03, 2.75
-"""[m]: free run before the touch; place of the wall."""
+ROOM = 0.03
+"""[m], free run before the touch."""
 DURATION = 0.25
 """[s]: approach, contact, and the arms' way back."""
 
@@ -105,7 +107,7 @@ class FrictionResults:
 def impact_tables(
     robot: str, axes: str, friction: float, yaw: float, speed: float
 ) -> dict[str, Any]:
-    """The scenario of one collision, as plain tables: hovering, level, no pilot.
+    """The scenario of one collision, as plain tables: level, with hover thrust, no pilot.
 
     Args:
         robot: Preset.
@@ -114,16 +116,20 @@ def impact_tables(
         yaw: Of the robot against the wall's normal [deg].
         speed: Into the wall [m/s].
     """
-    psi = math.radians(yaw)
-    ahead = 0.19 * max(math.cos(math.pi / 4.0 - psi), math.cos(math.pi / 4.0 + psi)) + 0.11
+    psi, arms = math.radians(yaw), VEHICLES[robot].vehicle.arms
+    ahead = max(
+        float(arms.at("length", j)) * math.cos(float(direction) + psi)
+        + float(arms.at("cage_radius", j))
+        for j, direction in enumerate(arms.directions)
+    )
     surface = {"preset": "wall", "friction": friction, "friction_axes": axes}
     return {
         "name": f"{robot}, {axes}, mu {friction:g}, yaw {yaw:g} deg",
         "vehicle": robot,
         "thrust": "hover",
-        "world": {"obstacles": [{"type": "wall", "distance": WALL, "surface": surface}]},
+        "world": {"obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": surface}]},
         "start": {
-            "position": [WALL - ahead - ROOM, 0.0, 1.0],
+            "position": [WALL_DISTANCE - ahead - ROOM, 0.0, 1.0],
             "velocity": [speed, 0.0, 0.0],
             "yaw": psi,
         },
@@ -161,16 +167,18 @@ def friction_study(
     rows = fly_scenarios([impact_tables(*one, speed) for one in asked], progress=half)
     names = "arm_stroke", "peak_acceleration", "restitution_at_separation"
     columns = [rows.measures[name] for name in names]
-    lost = sum(rows.measures[name] for name in ("loss_contact", "loss_friction", "loss_arm"))
     arms = rows.measures["loss_arm"]
-    results = FrictionResults([
-        Impact(*one, speed, *(float(column[k]) for column in columns), float(arms[k] / lost[k]))
-        for k, one in enumerate(asked)
-    ])  # fmt: skip
+    lost = arms + rows.measures["loss_contact"] + rows.measures["loss_friction"]
+    results = FrictionResults()
+    for k, (robot, axes, friction, yaw) in enumerate(asked):
+        stroke, peak, restitution = (float(column[k]) for column in columns)
+        share = float(arms[k] / lost[k])
+        results.impacts.append(
+            Impact(robot, axes, friction, yaw, speed, stroke, peak, restitution, share)
+        )
     for k, axes in enumerate(AXES if trials else ()):
-        wall = {
-            "type": "wall", "distance": WALL, "surface": {"preset": "wall", "friction_axes": axes}
-        }  # fmt: skip
+        surface = {"preset": "wall", "friction_axes": axes}
+        wall = {"type": "wall", "distance": WALL_DISTANCE, "surface": surface}
         tests = [
             Condition(robot, 0.0, speed, {"world": {"obstacles": [wall]}})
             for robot in ROBOTS

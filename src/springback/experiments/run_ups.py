@@ -49,9 +49,9 @@ def run_up_scenario(vehicle: str, pitch: float, speed: float, **tables: Any) -> 
         "name": f"{vehicle}, {speed:g} m/s, {pitch:g} deg",
         "vehicle": vehicle,
         "reference": {"type": "run-up", "speed": speed, "pitch": math.radians(pitch)},
-        "world": {"obstacles": [
-            {"type": "wall", "distance": WALL_DISTANCE, "surface": PAPER_WALL}
-        ]},
+        "world": {
+            "obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": PAPER_WALL}]
+        },
         "start": {"position": [0.0, 0.0, 1.0]},
         "simulation": {"duration": DURATION},
     }

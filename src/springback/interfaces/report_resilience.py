@@ -7,12 +7,22 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from springback.experiments.comparison import Mark, Row
+from springback.experiments.paper.choices import (
+    EKF2,
+    OURS,
+    PLAUSIBLE,
+    PRINTED_TRIALS,
+    Choice,
+    choices_data,
+)
+from springback.experiments.paper.choices import Cell as Chosen
 from springback.experiments.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.experiments.paper.resilience import (
     CONFIDENCE,
@@ -31,7 +41,7 @@ from springback.experiments.paper.resilience import (
 )
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
 from springback.experiments.run_ups import CONDITIONS
-from springback.interfaces import plots_resilience
+from springback.interfaces import plots_choices, plots_map, plots_resilience
 from springback.interfaces.plots_resilience import NAMES, POSES, SEEN
 from springback.interfaces.report_page import (
     Blocks,
@@ -75,6 +85,8 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
     rows = results.rows()
     blocks: dict[str, Blocks] = {
         "resilience": _answer(results, rows),
+        "choices": _choices(results),
+        "map": _map(results),
         "recovery": (*_fast(results, rows), *_recovery(results), *_compared(results)),
         "detection": (*_detection(results), *_where(results)),
         "energy_of_hits": _energy(results),
@@ -167,7 +179,7 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
             "asked", conditions=len({t[1:3] for t in tallies}), trials=results.trials,
             fast=plain(FASTEST[1]),
         ),
-        _verdict(tallies),
+        _verdict(tallies, results.chosen()),
         Picture("resilience", picture, plots_resilience.success_figure(results)),
         words,
         _success(tallies),
@@ -175,7 +187,10 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     )  # fmt: skip
 
 
-def _verdict(tallies: Sequence[Tally]) -> str:
+def _verdict(
+    tallies: Sequence[Tally],
+    chosen: Mapping[tuple[str, float, float], Chosen] = MappingProxyType({}),
+) -> str:
     arq = [tally for tally in tallies if tally.robot == "arq"]
     words = WORDS.say(
         "verdict_arq", successes=sum(t.successes for t in arq), all=sum(t.trials for t in arq),
@@ -188,7 +203,83 @@ def _verdict(tallies: Sequence[Tally]) -> str:
                 "verdict_quad_agrees" if right else "verdict_quad_against",
                 fast=plain(FASTEST[1]), successes=tally.successes, all=tally.trials,
             )  # fmt: skip
+    cells = [chosen.get((robot, *FASTEST)) for robot in ROBOTS]
+    if all(cells):
+        arq_fast, quad_fast = (cell for cell in cells if cell is not None)
+        words += " " + WORDS.say(
+            "verdict_chosen", estimator=EKF2, fast=plain(FASTEST[1]), arq=arq_fast.successes,
+            quad=quad_fast.successes, all=quad_fast.trials, duration=plain(quad_fast.duration),
+        )  # fmt: skip
     return words.strip()
+
+
+# -- sets of choices ------------------------------------------------------------------------------
+
+
+def _choices(results: ResilienceResults) -> Blocks:
+    """The table under each set of choices, and how much of print each gives."""
+    found = results.choices
+    if found is None or not found.cells:
+        return ()
+    counted = [found.agreement(*one) for one in found.flown]
+    sets = tuple(
+        (
+            Cell(one.choice.name), Cell(f"{one.close} of {one.numbers}", one.close),
+            Cell(f"{one.plausible} of {one.numbers}", one.plausible),
+            Cell(f"{one.words} of {one.phrases}", one.words),
+        )
+        for one in counted
+    )  # fmt: skip
+    best = found.best()
+    columns = [one for one in found.flown if one[0].friction == best.choice.friction]
+    lines = [
+        (
+            Cell(f"{NAMES[robot]}, {_condition(*condition)}"),
+            *(_fate(found.table(*one).get((robot, *condition))) for one in columns),
+        )
+        for robot in ROBOTS
+        for condition in ORDER
+    ]
+    heads = ("", *(_estimator(choice) for choice, _ in columns))
+    words = WORDS.say(
+        "choices", ekf2=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
+        best=best.choice.name, met=best.total, all=best.numbers + best.phrases,
+    )  # fmt: skip
+    how = WORDS.say("choices_how", chance=_share(PLAUSIBLE), printed_trials=PRINTED_TRIALS)
+    return (
+        words,
+        Picture("choices", WORDS.say("choices_picture", trials=found.trials),
+                plots_choices.choices_figure(found)),
+        how,
+        Table(WORDS.say("choices_caption"), WORDS.head("choices"), sets),
+        Table(WORDS.say("fates_caption", friction=best.choice.friction), heads, tuple(lines)),
+    )  # fmt: skip
+
+
+def _estimator(choice: Choice) -> str:
+    return choice.estimator
+
+
+def _fate(cell: Chosen | None) -> Cell:
+    """Recovered of the trials; medians of height lost, distance and time."""
+    if cell is None:
+        return Cell("–")
+    loss, far, time = (
+        "–" if (value := cell.medians.get(name)) is None else _number(value, 2)
+        for name in ("height_loss", "excursion", "recovery_time")
+    )
+    detail = WORDS.say("fate", loss=loss, far=far, time=time)
+    return Cell(f"{cell.successes} of {cell.trials}", cell.share, detail)
+
+
+def _map(results: ResilienceResults) -> Blocks:
+    """Where on a map of speed and pitch each robot recovers."""
+    envelope = results.envelope
+    if envelope is None:
+        return ()
+    words = WORDS.say("map", ekf2=EKF2, trials=envelope.trials)
+    pictured = WORDS.say("map_picture", trials=envelope.trials)
+    return (words, Picture("map", pictured, plots_map.map_figure(envelope)))
 
 
 def _success(tallies: Sequence[Tally]) -> Table:
@@ -411,7 +502,7 @@ def _method(results: ResilienceResults) -> Blocks:
 
 def resilience_data(results: ResilienceResults) -> dict[str, Any]:
     """Counts, every trial and the repeated tests, as plain data."""
-    found = {
+    found: dict[str, Any] = {
         "success": [
             {**tally._asdict(), "rate": tally.rate, "printed": SUCCESS.get(tally[:3])}
             for tally in results.tallies()
@@ -421,6 +512,10 @@ def resilience_data(results: ResilienceResults) -> dict[str, Any]:
         "repeated": [repeat.as_dict() for repeat in results.repeats],
         "scatter": results.scatter._asdict(),
     }
+    if results.choices is not None:
+        found["choices"] = choices_data(results.choices)
+    if results.envelope is not None:
+        found["map"] = results.envelope.as_dict()
     return {"resilience": found}
 
 
@@ -430,6 +525,8 @@ def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, An
         "trials.csv": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "collisions.csv": _sample_rows(results),
         "repeated.csv": _repeated_rows(results),
+        "choices.csv": [c.as_dict() for c in results.choices.cells] if results.choices else [],
+        "map.csv": results.envelope.rows() if results.envelope else [],
     }
     return {name: rows for name, rows in tables.items() if rows}
 

@@ -260,15 +260,35 @@ def fly_choices(
     return results
 
 
+def choices_sentences(results: ChoiceResults) -> list[str]:
+    """What the sets of choices say, a line each; the best set last."""
+    said = []
+    for one in results.flown:
+        count, fast = results.agreement(*one), results.table(*one)
+        shares = ", ".join(
+            f"{robot} {fast[robot, 0.0, 3.5].successes} of {fast[robot, 0.0, 3.5].trials}"
+            for robot in ROBOTS
+            if (robot, 0.0, 3.5) in fast
+        )
+        said.append(
+            f"{one[0].name}, {one[1]:g} s: {count.total} of {count.numbers + count.phrases} "
+            f"printed entries; at 3.5 m/s {shares}"
+        )
+    best = results.best()
+    said.append(
+        f"most of the printed table: {best.choice.name}, {best.duration:g} s, "
+        f"{best.total} of {best.numbers + best.phrases}"
+    )
+    return said
+
+
 def choices_data(results: ChoiceResults) -> dict[str, Any]:
     """Counts and medians of every condition, and how much of the printed table each set gives."""
     sets = [results.agreement(*one) for one in results.flown]
     return {
         "trials": results.trials,
         "seed": results.seed,
-        "agreement": [
-            {**_plain(one), "total": one.total, "name": one.choice.name} for one in sets
-        ],
+        "agreement": [{**_plain(one), "total": one.total, "name": one.choice.name} for one in sets],
         "cells": [cell.as_dict() for cell in results.cells],
     }
 
@@ -277,4 +297,3 @@ def _plain(one: Agreement) -> dict[str, Any]:
     """Plain data of an agreement."""
     own = {key: value for key, value in one._asdict().items() if key != "choice"}
     return {"friction": one.choice.friction, "estimator": one.choice.estimator, **own}
-

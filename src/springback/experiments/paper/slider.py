@@ -379,9 +379,7 @@ def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -
         )  # fmt: skip
 
     ours = results.sweep[-1].gap
-    results.rows.append(
-        row(ours, predicted_or_contradicted(ours, SWEEP_GAP), c_a, QUADS, "")
-    )
+    results.rows.append(row(ours, predicted_or_contradicted(ours, SWEEP_GAP), c_a, QUADS, ""))
     own = _solved(lambda trial: gap(trial) - SWEEP_GAP)
     if own is not None:
         results.rows.append(
