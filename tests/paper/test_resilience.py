@@ -38,7 +38,7 @@ from springback.simulation.measures import Outcome
 
 @pytest.fixture(scope="module")
 def results() -> ResilienceResults:
-    return resilience_experiments(trials=2, repeats=1, collisions=2)
+    return resilience_experiments(trials=2, repeats=1, collisions=2, compared=2, mapped=0)
 
 
 # -- what was flown -------------------------------------------------------------------------------

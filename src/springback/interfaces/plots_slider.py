@@ -54,6 +54,11 @@ def _reading_looks(results: SliderResults) -> dict[str, Look]:
     return {r.name: order[k % len(order)] for k, r in enumerate(results.readings)}
 
 
+def _legend_room(readings: int) -> float:
+    """More height [in] for the legend of more than three readings, three names to a line."""
+    return 0.2 * max(0, -(-readings // 3) - 1)
+
+
 @styled
 def slider_figure(results: SliderResults, robot: str) -> Figure:
     """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
@@ -66,12 +71,12 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     """
     flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
     flights = [case.flight for cases in flown.values() for case in cases]
+    looks = _reading_looks(results)
     labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
     if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
         labels.append("Arm length [mm]")
-    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
+    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels) + _legend_room(len(looks))))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
-    looks = _reading_looks(results)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
         span = _slider_times(robot, surface, cases)
         for case in cases:
@@ -207,7 +212,7 @@ def readings_figure(results: SliderResults) -> Figure:
         ("travel", "travel", ""),
         ("contact\ntime", "contact_time", "time_to_return"),
     ]
-    figure = HouseFigure(figsize=(WIDTH, 2.9))
+    figure = HouseFigure(figsize=(WIDTH, 2.9 + _legend_room(len(results.readings))))
     axes = figure.subplots(1, 2, sharey=True, sharex=True)
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)

@@ -242,7 +242,7 @@ def _choices(results: ResilienceResults) -> Blocks:
     ]
     heads = ("", *(_estimator(choice) for choice, _ in columns))
     words = WORDS.say(
-        "choices", ekf2=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
+        "choices", theirs=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
         best=best.choice.name, met=best.total, all=best.numbers + best.phrases,
     )  # fmt: skip
     how = WORDS.say("choices_how", chance=_share(PLAUSIBLE), printed_trials=PRINTED_TRIALS)
@@ -277,7 +277,7 @@ def _map(results: ResilienceResults) -> Blocks:
     envelope = results.envelope
     if envelope is None:
         return ()
-    words = WORDS.say("map", ekf2=EKF2, trials=envelope.trials)
+    words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
     pictured = WORDS.say("map_picture", trials=envelope.trials)
     return (words, Picture("map", pictured, plots_map.map_figure(envelope)))
 
