@@ -14,14 +14,7 @@ from typing import Any
 import numpy as np
 
 from springback.experiments.comparison import Mark, Row
-from springback.experiments.paper.choices import (
-    EKF2,
-    OURS,
-    PLAUSIBLE,
-    PRINTED_TRIALS,
-    Choice,
-    choices_data,
-)
+from springback.experiments.paper.choices import EKF2, choices_data
 from springback.experiments.paper.choices import Cell as Chosen
 from springback.experiments.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.experiments.paper.resilience import (
@@ -40,9 +33,10 @@ from springback.experiments.paper.resilience import (
     wilson,
 )
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
-from springback.experiments.run_ups import CONDITIONS
-from springback.interfaces import plots_choices, plots_map, plots_resilience
+from springback.interfaces import plots_resilience
+from springback.interfaces.plots_choices import ORDER
 from springback.interfaces.plots_resilience import NAMES, POSES, SEEN
+from springback.interfaces.report_choices import choices_blocks, condition, map_blocks, signed
 from springback.interfaces.report_page import (
     Blocks,
     Cell,
@@ -51,6 +45,7 @@ from springback.interfaces.report_page import (
     Table,
     Words,
     listed,
+    number,
     plain,
     words_of_power,
 )
@@ -58,7 +53,6 @@ from springback.recovery.parameters import Settling
 from springback.vehicle.library import VEHICLES
 
 WORDS = Words.of("resilience")
-ORDER = tuple(sorted(CONDITIONS, key=lambda c: (c[1], c[0])))
 SLOW = (0.0, 2.0)
 """Pitch [deg] and speed [m/s] at which the paper draws both robots."""
 STEEPEST = -45.0
@@ -85,8 +79,8 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
     rows = results.rows()
     blocks: dict[str, Blocks] = {
         "resilience": _answer(results, rows),
-        "choices": _choices(results),
-        "map": _map(results),
+        "choices": choices_blocks(results),
+        "map": map_blocks(results),
         "recovery": (*_fast(results, rows), *_recovery(results), *_compared(results)),
         "detection": (*_detection(results), *_where(results)),
         "energy_of_hits": _energy(results),
@@ -106,20 +100,8 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
 # -- numbers --------------------------------------------------------------------------------------
 
 
-def _number(value: float, decimals: int) -> str:
-    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−")
-
-
 def _share(value: float) -> str:
     return plain(round(100 * value, 1))
-
-
-def _signed(degrees: float) -> str:
-    return f"{degrees:+g}".replace("-", "−") if degrees else "0"
-
-
-def _condition(pitch: float, speed: float) -> str:
-    return f"{_signed(pitch)}°, {plain(speed)} m/s"
 
 
 def _middle(
@@ -130,9 +112,9 @@ def _middle(
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
         return Cell("–")
-    least, most = _number(min(found), decimals), _number(max(found), decimals)
+    least, most = number(min(found), decimals), number(max(found), decimals)
     median = float(np.median(found))
-    return Cell(_number(median, decimals), median / scale, f"{least} to {most}")
+    return Cell(number(median, decimals), median / scale, f"{least} to {most}")
 
 
 def _median(results: ResilienceResults, of: tuple[str, float, float], measure: str) -> float:
@@ -147,7 +129,7 @@ def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
 
 
 def _name(of: tuple[str, float, float]) -> Cell:
-    return Cell(f"{NAMES[of[0]]}, {_condition(*of[1:])}")
+    return Cell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
 
 
 def _row(rows: Sequence[Row], quantity: str) -> Cell:
@@ -155,7 +137,7 @@ def _row(rows: Sequence[Row], quantity: str) -> Cell:
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return Cell("–", mark=Mark.CONTRADICTED)
-    return Cell(_number(row.ours, 0), row.ours, "", row.mark)
+    return Cell(number(row.ours, 0), row.ours, "", row.mark)
 
 
 # -- who survives what ----------------------------------------------------------------------------
@@ -171,8 +153,8 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     gentle = [pitch for (_, pitch, _), word in SUCCESS_WORDS.items() if word == "fairly good"]
     picture = WORDS.say(
         "success_picture", confidence=plain(100 * CONFIDENCE), slow=plain(SLOW[1]),
-        good=SUCCESS_WORDS["quad", *SLOW], least=_signed(min(gentle)), most=_signed(max(gentle)),
-        drops=SUCCESS_WORDS["quad", STEEPEST, SLOW[1]], steep=_signed(STEEPEST),
+        good=SUCCESS_WORDS["quad", *SLOW], least=signed(min(gentle)), most=signed(max(gentle)),
+        drops=SUCCESS_WORDS["quad", STEEPEST, SLOW[1]], steep=signed(STEEPEST),
     )  # fmt: skip
     return (
         WORDS.say(
@@ -213,88 +195,19 @@ def _verdict(
     return words.strip()
 
 
-# -- sets of choices ------------------------------------------------------------------------------
-
-
-def _choices(results: ResilienceResults) -> Blocks:
-    """The table under each set of choices, and how much of print each gives."""
-    found = results.choices
-    if found is None or not found.cells:
-        return ()
-    counted = [found.agreement(*one) for one in found.flown]
-    sets = tuple(
-        (
-            Cell(one.choice.name), Cell(f"{one.close} of {one.numbers}", one.close),
-            Cell(f"{one.plausible} of {one.numbers}", one.plausible),
-            Cell(f"{one.words} of {one.phrases}", one.words),
-        )
-        for one in counted
-    )  # fmt: skip
-    best = found.best()
-    columns = [one for one in found.flown if one[0].friction == best.choice.friction]
-    lines = [
-        (
-            Cell(f"{NAMES[robot]}, {_condition(*condition)}"),
-            *(_fate(found.table(*one).get((robot, *condition))) for one in columns),
-        )
-        for robot in ROBOTS
-        for condition in ORDER
-    ]
-    heads = ("", *(_estimator(choice) for choice, _ in columns))
-    words = WORDS.say(
-        "choices", theirs=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
-        best=best.choice.name, met=best.total, all=best.numbers + best.phrases,
-    )  # fmt: skip
-    how = WORDS.say("choices_how", chance=_share(PLAUSIBLE), printed_trials=PRINTED_TRIALS)
-    return (
-        words,
-        Picture("choices", WORDS.say("choices_picture", trials=found.trials),
-                plots_choices.choices_figure(found)),
-        how,
-        Table(WORDS.say("choices_caption"), WORDS.head("choices"), sets),
-        Table(WORDS.say("fates_caption", friction=best.choice.friction), heads, tuple(lines)),
-    )  # fmt: skip
-
-
-def _estimator(choice: Choice) -> str:
-    return choice.estimator
-
-
-def _fate(cell: Chosen | None) -> Cell:
-    """Recovered of the trials; medians of height lost, distance and time."""
-    if cell is None:
-        return Cell("–")
-    loss, far, time = (
-        "–" if (value := cell.medians.get(name)) is None else _number(value, 2)
-        for name in ("height_loss", "excursion", "recovery_time")
-    )
-    detail = WORDS.say("fate", loss=loss, far=far, time=time)
-    return Cell(f"{cell.successes} of {cell.trials}", cell.share, detail)
-
-
-def _map(results: ResilienceResults) -> Blocks:
-    """Where on a map of speed and pitch each robot recovers."""
-    envelope = results.envelope
-    if envelope is None:
-        return ()
-    words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
-    pictured = WORDS.say("map_picture", trials=envelope.trials)
-    return (words, Picture("map", pictured, plots_map.map_figure(envelope)))
-
-
 def _success(tallies: Sequence[Tally]) -> Table:
     found, lines = {tally[:3]: tally for tally in tallies}, []
-    for condition in ORDER:
+    for test in ORDER:
         cells = []
         for robot in ROBOTS:
-            of = (robot, *condition)
+            of = (robot, *test)
             printed = SUCCESS.get(of)
             if printed is None:
                 cells.append(Cell(SUCCESS_WORDS.get(of, "–")))
             else:
                 cells.append(Cell(WORDS.say("printed_share", share=_share(printed)), printed))
             cells.append(_tally(found.get(of), printed))
-        lines.append((Cell(_condition(*condition)), *cells))
+        lines.append((Cell(condition(*test)), *cells))
     caption = WORDS.say("success_caption", confidence=plain(100 * CONFIDENCE))
     return Table(caption, WORDS.head("success"), tuple(lines))
 
@@ -326,7 +239,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     sample = results.sample("arq", *FASTEST)
     if not flown or sample is None:
         return ()
-    up, down = (_signed(value) for value in RECOVERY_PITCH)
+    up, down = (signed(value) for value in RECOVERY_PITCH)
     words = WORDS.say(
         "pitch", fast=plain(FASTEST[1]), up=up, down=down, trials=len(flown),
         ours_up=_row(rows, "pitch, nose up"), ours_down=_row(rows, "pitch, nose down"),
@@ -336,7 +249,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
         asked = WORDS.say(
             "pitch_asked", asked_up=_row(rows, "pitch asked for, nose up"),
             asked_down=_row(rows, "pitch asked for, nose down"),
-            aimed_up=_number(aimed[0], 0), aimed_down=_number(aimed[1], 0),
+            aimed_up=number(aimed[0], 0), aimed_down=number(aimed[1], 0),
         )  # fmt: skip
         blocks.append(asked)
     words = WORDS.say("fast_picture", fast=plain(FASTEST[1]))
@@ -366,8 +279,8 @@ def _recovery(results: ResilienceResults) -> Blocks:
     low = min(results.flown, key=lambda trial: trial.measures["lowest_height"] or 0.0)
     words = WORDS.say(
         "recovery", far=far, again=again, all=len(flown), who=NAMES[low.robot],
-        where=_condition(low.pitch, low.speed),
-        height=_number(low.measures["lowest_height"] or 0.0, 2),
+        where=condition(low.pitch, low.speed),
+        height=number(low.measures["lowest_height"] or 0.0, 2),
     )  # fmt: skip
     return (Table(WORDS.say("recovery_caption"), WORDS.head("recovery"), lines), words)
 
@@ -377,7 +290,7 @@ def _compared(results: ResilienceResults) -> Blocks:
     if len(samples) < len(ROBOTS):
         return ()
     numbers = {
-        f"{robot}_{name}": _number(_median(results, (robot, *SLOW), measure), 2)
+        f"{robot}_{name}": number(_median(results, (robot, *SLOW), measure), 2)
         for robot in ROBOTS
         for name, measure in (("far", "excursion"), ("time", "recovery_time"))
     }
@@ -395,8 +308,8 @@ def _compared(results: ResilienceResults) -> Blocks:
 def _detection(results: ResilienceResults) -> Blocks:
     lines, everyone = [], [*results.flown, *results.slower]
     for robot in ROBOTS:
-        for condition in (SLOWEST, SLOW, FASTEST):
-            of = (robot, *condition)
+        for test in (SLOWEST, SLOW, FASTEST):
+            of = (robot, *test)
             found = [t for t in everyone if (t.robot, t.pitch, t.speed) == of]
             if found:
                 delays = (
@@ -405,7 +318,7 @@ def _detection(results: ResilienceResults) -> Blocks:
                 )
                 missed = sum(t.measures["detection_delay"] is None for t in found)
                 wrong = sum(t.measures["false_alarms"] or 0.0 for t in found)
-                name = Cell(f"{NAMES[robot]}, {plain(condition[1])} m/s")
+                name = Cell(f"{NAMES[robot]}, {plain(test[1])} m/s")
                 counts = (Cell(str(missed), missed), Cell(plain(wrong), wrong))
                 lines.append((name, *delays, *counts))
     words = WORDS.say(
@@ -449,12 +362,12 @@ def _energy(results: ResilienceResults) -> Blocks:
         speed, mass = _median(results, of, "touch_speed"), VEHICLES[of[0]].vehicle.mass
         kinetic = 0.5 * mass * speed**2
         losses = (_middle(results, of, name, 1.0, 2) for name in LOSSES)
-        lines.append((_name(of), Cell(_number(kinetic, 2), kinetic), *losses))
+        lines.append((_name(of), Cell(number(kinetic, 2), kinetic), *losses))
     fast = {name: _median(results, ("arq", *FASTEST), name) for name in LOSSES}
     worst = max(abs(t.measures["ledger_residual"] or 0.0) for t in results.flown)
     words = WORDS.say(
         "energy", fast=plain(FASTEST[1]), residual=words_of_power(worst),
-        arms=_number(100 * fast["loss_arm"] / sum(fast.values()), 0),
+        arms=number(100 * fast["loss_arm"] / sum(fast.values()), 0),
     )  # fmt: skip
     return (words, Table(WORDS.say("energy_caption"), WORDS.head("energy"), tuple(lines)))
 
@@ -463,10 +376,10 @@ def _repeated(results: ResilienceResults) -> Blocks:
     arq, quad = results.repeated("arq"), results.repeated("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
     words = WORDS.say(
-        "repeated", collisions=results.repeats[0].asked, steep=_signed(REPEATED[0]),
+        "repeated", collisions=results.repeats[0].asked, steep=signed(REPEATED[0]),
         flights=len(arq), won=sum(r.success for r in arq), quad_flights=len(quad),
         quad_won=sum(r.success for r in quad), both=len(results.repeats),
-        worst=_number(1e3 * max(gaps), 0) if gaps else "–",
+        worst=number(1e3 * max(gaps), 0) if gaps else "–",
         swung=sum(r.alarms > r.collisions for r in results.repeats),
     )  # fmt: skip
     lines = []
@@ -476,7 +389,7 @@ def _repeated(results: ResilienceResults) -> Blocks:
         lines.append((
             Cell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
             *(Cell(str(count), count) for count in counts),
-            Cell("–") if worst is None else Cell(_number(1e3 * worst, 1), worst),
+            Cell("–") if worst is None else Cell(number(1e3 * worst, 1), worst),
             Cell(WORDS.say("yes" if repeat.success else "no")),
         ))  # fmt: skip
     table = Table(WORDS.say("repeated_caption"), WORDS.head("repeated"), tuple(lines))
