@@ -89,7 +89,7 @@ LARGE_RANGE: Mapping[str, Any] = {
 }
 """Of an accelerometer of some 200 g, which no collision here exceeds."""
 #: Time over which a clipped reading loses as much as the range, such that the noise is the 4.9 m/s²
-#: at steps of 10 ms that PX4's EKF2 assumes since 1.12 while a reading is clipped [s].
+#: at steps of 10 ms that PX4's EKF2 assumes in later versions while a reading is clipped [s].
 LATER_CLIPPING = 0.01 * (4.9 / (16.0 * STANDARD_GRAVITY)) ** 2
 
 
@@ -101,7 +101,7 @@ VARIANTS = (
     Variant("default", "all as documented", same({})),
     Variant("compliance", "ARQ's arms locked",
             changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
-    Variant("compliance", "arms of reading A: a quarter as stiff and damped",
+    Variant("compliance", "arms of reading D: a quarter as stiff and damped",
             changed_vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
     Variant("IMU clipping", "accelerometer without limit", same(LARGE_RANGE)),
     Variant("IMU clipping", "filter trusts clipped readings", same({
@@ -112,7 +112,7 @@ VARIANTS = (
     Variant("PX4 EKF2", "the noise it assumes", same(_ekf2())),
     Variant("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
     Variant("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
-    Variant("PX4 EKF2", "and 4.9 m/s² while clipped, as since 1.12", same(
+    Variant("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
         _ekf2(distrust_clipped=True, clipping=LATER_CLIPPING))),
     Variant("PX4 EKF2", "and friction along both tangents",
             same(merged(surface_of(axes="both"), _ekf2()))),

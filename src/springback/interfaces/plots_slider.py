@@ -157,7 +157,7 @@ def sweep_figure(results: SliderResults) -> Figure:
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
     looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
     speeds = sorted({p.speed for p in results.sweep})
-    figure = HouseFigure(figsize=(WIDTH, 4.4))
+    figure = HouseFigure(figsize=(WIDTH, 4.7 + 0.2 * (len(names) // 2)))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
     for n in names:
@@ -178,7 +178,7 @@ def sweep_figure(results: SliderResults) -> Figure:
     lower.set_xlabel("Speed at touch [m/s]")
     lower.set_xticks(speeds, [f"{v:g}" for v in speeds])
     figure.align_ylabels([upper, lower])
-    upper.legend(loc="upper left", ncols=1 + len(names) // 4)
+    figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     lower.legend(loc="upper left")
     return figure
 

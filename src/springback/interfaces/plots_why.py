@@ -108,8 +108,8 @@ def pairs_figure(results: PairResults) -> Figure:
         image = axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
         image.set_label("_Share of trials that succeed [-]")
         base = results.at("none", "none", robot)
-        told = f"; unchanged {base.successes} of {base.trials}" if base else ""
-        axes.set_title(f"{TITLES[robot]}: successes{told}", size=9)
+        told = f"; unchanged {base.successes}/{base.trials}" if base else ""
+        axes.set_title(f"{TITLES[robot]}{told}", size=9)
         axes.set_xticks(range(len(names)), names, size=8, rotation=45, ha="right")
         axes.set_yticks(range(len(names)), [change.name for change in CHANGES], size=8)
         axes.set_xlabel("and, too", size=8)
