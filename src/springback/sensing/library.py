@@ -20,7 +20,8 @@ SOURCES = {
         "type": "chosen: springback's error-state Kalman filter, with the noise that EKF2 assumes",
         "kalman.position_noise": "given: EKF2_EVP_NOISE, 0.1 m, PX4-Autopilot, "
         "src/modules/ekf2, all versions",
-        "kalman.attitude_noise": "given: EKF2_EVA_NOISE, 0.05 rad in earlier versions, 0.1 rad in later",
+        "kalman.attitude_noise": "given: EKF2_EVA_NOISE, 0.05 rad in earlier versions, "
+        "0.1 rad in later",
         "kalman.inflation": "derived: EKF2_ACC_NOISE, 0.35 m/s^2 at a step of 10 ms, is 24 times "
         "the data sheet's density if both are read as two-sided, 34 times if the data sheet's is "
         "one-sided; EKF2_GYR_NOISE, 0.015 rad/s, 14 or 20 times (docs/decisions/0018)",
