@@ -232,8 +232,8 @@ def test_slider_figures_mark_what_is_printed() -> None:
 def test_readings_are_told_apart_by_more_than_colour() -> None:
     figure = plots_slider.slider_figure(made_up_results(), "arq")
     lines = [line for line in figure.axes[0].lines if str(line.get_label()).startswith("reading")]
-    assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == 3  # type: ignore[attr-defined]  # fmt: skip
-    assert len({line.get_color() for line in lines}) == 3
+    assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == len(READINGS)  # type: ignore[attr-defined]  # fmt: skip
+    assert len({line.get_color() for line in lines}) == len(READINGS)
 
 
 def test_any_number_of_readings_with_any_names() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value
+from springback.sensing.library import ESTIMATORS
 from springback.vehicle.library import VEHICLES
 
 
@@ -65,6 +66,15 @@ def surface_table(given: Any) -> Any:
     return merged(base, own)
 
 
+def estimator_table(given: Any) -> Any:
+    """A raw estimator, its preset replaced by what it stands for."""
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("estimator", str(table["preset"]), ESTIMATORS).model_dump(exclude_unset=True)
+    return merged(base, {key: value for key, value in table.items() if key != "preset"})
+
+
 def obstacle_table(entry: Any) -> Any:
     """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
     if not isinstance(entry, Mapping):
@@ -78,6 +88,8 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     result = dict(given)
     if "vehicle" in result:
         result["vehicle"] = vehicle_table(result["vehicle"])
+    if "estimator" in result:
+        result["estimator"] = estimator_table(result["estimator"])
     world = result.get("world")
     if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
         entries = [obstacle_table(entry) for entry in world["obstacles"]]

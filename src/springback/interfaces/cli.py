@@ -254,23 +254,33 @@ def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool)
 @click.argument("preset", required=False)
 @json_option
 def show(preset: str | None, as_json: bool) -> None:
-    """Show a vehicle or surface PRESET, each number with its source; all presets without one."""
+    """Show a vehicle, surface or estimator PRESET, each number with its source; or all presets."""
     from springback.contact.library import SOURCES, SURFACES
     from springback.experiments.scenario import preset as known_preset
+    from springback.sensing.library import ESTIMATORS
+    from springback.sensing.library import SOURCES as ESTIMATOR_SOURCES
     from springback.vehicle.library import VEHICLES
 
     if preset is None:
         names = {name: entry.summary for name, entry in VEHICLES.items()}
-        names |= {name: f"surface, {entry.law}" for name, entry in SURFACES.items()}
+        names |= {
+            name: f"surface, {entry.law}, friction {entry.friction_axes}"
+            for name, entry in SURFACES.items()
+        }
+        names |= {name: f"estimator, {entry.type}" for name, entry in ESTIMATORS.items()}
         _print(
             names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()),
             as_json,
         )
         return
-    entry = known_preset("vehicle or surface", preset, {**VEHICLES, **SURFACES})
+    known = {**VEHICLES, **SURFACES, **ESTIMATORS}
+    entry = known_preset("vehicle, surface or estimator", preset, known)
+    extra: dict[str, Any] = {}
     if preset in VEHICLES:
         settings, sources, summary = entry.vehicle, entry.sources, entry.summary
         extra = {"mass": entry.vehicle.mass, "inertia": entry.vehicle.inertia().tolist()}
+    elif preset in ESTIMATORS:
+        settings, sources, summary = entry, ESTIMATOR_SOURCES[preset], f"estimator {preset}"
     else:
         settings, sources, summary = entry, SOURCES[preset], f"surface {preset}"
         extra = {"dissipation": entry.dissipation_value()}
