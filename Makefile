@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest docs bench lock web clean
+.PHONY: run test lint types layers pytest attack fuzz docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -26,6 +26,18 @@ layers:
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
 
+# Damage, foreign SQL, broken caches, Ctrl-C and kill -9 at any instant, and `make fuzz`: a table.
+attack:
+	@tools/environment dev
+	cd tests && ../$(BIN)/python -m attack $(ATTACK)
+
+# Inputs as strangers write them, some 10^5 in an hour; a seed is printed with what is found.
+CASES ?= 100000
+SEED ?= 1
+fuzz:
+	@tools/environment dev
+	PYTHONPATH=tests $(BIN)/python -m attacks.fuzz --cases $(CASES) --seed $(SEED)
+
 docs:
 	@tools/environment docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
@@ -38,6 +50,12 @@ bench:
 lock:
 	uv lock
 	uv export --quiet --all-extras --no-hashes --no-emit-project --output-file constraints.txt
+	for extra in all dev docs; do \
+		uv export --quiet --locked --extra $$extra --no-emit-project --no-annotate \
+			--output-file tools/locked/$$extra.txt || exit 1; \
+	done
+	printf 'hatchling\nuv\n' | uv pip compile --quiet --universal --python-version 3.11 \
+		--generate-hashes --no-annotate --output-file tools/locked/build.txt -
 
 # The script of the pages, after a change under web/; needs node, which nothing else does.
 web:

@@ -1,5 +1,5 @@
 """``python -m springback``."""
 
-from springback.interfaces.cli import run
+from springback.command import run
 
 run()

@@ -1,6 +1,15 @@
-"""Errors that users meet."""
+"""Errors and warnings that users meet."""
 
 from __future__ import annotations
+
+import sys
+import warnings
+from typing import TextIO
+
+#: Characters of a given value that are shown in a message (chosen).
+LONGEST_VALUE = 80
+#: Characters of a line of an error, and lines (chosen).
+LONGEST_LINE, MOST_PROBLEMS = 2000, 50
 
 
 class LedgerWarning(UserWarning):
@@ -12,5 +21,69 @@ class InputError(ValueError):
 
     def __init__(self, *problems: str) -> None:
         """One line for each problem."""
-        super().__init__("\n".join(problems))
-        self.problems = problems
+        shown = tuple(shortened(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
+        left = len(problems) - len(shown)
+        self.problems = (*shown, f"and {left} more problems") if left else shown
+        super().__init__("\n".join(self.problems))
+
+
+class CacheWarning(UserWarning):
+    """What earlier runs kept was left aside, or cannot be kept; results are the same."""
+
+
+def warn_in_one_line() -> None:
+    """Show this package's warnings on stderr as one line each, for programs; others as they are."""
+    before = warnings.showwarning
+
+    def show(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        if category.__module__.startswith("springback."):
+            (file or sys.stderr).write(f"warning: {message}\n")
+        else:
+            before(message, category, filename, lineno, file, line)
+
+    warnings.showwarning = show
+    warnings.simplefilter("always", CacheWarning)
+
+
+def plain(text: str, *, keep: str = "") -> str:
+    r"""Text that a terminal shows and does nothing else with, and that can be encoded.
+
+    Control characters, escape sequences, marks that reverse the direction of writing and lone
+    surrogates are written as ``\x1b`` or ``\u202e``.
+
+    Args:
+        text: That may come from a stranger.
+        keep: Characters that are left as they are, such as the newline.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(
+        one if one.isprintable() or one in keep else one.encode("unicode_escape").decode()
+        for one in text
+    )
+
+
+def shortened(text: str, most: int = 2 * LONGEST_VALUE) -> str:
+    """Text as a message quotes it: its beginning, where it is long."""
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
+def shown_value(value: object) -> str:
+    """A value as a message shows it: `repr`, no longer than fits into a line."""
+    if isinstance(value, int) and abs(value) >= 10**LONGEST_VALUE:
+        return f"a whole number of more than {LONGEST_VALUE} digits"
+    if isinstance(value, str):
+        cut = len(value) > LONGEST_VALUE
+        return f"{value[:LONGEST_VALUE]!r}{'...' if cut else ''}"
+    try:
+        text = repr(value)
+    except (RecursionError, ValueError):  # nested too deep, or whole numbers too long to write
+        text = f"a {type(value).__name__} that is too deep or too long to show"
+    return shortened(text, LONGEST_VALUE)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import contextlib
 import difflib
 from collections.abc import Iterator
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, model_validator
 from pydantic_core import PydanticCustomError
+
+from springback.errors import shortened, shown_value
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -25,6 +27,22 @@ def naming(field: str) -> Iterator[None]:
         raise problem(error.message(), field) from None
 
 
+#: Characters of a name (chosen: it goes into titles, columns and names of files).
+LONGEST_NAME = 200
+
+
+def _name(value: str) -> str:
+    """A name of printable characters, which no terminal takes for more than text."""
+    if len(value) > LONGEST_NAME:
+        raise problem(f"must have at most {LONGEST_NAME} characters (got {len(value)})")
+    if not value.isprintable():
+        raise problem(f"must be printable, without control characters (got {shown_value(value)})")
+    return value
+
+
+Name = Annotated[str, AfterValidator(_name)]
+
+
 class Settings(BaseModel):
     """A table of a scenario file."""
 
@@ -39,5 +57,5 @@ class Settings(BaseModel):
                     near = difflib.get_close_matches(str(key), fields, n=1, cutoff=0.5)
                     known = "known keys: " + ", ".join(fields)
                     hint = f"did you mean {near[0]}?" if near else known
-                    raise problem(f"unknown key; {hint}", str(key))
+                    raise problem(f"unknown key; {hint}", shortened(str(key)))
         return given

@@ -114,7 +114,7 @@ def test_own_obstacle_compiles_and_gives_the_same_bits() -> None:
 def test_own_obstacle_stays_out_of_the_kernels_on_disk() -> None:
     """Kernels kept on disk must load where nobody knows the user's module, and follow his edits."""
     fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3))
-    for index in cache_folder().rglob("*.nbi"):
+    for index in cache_folder().rglob("*.kernel"):
         assert b"own_obstacles" not in index.read_bytes()
 
 

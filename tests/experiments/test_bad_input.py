@@ -69,6 +69,40 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "inertia not positive": (
         MASS, "inertia = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "vehicle.body.inertia", ("positive",),
     ),
+    "inertia of no body": (
+        MASS, "inertia = [1e-3, 1e-3, 5e-3]", "vehicle.body.inertia", ("0.005 kg m²", "0.002 kg m²"),
+    ),
+    "matrix of no body": (
+        MASS, "inertia = [[1, 0, 0], [0, 1e-6, 0], [0, 0, 1e-6]]", "vehicle.body.inertia",
+        ("no body", "at most the sum"),
+    ),
+    "payload of no body": (
+        "[simulation]", "[payload]\ninertia = [0, 0, 1e-3]\n[simulation]", "payload.inertia", ("no body",),
+    ),
+    "all arms in one direction": (
+        STROKE, "directions = [0, 0, 0, 0]", "vehicle.arms.directions", ("arms 1 and 2", "differ"),
+    ),
+    "the same direction, a turn on": (
+        STROKE, 'directions = [0, 2, 4, "360 deg"]', "vehicle.arms.directions", ("arms 1 and 4",),
+    ),
+    "cages that overlap": (
+        STROKE, 'cage_radius = "30 cm"', "vehicle.arms.cage_radius",
+        ("arms 1 and 2", "0.6 m", "0.268701 m"),
+    ),
+    "arm pressed into its neighbour": (
+        STROKE, 'stroke = "90 mm"', "vehicle.arms.stroke", ("arm 1", "arm 2", "0.22 m", "0.09 m"),
+    ),
+    "decimal comma": (MASS, 'mass = "1,2 kg"', "vehicle.body.mass", ("1,2 kg", "decimal point")),
+    "two numbers": (MASS, 'mass = "1 200 g"', "vehicle.body.mass", ("more than one number", "kg")),
+    "whole number of 400 digits": (MASS, f"mass = 1{'0' * 400}", "vehicle.body.mass", ("finite", "inf kg")),
+    "degrees without a word": ('pitch = "15 deg"', "pitch = 15", "start.pitch", ("full turn", '"15 deg"')),
+    "direction in plain degrees": (
+        STROKE, "directions = [45, 135, 225, 315]", "vehicle.arms.directions", ("radians", '"45 deg"'),
+    ),
+    "friction as an angle": (
+        WALL, 'surface = { preset = "wall", friction = "22 deg" }', "world.obstacles[0].surface.friction",
+        ("wrong unit", "a plain number"),
+    ),
     "inertia of two": (MASS, "inertia = [1, 2]", "vehicle.body.inertia", ("3 x 3", "kg m²")),
     "rest length 0": (STROKE, "length = 0", "vehicle.arms.length", ("more than 0 m", "got 0 m")),
     "stroke longer than the arm": (
@@ -182,6 +216,14 @@ def test_file_line_field_and_range(
 
 OVERRIDES = {
     "vehicle.body.mass=-1 kg": ("vehicle.body.mass", "more than 0 kg"),
+    "vehicle.body.mass=1,2 kg": ("vehicle.body.mass", "decimal point"),
+    "world.obstacles.0.surface.friction=0,4": (
+        "world.obstacles[0].surface.friction",
+        "decimal point",
+    ),
+    "start.pitch=1,5": ("start.pitch", "decimal point"),
+    "start.yaw=45": ("start.yaw", "45 deg"),
+    "start.pitch=9**9**9 deg": ("start.pitch", "more than one number"),
     "vehicle.body.mass=nan": ("vehicle.body.mass", "finite"),
     "vehicle.body.inertia=[0, 1, 1]": ("vehicle.body.inertia", "more than 0 kg m^2"),
     "vehicle.arms.length=0": ("vehicle.arms.length", "more than 0 m"),

@@ -10,21 +10,15 @@ from contextlib import contextmanager
 from springback.interfaces.lab import lab_app
 from springback.interfaces.lab_desk import Desk
 from springback.interfaces.lab_settings import DEFAULTS
-from springback.interfaces.serving import bound, guarded
+from springback.interfaces.serving import bound, server_of
 
 
 @contextmanager
 def served_lab() -> Iterator[int]:
     """A lab on this machine whose default kind is ready; its port."""
-    import uvicorn
-
     desk = Desk(prepared=(DEFAULTS,))
     desk.open()
-    server = uvicorn.Server(
-        uvicorn.Config(
-            guarded(lab_app(desk)), log_level="error", access_log=False, ws="none", lifespan="off"
-        )
-    )
+    server = server_of(lab_app(desk))
     with bound("127.0.0.1", 0) as listening:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()

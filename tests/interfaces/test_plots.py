@@ -28,7 +28,7 @@ from springback.experiments.paper.slider import (
     SweepPoint,
     slider_tables,
 )
-from springback.experiments.result import Flight
+from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import scenario_from
 from springback.interfaces import canvas, plots, plots_slider
 from springback.simulation.measures import MEASURES, Outcome
@@ -233,8 +233,8 @@ def test_slider_figures_mark_what_is_printed() -> None:
 def test_readings_are_told_apart_by_more_than_colour() -> None:
     figure = plots_slider.slider_figure(made_up_results(), "arq")
     lines = [line for line in figure.axes[0].lines if str(line.get_label()).startswith("reading")]
-    assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == 3  # type: ignore[attr-defined]  # fmt: skip
-    assert len({line.get_color() for line in lines}) == 3
+    assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == len(READINGS)  # type: ignore[attr-defined]  # fmt: skip
+    assert len({line.get_color() for line in lines}) == len(READINGS)
 
 
 def test_any_number_of_readings_with_any_names() -> None:
@@ -326,3 +326,13 @@ def test_readme_figure_has_the_size_of_its_place() -> None:
     data = canvas.png(plots_slider.readme_figure(made_up_results()))
     assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (1600, 600)
     assert len(data) < 200_000
+
+
+def test_names_are_drawn_as_they_are_written() -> None:
+    """A dollar sign begins no formula, which this one would be no right one of."""
+    name = r"a $\foo$ b"
+    scenario = {"name": name, "vehicle": "quad", "simulation": {"duration": 0.01}}
+    figure = plots.energy_figure(fly(scenario, executor="python"))
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    assert axes.get_title(loc="left").replace(r"\$", "$") == name

@@ -219,7 +219,7 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
         replace(row, mark=Mark.CONTRADICTED) if row.quantity == "travel" else row for row in results.rows
     ])  # fmt: skip
     assert verdict(worse) == (
-        "For Quad, 4 of its 6 other printed numbers come out within 5 %. For ARQ, none of the 4 readings of "
+        "For Quad, 4 of its 6 other printed numbers come out within 5 %. For ARQ, none of the 7 readings of "
         "its parameters gives the 4 printed numbers of a test together."
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 import math
 from dataclasses import replace
@@ -18,6 +19,7 @@ from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import expanded
+from springback.experiments.sealed import file_digest, sealed
 from springback.experiments.tables import WorldSettings
 from springback.interfaces import scene_instants
 from springback.interfaces.files import write_flight
@@ -332,8 +334,17 @@ def test_what_was_written_is_read_back(recovery: Flight, folder: Path) -> None:
 
 
 def edited(folder: Path, **changes: object) -> None:
-    summary = json.loads((folder / "summary.json").read_text())
-    (folder / "summary.json").write_text(json.dumps(summary | changes))
+    """Of a summary something else, with the digest that belongs to it."""
+    summary = json.loads((folder / "summary.json").read_text()) | changes
+    with contextlib.suppress(ValueError):  # infinity has no digest
+        summary = sealed(summary)
+    (folder / "summary.json").write_text(json.dumps(summary))
+
+
+def entered(folder: Path, name: str) -> None:
+    """A file as if the flight had been written with it."""
+    files = json.loads((folder / "summary.json").read_text())["files"]
+    edited(folder, files=files | {name: file_digest(folder / name)})
 
 
 def parquet(folder: Path, select: str) -> None:
@@ -341,6 +352,12 @@ def parquet(folder: Path, select: str) -> None:
     path = folder / "trajectory.parquet"
     duckdb.execute(f"CREATE OR REPLACE TEMP TABLE given AS SELECT * FROM read_parquet($${path}$$)")
     duckdb.execute(f"COPY ({select}) TO $${path}$$ (FORMAT parquet)")
+    entered(folder, "trajectory.parquet")
+
+
+def replaced(folder: Path, name: str, data: bytes) -> None:
+    (folder / name).write_bytes(data)
+    entered(folder, name)
 
 
 HOSTILE = {
@@ -357,8 +374,8 @@ HOSTILE = {
     "a measure without end": (lambda f: edited(f, measures={"touch_time": 1e999}), "touch_time"),
     "no trajectory": (lambda f: (f / "trajectory.parquet").unlink(), "trajectory.parquet"),
     "torn trajectory": (
-        lambda f: (f / "trajectory.parquet").write_bytes(
-            (f / "trajectory.parquet").read_bytes()[:5000]
+        lambda f: replaced(
+            f, "trajectory.parquet", (f / "trajectory.parquet").read_bytes()[:5000]
         ),
         "Parquet",
     ),
@@ -371,7 +388,18 @@ HOSTILE = {
     "infinite": (lambda f: parquet(f, "SELECT * REPLACE (1e308 * 10 * (1 + t) AS x) FROM given"), "x"),
     "backwards": (lambda f: parquet(f, "SELECT * REPLACE (-t AS t) FROM given"), "column t"),
     "one instant": (lambda f: parquet(f, "SELECT * FROM given LIMIT 1"), "1 instants"),
-    "torn diary": (lambda f: (f / "diary.parquet").write_bytes(b"PAR1"), "diary.parquet"),
+    "torn diary": (lambda f: replaced(f, "diary.parquet", b"PAR1"), "diary.parquet"),
+    "a diary of another flight": (
+        lambda f: (f / "diary.parquet").write_bytes(b"PAR1"), "belongs to another flight"
+    ),
+    "no diary": (lambda f: (f / "diary.parquet").unlink(), "diary.parquet"),
+    "an edited number": (
+        lambda f: (f / "summary.json").write_text(
+            (f / "summary.json").read_text().replace('"touch_speed": ', '"touch_speed": 1')
+        ),
+        "damaged or was edited",
+    ),
+    "deep objects": (lambda f: (f / "summary.json").write_text('{"a":' * 100_000), "JSON"),
 }  # fmt: skip
 
 

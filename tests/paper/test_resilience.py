@@ -14,6 +14,7 @@ import pytest
 
 from springback.experiments.comparison import Mark
 from springback.experiments.paper import resilience
+from springback.experiments.paper.choices import EKF2
 from springback.experiments.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.experiments.paper.resilience import (
     FASTEST,
@@ -38,7 +39,7 @@ from springback.simulation.measures import Outcome
 
 @pytest.fixture(scope="module")
 def results() -> ResilienceResults:
-    return resilience_experiments(trials=2, repeats=1, collisions=2)
+    return resilience_experiments(trials=2, repeats=1, collisions=2, compared=2, mapped=0)
 
 
 # -- what was flown -------------------------------------------------------------------------------
@@ -112,7 +113,12 @@ def test_the_repeated_test_comes_home_every_time(results: ResilienceResults) -> 
 
 def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -> None:
     rows = {(row.robot, row.reading, row.quantity): row for row in results.rows()}
-    assert len(rows) == len(results.rows()) == len(SUCCESS) + 4
+    given = [row for row in results.rows() if row.mark is Mark.GIVEN]
+    assert {row.printed for row in given} == {2.75, 0.1}  # D and L_c
+    beside = [row for row in results.rows() if row.reading.endswith(f"; {EKF2}")]
+    assert {row.robot for row in beside} == set(ROBOTS)
+    assert len(beside) == len(SUCCESS)
+    assert len(rows) == len(results.rows()) == 2 * len(SUCCESS) + 4 + len(given)
     tallies = {tally[:3]: tally for tally in results.tallies()}
     for of, printed in SUCCESS.items():
         row, rate = (
@@ -149,7 +155,7 @@ def test_a_failed_trial_counts_and_is_named(results: ResilienceResults) -> None:
     (tally,) = [t for t in worse.tallies() if t[:3] == ("quad", *FASTEST)]
     assert (tally.rate, tally.low) == (0.0, 0.0)
     assert tally.failures == {Outcome.HIT_GROUND.value: 2}
-    (row,) = [row for row in worse.rows() if row.robot == "quad"]
+    (row,) = [r for r in worse.rows() if r.robot == "quad" and "; " not in r.reading]
     assert row.mark is Mark.PREDICTED  # none printed, none ours
 
 
@@ -217,7 +223,7 @@ def test_the_report_holds_the_numbers(results: ResilienceResults, tmp_path: Path
     figures = {path.stem for path in written if path.parent.name == "figures"}
     assert figures == {
         "overview", "resilience", "collision", "orientation", "robots", "orientations",
-        "repeated",
+        "repeated", "choices",
     }  # fmt: skip
     data = json.loads((tmp_path / "comparison.json").read_text(encoding="utf-8"))
     assert [row["ours"] for row in data["rows"]] == [row.ours for row in results.rows()]
@@ -236,7 +242,7 @@ def test_the_report_holds_the_numbers(results: ResilienceResults, tmp_path: Path
 
 
 def test_what_was_not_flown_is_left_out(results: ResilienceResults, tmp_path: Path) -> None:
-    bare = replace(results, samples=[], repeats=[], slower=[])
+    bare = replace(results, samples=[], repeats=[], slower=[], choices=None)
     write_report(Results(resilience=bare), tmp_path, about={})
     assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"overview", "resilience"}
     empty = ResilienceResults(0)

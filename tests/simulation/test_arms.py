@@ -124,12 +124,12 @@ def test_three_and_six_arms_fly() -> None:
             "vehicle": {
                 "body": {"mass": 1.0, "inertia": [0.01, 0.01, 0.02]},
                 "arms": {
-                    "directions": directions, "length": 0.19, "mass": 0.05, "cage_radius": 0.11,
+                    "directions": directions, "length": 0.19, "mass": 0.05, "cage_radius": 0.08,
                     "stiffness": "5 N/mm", "damping": 90.0,
                 },
             },
             "world": {"obstacles": [{"type": "wall", "distance": 1.0, "surface": "wall"}]},
-            "start": {"position": [0.6995, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
+            "start": {"position": [0.7295, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
             "simulation": {"duration": 0.02, "impact_step": 2e-4},
         }  # fmt: skip
         flight = fly(scenario, executor="python")

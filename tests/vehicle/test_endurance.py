@@ -33,7 +33,7 @@ def craft(mass: float = 1.0, count: int = 4, **changes: Any) -> Vehicle:
     directions = tuple(2.0 * math.pi * j / count for j in range(count))
     return Vehicle(
         body=Body(mass=mass, inertia=(0.01, 0.01, 0.02)),
-        arms=Arms(directions=directions, length=0.2, mass=0.0, cage_radius=0.1, compliant=False),
+        arms=Arms(directions=directions, length=0.2, mass=0.0, cage_radius=0.03, compliant=False),
         propulsion=Propulsion(**{**ENGINE, **changes}),
     )
 

@@ -89,7 +89,7 @@ def many_arms(count: int) -> Vehicle:
     directions = tuple(2.0 * math.pi * j / count for j in range(count))
     body = Body(mass=1.0, inertia=(0.01, 0.011, 0.02))
     return Vehicle(
-        body=body, arms=Arms(directions=directions, length=0.2, mass=0.05, cage_radius=0.1)
+        body=body, arms=Arms(directions=directions, length=0.2, mass=0.05, cage_radius=0.08)
     )
 
 

@@ -75,9 +75,12 @@ def collision_tables(told: Mapping[str, Any], count: int) -> list[dict[str, Any]
 
 
 def with_arms(count: int) -> dict[str, Any]:
-    """ARQ with another number of arms, evenly spread, a gap in front."""
+    """ARQ with another number of arms, evenly spread, a gap in front; more have smaller cages."""
     turn = 2.0 * math.pi / count
-    return {"preset": "arq", "arms": {"directions": [(k + 0.5) * turn for k in range(count)]}}
+    arms: dict[str, Any] = {"directions": [(k + 0.5) * turn for k in range(count)]}
+    if count > 4:
+        arms["cage_radius"] = 0.44 / count
+    return {"preset": "arq", "arms": arms}
 
 
 def obstacles(own: Sequence[Any], count: int) -> list[Any]:

@@ -20,7 +20,11 @@ MAT = SurfaceSettings(
     restitution=QUAD_RESTITUTION["mat"], restitution_speed=QUAD_SPEED,
 )  # fmt: skip
 
-SURFACES = {"wall": WALL, "mat": MAT}
+#: The same surfaces with the friction that the paper's equations have: along the vertical only.
+PAPER_WALL = WALL.model_copy(update={"friction_axes": "vertical"})
+PAPER_MAT = MAT.model_copy(update={"friction_axes": "vertical"})
+
+SURFACES = {"wall": WALL, "mat": MAT, "paper-wall": PAPER_WALL, "paper-mat": PAPER_MAT}
 
 SOURCES = {
     "wall": {
@@ -42,3 +46,9 @@ SOURCES = {
         "slip_speed": "chosen: convergence study (studies/convergence.py)",
     },
 }
+
+_AXES = {
+    "friction_axes": "given: equations (13) and (14) have friction along e_Z alone; with friction "
+    "along both tangents arms at 45 degrees hardly slide (docs/decisions/0017)"
+}
+SOURCES |= {f"paper-{name}": {**SOURCES[name], **_AXES} for name in ("wall", "mat")}

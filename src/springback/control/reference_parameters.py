@@ -34,6 +34,10 @@ Place = triple("m")
 HOME = (0.0, 0.0, 1.0)
 
 
+#: More positions are a slip of the pen (chosen): a flight is compiled for each number of them.
+MOST_POSITIONS = 100
+
+
 class HoldSettings(Settings):
     """Stay at one place."""
 
@@ -60,8 +64,10 @@ class StepsSettings(Settings):
 
     @model_validator(mode="after")
     def _some(self) -> StepsSettings:
-        if not self.positions:
-            raise problem("must name at least one position", "positions")
+        if not 1 <= len(self.positions) <= MOST_POSITIONS:
+            count = len(self.positions)
+            what = f"must name at least one position and at most {MOST_POSITIONS} (got {count})"
+            raise problem(what, "positions")
         return self
 
     def reference(self, limits: Limits, reach: Reach) -> Steps:
@@ -121,6 +127,9 @@ class WaypointsSettings(Settings):
         times: tuple[Any, ...] | None = self.times
         if len(places) < 2 or any(a == b for a, b in pairwise(places)):
             raise problem("must be at least two, and neighbours apart", "positions")
+        if len(places) > MOST_POSITIONS:
+            what = f"must be at most {MOST_POSITIONS} (got {len(places)})"
+            raise problem(what, "positions")
         if times is None:
             return self
         if self.duration is not None:

@@ -26,7 +26,7 @@ from springback.experiments.run_ups import run_up_scenario
 from springback.experiments.scenario import Scenario, preset, scenario_from
 from springback.experiments.scenario_file import overridden
 from springback.experiments.trials import DURATION, NO_SCATTER, Condition, trial_tables
-from springback.quantities import checked
+from springback.quantities import checked, number_in
 from springback.settings import Settings
 from springback.vehicle.library import VEHICLES
 
@@ -75,11 +75,7 @@ class Parameter:
     def read(self, text: str) -> float:
         """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
         try:
-            given: float | str = float(text)
-        except ValueError:
-            given = text.strip() or "nothing"
-        try:
-            value = checked(given, self.unit)
+            value = checked(number_in(text, self.unit, bare=True), self.unit)
         except PydanticCustomError as error:
             raise InputError(f"{self.name}: {error.message()}") from None
         if self.whole and value != round(value):

@@ -33,9 +33,10 @@ if TYPE_CHECKING:
 
 #: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
 STABLE = 2.5
-#: More steps than this are a slip of the pen.
-MOST_STEPS = 1e9
-#: Most ticks of a flight with a pilot (chosen): its luck and its diary then take some 4 GB.
+#: Most steps of a flight, should all be as fine as its finest (chosen): about 2 min of a processor.
+MOST_STEPS = 1e8
+#: Most ticks of a flight with a pilot (chosen): its noise takes 1 GB.  Trajectories are bounded
+#: apart, by `springback.simulation.flight.MOST_INSTANTS`.
 MOST_TICKS = 5e6
 #: Farther from its main body than this share of its reach no point of a vehicle is (chosen: the
 #: rounding of a ring adds 1e-5).
@@ -88,13 +89,21 @@ def check_aboard(scenario: Scenario, own: bool) -> None:
 
 
 def check_clock(scenario: Scenario) -> None:
-    """Refuse more ticks than can be kept."""
-    most = MOST_TICKS / scenario.simulation.duration
-    if scenario.clock > most:
+    """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
+    duration, clock = scenario.simulation.duration, scenario.clock
+    if clock * duration <= MOST_TICKS:
+        return
+    if "clock" not in scenario.model_fields_set:
         raise problem(
-            f"must be at most {most:.6g} 1/s for a flight this long (got {scenario.clock:g} 1/s)",
-            "clock",
+            f"must be at most {MOST_TICKS / clock:.6g} s with a pilot and a clock of {clock:g} 1/s "
+            f"(got {duration:g} s)",
+            "simulation.duration",
         )
+    raise problem(
+        f"must be at most {MOST_TICKS / duration:.6g} 1/s for a flight of {duration:g} s "
+        f"(got {clock:g} 1/s)",
+        "clock",
+    )
 
 
 @contextlib.contextmanager
@@ -130,11 +139,19 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
     shortest = simulation.duration / MOST_STEPS
     for name in ("impact_step", "settle_step", "free_step"):
         step = getattr(simulation, name)
-        if step is not None and step < shortest:
+        if step is None or step >= shortest:
+            continue
+        if name not in simulation.model_fields_set:
             raise problem(
-                f"must be at least {shortest:.3g} s for a flight this long (got {step:g} s)",
-                f"simulation.{name}",
+                f"must be at most {MOST_STEPS * step:.3g} s with {name} of {step:g} s "
+                f"(got {simulation.duration:g} s)",
+                "simulation.duration",
             )
+        raise problem(
+            f"must be at least {shortest:.3g} s for a flight of {simulation.duration:g} s "
+            f"(got {step:g} s)",
+            f"simulation.{name}",
+        )
     rate = vehicle.fastest_arm_rate()
     settling = settle_step(simulation, vehicle)
     steps = {"impact_step": simulation.impact_step, "settle_step": settling}

@@ -52,9 +52,26 @@ class Row:
             return None
         return self.ours / self.printed - 1.0
 
+    @property
+    def scatter(self) -> float | None:
+        """Relative deviation of the paper's physical test from its own simulation."""
+        if self.printed_test is None or not self.printed:
+            return None
+        return self.printed_test / self.printed - 1.0
+
+    @property
+    def test_deviation(self) -> float | None:
+        """Relative deviation of ours from the paper's physical test."""
+        if self.ours is None or not self.printed_test:
+            return None
+        return self.ours / self.printed_test - 1.0
+
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON and CSV."""
-        return {**asdict(self), "mark": self.mark.word, "deviation": self.deviation}
+        return {
+            **asdict(self), "mark": self.mark.word, "deviation": self.deviation,
+            "test_deviation": self.test_deviation, "printed_test_deviation": self.scatter,
+        }  # fmt: skip
 
 
 def predicted_or_contradicted(ours: float | None, printed: float) -> Mark:

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from springback.experiments.axes import Axis
-from springback.experiments.paper.resilience import CONFIDENCE, wilson
+from springback.experiments.shares import CONFIDENCE, wilson
 from springback.experiments.trials import Scatter
 from springback.simulation.measures import Outcome
 

@@ -21,11 +21,19 @@ class EstimateErrors(NamedTuple):
     attitude: Array  # angle between the two [rad]
 
 
+def _ticks(flight: Flight) -> Array:
+    """Instants of the ticks [s]; those that there would be where no pilot was aboard."""
+    if not flight.columns:
+        raise InputError("the flight kept no trajectory")
+    if "t" in flight.diary:
+        return flight.diary["t"]
+    clock = float(flight.scenario.clock)
+    return np.arange(int(flight.columns["t"][-1] * clock) + 1) / clock
+
+
 def _at_ticks(flight: Flight, names: tuple[str, ...]) -> Array:
     """Columns of the trajectory at the ticks, shape (ticks, names)."""
-    if not flight.columns or "est_x" not in flight.diary:
-        raise InputError("the flight kept no trajectory, or no estimate was made")
-    c, ticks = flight.columns, flight.diary["t"]
+    c, ticks = flight.columns, _ticks(flight)
     return np.stack([np.interp(ticks, c["t"], c[name]) for name in names], axis=1)
 
 
@@ -35,6 +43,8 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
     Raises:
         InputError: If the flight kept no trajectory, or no estimate was made.
     """
+    if "est_x" not in flight.diary:
+        raise InputError("the flight kept no trajectory, or no estimate was made")
     names = ("x", "y", "z"), ("vx", "vy", "vz"), ("qw", "qx", "qy", "qz")
     truth = [_at_ticks(flight, group) for group in names]
     believed = [

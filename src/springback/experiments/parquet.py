@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from springback.experiments.database import in_database, quoted
+from springback.experiments.database import in_database, locked, quoted
 
 
 def write_parquet(
@@ -28,11 +28,12 @@ def write_parquet(
         about: More metadata.
         select: What is written, in SQL over the table ``given`` of these columns.
     """
+    path = path.absolute()
     metadata = {"units": json.dumps(dict(units)), **about}
     pairs = ", ".join(f"{quoted(key)}: {quoted(value)}" for key, value in metadata.items())
     text = (
         f"COPY ({select}) TO {quoted(str(path))} "
-        f"(FORMAT parquet, COMPRESSION zstd, KV_METADATA {{{pairs}}})"
+        f"(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false, KV_METADATA {{{pairs}}})"
     )
 
     def write(connection: Any) -> None:
@@ -40,17 +41,13 @@ def write_parquet(
         connection.execute(text)
 
     try:
-        in_database(write, _database().cursor())
+        in_database(write, _database(path.parent).cursor())
     except BaseException:
         _database.cache_clear()  # it may be unusable
         raise
 
 
-@functools.cache
-def _database() -> Any:
-    """One for all files of a process: to make it takes as long as a file does."""
-    import duckdb
-
-    made = duckdb.connect()
-    made.execute("SET threads = 1")  # so that rows keep their order at any size
-    return made
+@functools.lru_cache(maxsize=4)
+def _database(folder: Path) -> Any:
+    """One for all files of a folder: to make it takes as long as a file does."""
+    return locked(folders=[folder], threads=1)  # one thread, so that rows keep their order

@@ -11,11 +11,13 @@ import os
 import re
 import sys
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+
+import numpy as np
 
 from springback.errors import InputError
 from springback.experiments.guidance import OwnPilot
@@ -62,8 +64,9 @@ def read_pilot(word: str) -> PlainPilot | OwnPilot:
 
 
 def _is_pilot(value: Any, module: ModuleType) -> bool:
-    written = getattr(value, "__module__", None) == module.__name__ and value.__name__ != "_"
-    a_function = callable(value) and not isinstance(value, type)
+    written = getattr(value, "__module__", None) == module.__name__
+    a_function = callable(value) and getattr(value, "__name__", "_") != "_"
+    a_function = a_function and not isinstance(value, type)
     return isinstance(value, OwnPilot) or (written and a_function)
 
 
@@ -84,6 +87,11 @@ def _imported(path: Path, shown: str) -> ModuleType:
         spec.loader.exec_module(module)
     except SyntaxError as error:
         raise InputError(f"{error.filename}:{error.lineno}: is not Python: {error.msg}") from error
+    except SystemExit as error:
+        raise InputError(
+            f"{_place(error, str(path))}: leaves the program (sys.exit) when it is imported; put "
+            'what it does as a script under if __name__ == "__main__":'
+        ) from error
     except Exception as error:
         raise InputError(f"{_place(error, str(path))}: {_words(error)}") from error
     return module
@@ -103,6 +111,11 @@ def _place(error: BaseException, file: str) -> str:
     others = [frame for frame in frames if not frame.filename.startswith((PACKAGE, "<"))]
     last = (mine or others or list(frames))[-1]
     return f"{last.filename}:{last.lineno}"
+
+
+def failure_place(error: BaseException) -> str:
+    """File and line of an error that came from the user's own functions."""
+    return _place(error, "")
 
 
 def _home(pilot: Any) -> tuple[str, int]:
@@ -129,7 +142,7 @@ def careful(pilot: PlainPilot, rotors: int) -> PlainPilot:
     def asked(time: float, measurement: Any, memory: Any) -> tuple[Command, Any]:
         try:
             said: Any = pilot(time, measurement, memory)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             place = _place(error, file)
             raise InputError(f"{place}: {_words(error)}, at {time:.6g} s") from error
         problem = wrong(said, rotors)
@@ -144,10 +157,17 @@ def wrong(said: Any, rotors: int) -> str:
     """What is wrong with the word of a pilot, a sentence without its subject; empty if nothing."""
     if not isinstance(said, tuple) or len(said) != 2:
         return f"must return (thrusts, memory) (got {_short(said)})"
+    commanded = said[0]
+    if isinstance(commanded, str | bytes | Mapping | Set) or not isinstance(commanded, Iterable):
+        return f"must command a list or tuple of numbers in N (got {_short(commanded)})"
+    if isinstance(commanded, Iterator):  # it could be read only once
+        return f"must command a list or tuple of numbers in N (got {_short(commanded)})"
     try:
-        thrusts = [float(thrust) for thrust in said[0]]
-    except (TypeError, ValueError):
-        return f"must command numbers in N (got {_short(said[0])})"
+        if any(isinstance(thrust, str | bytes | bool | np.bool_) for thrust in commanded):
+            return f"must command numbers in N (got {_short(commanded)})"
+        thrusts = [float(thrust) for thrust in commanded]
+    except (TypeError, ValueError, OverflowError):
+        return f"must command numbers in N (got {_short(commanded)})"
     if len(thrusts) != rotors:
         return f"commands {len(thrusts)} thrusts for {rotors} rotors"
     for k, thrust in enumerate(thrusts, start=1):
@@ -157,7 +177,10 @@ def wrong(said: Any, rotors: int) -> str:
 
 
 def _short(value: Any) -> str:
-    text = " ".join(repr(value).split())
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # of the user's own class
+        text = f"a {type(value).__name__}"
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
@@ -182,7 +205,7 @@ def tried(pilot: OwnPilot, measurement: Any, rotors: int) -> None:
         )
     try:
         said = law(pilot.settings, 0.0, measurement, pilot.memory)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InputError(f"{_place(error, file)}: {_words(error)}, at 0 s") from error
     where = f"{file}:{line}: the pilot"
     if not isinstance(said, Piloted):

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from springback.contact.library import SURFACES
-from springback.errors import InputError
+from springback.errors import InputError, shown_value
+from springback.sensing.library import ESTIMATORS
 from springback.vehicle.library import VEHICLES
 
 
@@ -22,7 +23,9 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
     hint = f"did you mean {near[0]}?" if near else ""
     raise InputError(
-        " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
+        " ".join(
+            f"unknown {kind} preset {shown_value(name)}; known: {', '.join(known)}. {hint}".split()
+        )
     )
 
 
@@ -63,6 +66,15 @@ def surface_table(given: Any) -> Any:
     return merged(base, own)
 
 
+def estimator_table(given: Any) -> Any:
+    """A raw estimator, its preset replaced by what it stands for."""
+    table = {"preset": given} if isinstance(given, str) else given
+    if not isinstance(table, Mapping) or "preset" not in table:
+        return given
+    base = preset("estimator", str(table["preset"]), ESTIMATORS).model_dump(exclude_unset=True)
+    return merged(base, {key: value for key, value in table.items() if key != "preset"})
+
+
 def obstacle_table(entry: Any) -> Any:
     """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
     if not isinstance(entry, Mapping):
@@ -76,6 +88,8 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     result = dict(given)
     if "vehicle" in result:
         result["vehicle"] = vehicle_table(result["vehicle"])
+    if "estimator" in result:
+        result["estimator"] = estimator_table(result["estimator"])
     world = result.get("world")
     if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
         entries = [obstacle_table(entry) for entry in world["obstacles"]]

@@ -7,11 +7,17 @@ from collections.abc import Sequence
 
 from pydantic import ValidationError
 
+from springback.errors import shortened, shown_value
+
 #: Tables of which there are several kinds, by the name of the key that holds them.
 _KINDS = {
     "obstacles": ("wall", "ground", "mat"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
+
+
+#: Of an entry of a list.
+_INDEX = re.compile(r"[0-9]{1,6}")
 
 
 def _listed(words: Sequence[str]) -> str:
@@ -43,17 +49,17 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
             path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {tag!r})"
+            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {shown_value(tag)})"
         elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
-            message = f"must be a table (got {detail['input']!r})"
+            message = f"must be a table (got {shown_value(detail['input'])})"
         elif detail["type"] == "tuple_type":
-            message = f"must be a list (got {detail['input']!r})"
+            message = f"must be a list (got {shown_value(detail['input'])})"
         elif detail["type"] in ("bool_type", "bool_parsing"):
-            message = f"must be true or false (got {detail['input']!r})"
+            message = f"must be true or false (got {shown_value(detail['input'])})"
         elif detail["type"].startswith("int_"):
-            message = f"must be a whole number (got {detail['input']!r})"
+            message = f"must be a whole number (got {shown_value(detail['input'])})"
         elif isinstance(detail.get("input"), str | int | float | bool):
-            message = f"{message} (got {detail['input']!r})"
+            message = f"{message} (got {shown_value(detail['input'])})"
         found.append((path, message))
     return found
 
@@ -61,12 +67,13 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
 def key_path(text: str) -> tuple[str | int, ...]:
     """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
     words = [word for word in re.split(r"[.\[\]]+", text) if word]
-    return tuple(int(word) if word.isdigit() else word for word in words)
+    return tuple(int(word) if _INDEX.fullmatch(word) else word for word in words)
 
 
 def dotted(path: tuple[str | int, ...]) -> str:
     """``world.obstacles[0].distance`` of a path."""
     text = ""
-    for part in path:
+    for key in path:
+        part = key if isinstance(key, int) else shortened(key)
         text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
     return text

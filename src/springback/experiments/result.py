@@ -16,6 +16,7 @@ from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError, LedgerWarning
 from springback.experiments.guidance import OwnPilot, board_of
+from springback.experiments.own_obstacles import check_own_obstacles
 from springback.experiments.pilots import careful, in_words, read_pilot, tried
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
@@ -25,7 +26,8 @@ from springback.experiments.recovery_measures import (
 )
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.scenario_file import checked_scenario, overridden, read_scenario
-from springback.simulation.flight import Executor, Flown, Trace, fly_one
+from springback.kernels.vectors import Vec
+from springback.simulation.flight import Executor, Flown, Trace, check_instants, fly_one
 from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
 from springback.simulation.measures import (
     FAILURES,
@@ -295,13 +297,20 @@ def fly(
         LedgerWarning: If the energy ledger does not close to 1e-4.
 
     Raises:
-        InputError: If the scenario cannot be flown; one line for each problem.  If a pilot of one's
-            own fails, in one line with its file and line; what it raised is the cause.
+        InputError: If the scenario cannot be flown; one line for each problem.  If the distance or
+            the normal of an obstacle of one's own is wrong where the vehicle could meet it.  If a
+            pilot of one's own fails, in one line with its file and line; what it raised is the
+            cause.
     """
     flown_by = read_pilot(pilot) if isinstance(pilot, str) else pilot
     ready = as_scenario(scenario, overrides, flown_by is not None)
+    check_own_obstacles(own, Vec(*ready.start.position))
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
+    if trajectory:
+        until, guided = model.timing.until, ready.reference is not None or flown_by is not None
+        foreseen = until * ready.clock if guided else until / model.timing.free_step
+        check_instants(int(foreseen), until, until)
     if ready.reference is not None or flown_by is not None:
         return _wary(_guided(ready, model, start, flown_by, trajectory, executor, progress))
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)

@@ -18,6 +18,8 @@ CONDITIONS = (
 )  # fmt: skip
 #: Paper: start to wall [m].
 WALL_DISTANCE = 2.75
+#: Preset of the paper's wall with the paper's friction, which acts along the vertical only.
+PAPER_WALL = "paper-wall"
 #: Long enough to arrive, and to be seen leaving [s], chosen.
 DURATION = 4.0
 
@@ -47,7 +49,9 @@ def run_up_scenario(vehicle: str, pitch: float, speed: float, **tables: Any) -> 
         "name": f"{vehicle}, {speed:g} m/s, {pitch:g} deg",
         "vehicle": vehicle,
         "reference": {"type": "run-up", "speed": speed, "pitch": math.radians(pitch)},
-        "world": {"obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": "wall"}]},
+        "world": {
+            "obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": PAPER_WALL}]
+        },
         "start": {"position": [0.0, 0.0, 1.0]},
         "simulation": {"duration": DURATION},
     }

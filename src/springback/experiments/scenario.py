@@ -42,7 +42,7 @@ from springback.quantities import quantity
 from springback.recovery.parameters import RecoverySettings
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
-from springback.settings import Settings
+from springback.settings import Name, Settings
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
@@ -54,7 +54,7 @@ class Scenario(Settings):
     # Else pydantic before 2.10 takes model_error for a name of its own.
     model_config = ConfigDict(protected_namespaces=())
 
-    name: str = "flight"
+    name: Name = "flight"
     vehicle: Vehicle
     world: WorldSettings = WorldSettings()
     start: Start = Start()

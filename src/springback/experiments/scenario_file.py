@@ -10,18 +10,26 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from springback.errors import InputError
+from springback.errors import InputError, shortened, shown_value
 from springback.experiments.problems import dotted, key_path, problem_paths
 from springback.experiments.scenario import Scenario, expanded
+from springback.experiments.source_text import (
+    MOST_DEPTH,
+    check_depth,
+    source_text,
+    toml_tables,
+)
 
 Key = str | int
+#: Lines of a file, and characters of a line, that are searched for the one at fault (chosen).
+MOST_LINES, LONGEST_LINE = 20_000, 500
 
 
 def _value(text: str) -> Any:
     """The value of an override: TOML where it is TOML, else the text itself."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+    except (ValueError, RecursionError):
         return text
 
 
@@ -33,14 +41,22 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
             table.
     """
     result: Any = given
+    check_depth(given, "scenario")
     for word in overrides:
         key, sign, text = word.partition("=")
         parts = list(key_path(key.strip()))
         if not sign or not parts:
             raise InputError(
-                f"{word!r} is no override; write key=value, such as vehicle.arms.stiffness=6000"
+                f"{shown_value(word)} is no override; write key=value, such as "
+                "vehicle.arms.stiffness=6000"
+            )
+        if len(parts) > MOST_DEPTH:
+            raise InputError(
+                f"{shown_value(word)} is no override; its key has {len(parts)} parts, "
+                f"and at most {MOST_DEPTH} are read"
             )
         result = replaced(result, parts, _value(text.strip()), word)
+        check_depth(result, f"override {shown_value(word)}")
     return dict(result)
 
 
@@ -58,11 +74,11 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
-            raise InputError(f"{word!r}: there is no entry {head}")
+            raise InputError(f"{shown_value(word)}: there is no entry {head}")
         entry = replaced(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
-        raise InputError(f"{word!r}: {head!r} is not inside a table")
+        raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = {"preset": value}
     return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
@@ -77,7 +93,9 @@ def line_of(text: str, path: Sequence[Key]) -> int:
     counts: dict[str, int] = {}
     table: list[Key] = []
     best, best_length = 1, 0
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(text.splitlines()[:MOST_LINES], start=1):
+        if len(line) > LONGEST_LINE:
+            continue
         header = re.match(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$", line)
         key = re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line)
         if header:
@@ -106,7 +124,7 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
     for word in reversed(overrides):
         parts = key_path(word.partition("=")[0])
         if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
-            return f"override {word}"
+            return f"override {shortened(word)}"
     return f"{name}:{line_of(text, path)}"
 
 
@@ -124,16 +142,8 @@ def read_scenario(
         InputError: One line for each problem: file and line or override, field, value, unit, range.
     """
     path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: is not text in UTF-8") from None
-    try:
-        given = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: is not TOML: {error}") from None
+    text = source_text(path)
+    given = toml_tables(text, str(path))
     return checked_scenario(overridden(given, overrides), str(path), text, overrides, pilot)
 
 
@@ -151,7 +161,9 @@ def checked_scenario(
         quoted = re.search(r"'([^']+)'", str(error))
         value = f"""[=\\s{{\\[]["']?{re.escape(quoted[1])}["']?\\s*([,}}#]|$)""" if quoted else "$^"
         lines = [n for n, line in enumerate(text.splitlines(), 1) if re.search(value, line)]
-        where = next((f"override {w}" for w in overrides if quoted and quoted[1] in w), None)
+        where = next(
+            (f"override {shortened(w)}" for w in overrides if quoted and quoted[1] in w), None
+        )
         raise InputError(f"{where or f'{name}:{lines[0] if lines else 1}'}: {error}") from None
     except ValidationError as error:
         problems = []

@@ -24,7 +24,7 @@ from springback.experiments.checks import (
 )
 from springback.experiments.guidance import Board, board_of
 from springback.experiments.numbers import flight_model, start_state
-from springback.experiments.presets import surface_table, vehicle_table
+from springback.experiments.presets import estimator_table, surface_table, vehicle_table
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.tables import WorldSettings
 from springback.kept import EVER, Kept, Make, afresh
@@ -162,13 +162,17 @@ def _reader(name: str) -> Callable[[Any, Make], Any]:
         Annotated[(field.annotation, *field.metadata)] if field.metadata else field.annotation
     )
     check = TypeAdapter[Any](kind).validate_python
+    unfold = {"vehicle": vehicle_table, "estimator": estimator_table}.get(name, _as_given)
 
     def read(value: Any, make: Make) -> Any:
-        if name == "vehicle":
-            value = vehicle_table(value)
-        return check(value)
+        return check(unfold(value))
 
     return _world if name == "world" else read
+
+
+def _as_given(value: Any) -> Any:
+    """A table that has no presets."""
+    return value
 
 
 def _world(value: Any, make: Make) -> WorldSettings:

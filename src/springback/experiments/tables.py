@@ -8,7 +8,11 @@ from pydantic import model_validator
 
 from springback.contact.parameters import ObstacleSettings
 from springback.quantities import Angle, Duration, quantity, triple
-from springback.settings import Settings, problem
+from springback.settings import Settings, naming, problem
+from springback.vehicle.parameters import check_moments
+
+#: More obstacles are a slip of the pen (chosen): a flight is compiled for each number of them.
+MOST_OBSTACLES = 64
 
 
 class WorldSettings(Settings):
@@ -16,6 +20,13 @@ class WorldSettings(Settings):
 
     gravity: quantity("m/s^2", least=0.0) = 9.81  # type: ignore[valid-type]
     obstacles: tuple[ObstacleSettings, ...] = ()
+
+    @model_validator(mode="after")
+    def _countable(self) -> WorldSettings:
+        if len(self.obstacles) > MOST_OBSTACLES:
+            what = f"must be at most {MOST_OBSTACLES} (got {len(self.obstacles)})"
+            raise problem(what, "obstacles")
+        return self
 
 
 class Start(Settings):
@@ -62,6 +73,8 @@ class Payload(Settings):
             raise problem(
                 f"must be at least 0 kg m^2 each (got {list(self.inertia)} kg m^2)", "inertia"
             )
+        with naming("inertia"):
+            check_moments(self.inertia)
         return self
 
 

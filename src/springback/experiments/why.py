@@ -1,5 +1,7 @@
 """Why one robot survives and another does not: one thing at a time is made otherwise.
 
+Two at a time are in `springback.experiments.why_pairs`.
+
 Every variant flies the paper's tests with the same luck (`springback.experiments.trials.Scatter`)
 and differs from the default in one thing.  Ranges walk along one number that the paper does not
 print, to see over which of its values the printed result holds.
@@ -15,9 +17,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.run_ups import CONDITIONS, PAPER_WALL
 from springback.experiments.scenario import merged
 from springback.experiments.trials import Condition, Trial, fly_trials
+from springback.sensing.parameters import STANDARD_GRAVITY
 from springback.vehicle.library import VEHICLES
 
 ROBOTS = ("arq", "quad")
@@ -34,15 +37,17 @@ class Variant(NamedTuple):
     robots: tuple[str, ...] = ROBOTS
 
 
-def _same(tables: Mapping[str, Any]) -> Changes:
+def same(tables: Mapping[str, Any]) -> Changes:
+    """The same tables for both robots."""
     return lambda robot: tables
 
 
-def _vehicle(tables: Mapping[str, Any]) -> Changes:
+def changed_vehicle(tables: Mapping[str, Any]) -> Changes:
+    """Each robot's preset with some of its numbers changed."""
     return lambda robot: {"vehicle": {"preset": robot, **tables}}
 
 
-def _thrust(factor: float) -> Changes:
+def thrust(factor: float) -> Changes:
     """Rotors stronger or weaker by a factor."""
 
     def changes(robot: str) -> Mapping[str, Any]:
@@ -54,58 +59,88 @@ def _thrust(factor: float) -> Changes:
     return changes
 
 
-def surface_of(friction: float) -> Mapping[str, Any]:
-    """The paper's wall with another friction coefficient."""
-    wall = {"type": "wall", "distance": 2.75, "surface": {"preset": "wall", "friction": friction}}
-    return {"world": {"obstacles": [wall]}}
+def surface_of(friction: float | None = None, axes: str = "vertical") -> Mapping[str, Any]:
+    """The paper's wall with another friction.
+
+    Args:
+        friction: Coefficient; Table II's if none is given.
+        axes: Along which tangents it acts.
+    """
+    surface: dict[str, Any] = {"preset": PAPER_WALL, "friction_axes": axes}
+    if friction is not None:
+        surface["friction"] = friction
+    return {"world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": surface}]}}
 
 
-def _degrees(rate: float) -> Mapping[str, Any]:
+def degrees(rate: float) -> Mapping[str, Any]:
+    """Another limit of the rates of roll and pitch [deg/s]."""
     return {"control": {"rate_limit": math.radians(rate)}}
 
 
 def _way(name: str) -> Changes:
-    return _same({"recovery": {"response": {"way": name}}})
+    return same({"recovery": {"response": {"way": name}}})
 
 
 #: No accelerometer of the kind reads this far [m/s²].
 UNLIMITED = 2000.0
+LARGE_RANGE: Mapping[str, Any] = {
+    "sensors": {"imu": {"accelerometer": {"full_scale": UNLIMITED}}},
+    "estimator": {"kalman": {"accelerometer_range": UNLIMITED}},
+}
+"""Of an accelerometer of some 200 g, which no collision here exceeds."""
+#: Time over which a clipped reading loses as much as the range, such that the noise is the 4.9 m/s²
+#: at steps of 10 ms that PX4's EKF2 assumes in later versions while a reading is clipped [s].
+LATER_CLIPPING = 0.01 * (4.9 / (16.0 * STANDARD_GRAVITY)) ** 2
+
+
+def _ekf2(**numbers: Any) -> Mapping[str, Any]:
+    return {"estimator": {"preset": "px4-ekf2", "kalman": numbers}}
+
 
 VARIANTS = (
-    Variant("default", "all as documented", _same({})),
-    Variant("compliance", "ARQ's arms locked", _vehicle({"arms": {"compliant": False}}), ("arq",)),
-    Variant("compliance", "arms of reading A: a quarter as stiff and damped",
-            _vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
-    Variant("IMU clipping", "accelerometer without limit", _same({
-        "sensors": {"imu": {"accelerometer": {"full_scale": UNLIMITED}}},
-        "estimator": {"kalman": {"accelerometer_range": UNLIMITED}}})),
-    Variant("IMU clipping", "filter trusts clipped readings", _same({
+    Variant("default", "all as documented", same({})),
+    Variant("compliance", "ARQ's arms locked",
+            changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
+    Variant("compliance", "arms of reading D: a quarter as stiff and damped",
+            changed_vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
+    Variant("IMU clipping", "accelerometer without limit", same(LARGE_RANGE)),
+    Variant("IMU clipping", "filter trusts clipped readings", same({
         "estimator": {"kalman": {"distrust_clipped": False}}})),
-    Variant("estimator", "true state", _same({"estimator": {"type": "perfect"}})),
+    Variant("estimator", "true state", same({"estimator": {"type": "perfect"}})),
     Variant("estimator", "complementary, PX4-like",
-            _same({"estimator": {"type": "complementary"}})),
-    Variant("rate limit", "110 deg/s", _same(_degrees(110.0))),
-    Variant("rate limit", "1000 deg/s", _same(_degrees(1000.0))),
-    Variant("thrust limit", "rotors 15 % weaker", _thrust(0.85)),
-    Variant("thrust limit", "rotors twice as strong", _thrust(2.0)),
-    Variant("rotor lag", "15 ms", _vehicle({"propulsion": {"time_constant": 0.015}})),
-    Variant("rotor lag", "60 ms", _vehicle({"propulsion": {"time_constant": 0.06}})),
-    Variant("attitude loop", "time constant 0.1 s", _same({"control": {"time_constant": 0.1}})),
-    Variant("attitude loop", "time constant 0.25 s", _same({"control": {"time_constant": 0.25}})),
-    Variant("mixer", "airmode", _same({"control": {"lift_share": 1.0}})),
-    Variant("detection delay", "accelerometer on ARQ", _same({
+            same({"estimator": {"type": "complementary"}})),
+    Variant("PX4 EKF2", "the noise it assumes", same(_ekf2())),
+    Variant("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
+    Variant("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
+    Variant("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
+        _ekf2(distrust_clipped=True, clipping=LATER_CLIPPING))),
+    Variant("PX4 EKF2", "and friction along both tangents",
+            same(merged(surface_of(axes="both"), _ekf2()))),
+    Variant("PX4 EKF2", "and ARQ's arms locked", lambda robot: merged(
+        _ekf2(), {"vehicle": {"preset": robot, "arms": {"compliant": False}}}), ("arq",)),
+    Variant("rate limit", "110 deg/s", same(degrees(110.0))),
+    Variant("rate limit", "1000 deg/s", same(degrees(1000.0))),
+    Variant("thrust limit", "rotors 15 % weaker", thrust(0.85)),
+    Variant("thrust limit", "rotors twice as strong", thrust(2.0)),
+    Variant("rotor lag", "15 ms", changed_vehicle({"propulsion": {"time_constant": 0.015}})),
+    Variant("rotor lag", "60 ms", changed_vehicle({"propulsion": {"time_constant": 0.06}})),
+    Variant("attitude loop", "time constant 0.1 s", same({"control": {"time_constant": 0.1}})),
+    Variant("attitude loop", "time constant 0.25 s", same({"control": {"time_constant": 0.25}})),
+    Variant("mixer", "airmode", same({"control": {"lift_share": 1.0}})),
+    Variant("detection delay", "accelerometer on ARQ", same({
         "recovery": {"detection": {"hall": {"used": False}, "acceleration": {"used": True}}}}),
         ("arq",)),
-    Variant("detection delay", "arms read at 100 Hz, 20 ms late", _same({
+    Variant("detection delay", "arms read at 100 Hz, 20 ms late", same({
         "sensors": {"hall": {"rate": 100.0, "delay": 0.02}}}), ("arq",)),
-    Variant("detection delay", "looking for 50 ms first", _same({
+    Variant("detection delay", "looking for 50 ms first", same({
         "recovery": {"characterisation": {"window": 0.05}}})),
-    Variant("detection", "none", _same({"recovery": {"detection": {
+    Variant("detection", "none", same({"recovery": {"detection": {
         "hall": {"used": False}, "acceleration": {"used": True, "threshold": 1e6}}}})),
-    Variant("friction", "0.4", _same(surface_of(0.4))),
-    Variant("friction", "0.2", _same(surface_of(0.2))),
-    Variant("friction", "none", _same(surface_of(0.0))),
-    Variant("contact point", "as printed, eq. (13)", _same({"model": {"contact_point": "paper"}})),
+    Variant("friction", "along both tangents", same(surface_of(axes="both"))),
+    Variant("friction", "0.4", same(surface_of(0.4))),
+    Variant("friction", "0.2", same(surface_of(0.2))),
+    Variant("friction", "none", same(surface_of(0.0))),
+    Variant("contact point", "as printed, eq. (13)", same({"model": {"contact_point": "paper"}})),
     Variant("recovery choice", "post-impact", _way("post-impact")),
     Variant("recovery choice", "set-point", _way("set-point")),
     Variant("recovery choice", "time-optimal", _way("time-optimal")),
@@ -127,13 +162,13 @@ RANGES = (
     Range("attitude time constant", "s", (0.06, 0.08, 0.1, 0.12, 1.0 / 6.5, 0.2, 0.25), 1.0 / 6.5,
           lambda robot, x: {"control": {"time_constant": x}}),
     Range("rate limit", "deg/s", (110.0, 160.0, 220.0, 400.0, 1000.0), 220.0,
-          lambda robot, x: _degrees(x)),
+          lambda robot, x: degrees(x)),
     Range("rate gain", "1/s", (15.0, 20.0, 30.0, 40.0, 50.0), 40.0,
           lambda robot, x: {"control": {"rate_gain": x}}),
     Range("rotor time constant", "s", (0.01, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06), 0.025,
-          lambda robot, x: _vehicle({"propulsion": {"time_constant": x}})(robot)),
+          lambda robot, x: changed_vehicle({"propulsion": {"time_constant": x}})(robot)),
     Range("most thrust over default", "", (0.8, 0.9, 1.0, 1.25, 1.5), 1.0,
-          lambda robot, x: _thrust(x)(robot)),
+          lambda robot, x: thrust(x)(robot)),
     Range("friction", "", (0.0, 0.2, 0.4, 0.6, 0.8, 1.0), 0.8, lambda robot, x: surface_of(x)),
     Range("duration per speed of the quintic", "s^2/m", (0.1, 0.15, 0.19, 0.25, 0.35), 0.19,
           lambda robot, x: {"recovery": {"response": {"pace": x}}}),

@@ -6,10 +6,13 @@ import csv
 import io
 import json
 import math
-import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from decimal import Decimal
+from itertools import chain
 from pathlib import Path
 from typing import Any
+
+from springback.experiments.drafts import drafted
 
 Row = tuple[Any, ...]
 #: What a file of an answer may end in, and the form that this stands for.
@@ -18,21 +21,57 @@ SUFFIXES = {".csv": "csv", ".json": "json", ".md": "markdown"}
 MOST_ROWS, WIDEST = 200, 48
 
 
-def rendered(columns: Sequence[str], rows: Sequence[Row], form: str) -> str:
-    """An answer as text.
+def lines_of(
+    columns: Sequence[str], stretches: Iterable[Sequence[Row]], form: str
+) -> Iterator[str]:
+    """An answer as lines of text, while it comes: never more than a stretch of it is kept.
 
     Args:
         columns: Names.
-        rows: Values.
+        stretches: Values, some rows at a time.
         form: ``table``, ``csv``, ``json`` or ``markdown``.
     """
-    if form == "csv":
-        return as_csv(columns, rows).rstrip("\n")
+    if form == "table":
+        yield from _table_lines(columns, stretches)
+        return
     if form == "json":
-        return as_json(columns, rows)
+        yield from _json_lines(columns, chain.from_iterable(stretches))
+        return
     if form == "markdown":
-        return as_markdown(columns, rows)
-    return as_text(columns, rows)
+        yield from as_markdown(columns, []).splitlines()
+    else:
+        yield as_csv(columns, []).rstrip("\n")
+    for rows in stretches:
+        if rows and form == "markdown":
+            yield "\n".join(_markdown_line([shown(v) for v in row]) for row in rows)
+        elif rows:
+            yield _csv_rows(rows).rstrip("\n")
+
+
+def _table_lines(columns: Sequence[str], stretches: Iterable[Sequence[Row]]) -> Iterator[str]:
+    """The first rows as a table, and how many more there are."""
+    shown_rows: list[Row] = []
+    count = 0
+    for rows in stretches:
+        shown_rows += rows[: MOST_ROWS - len(shown_rows)]
+        count += len(rows)
+    yield from as_text(columns, shown_rows).splitlines()
+    if count > len(shown_rows):
+        yield _more(count - len(shown_rows))
+
+
+def _json_lines(columns: Sequence[str], rows: Iterable[Row]) -> Iterator[str]:
+    before = "["
+    for row in rows:
+        data = dict(zip(columns, map(_plain, row), strict=True))
+        text = json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False, default=str)
+        yield before if before == "[" else f"{before},"
+        before = "\n".join(f"  {line}" for line in text.splitlines())
+    yield "[]" if before == "[" else f"{before}\n]"
+
+
+def _more(count: int) -> str:
+    return f"... {count} more rows; --format or --out gives all"
 
 
 def shown(value: Any) -> str:
@@ -51,7 +90,8 @@ def as_text(columns: Sequence[str], rows: Sequence[Row]) -> str:
     cells = [[_short(shown(value)) for value in row] for row in rows[:MOST_ROWS]]
     widths = [max(map(len, column)) for column in zip(columns, *cells, strict=True)]
     numbers = [
-        all(isinstance(row[k], int | float | None) for row in rows) for k in range(len(columns))
+        all(isinstance(row[k], int | float | None) for row in rows[:MOST_ROWS])
+        for k in range(len(columns))
     ]
     lines = []
     for line in [list(columns), *cells]:
@@ -61,7 +101,7 @@ def as_text(columns: Sequence[str], rows: Sequence[Row]) -> str:
         ]
         lines.append("  ".join(entries).rstrip())
     if len(rows) > MOST_ROWS:
-        lines.append(f"... {len(rows) - MOST_ROWS} more rows; --format or --out gives all")
+        lines.append(_more(len(rows) - MOST_ROWS))
     return "\n".join(lines)
 
 
@@ -72,43 +112,56 @@ def _short(text: str) -> str:
 def as_markdown(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """A Markdown table."""
     lines = [columns, ["---"] * len(columns), *([shown(v) for v in row] for row in rows)]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    return "\n".join(map(_markdown_line, lines))
+
+
+def _markdown_line(entries: Sequence[str]) -> str:
+    return f"| {' | '.join(entries)} |"
 
 
 def as_csv(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """Comma-separated values; what is not there is empty."""
+    return _csv_rows([columns, *rows])
+
+
+def _csv_rows(rows: Sequence[Sequence[Any]]) -> str:
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(rows)
+    csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
 
 
-def as_json(columns: Sequence[str], rows: Sequence[Row]) -> str:
-    """A list of objects."""
-    data = [dict(zip(columns, map(_plain, row), strict=True)) for row in rows]
-    return json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False, default=str)
-
-
 def _plain(value: Any) -> Any:
+    """A value as JSON has it: numbers that are none are null."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
-    return [_plain(v) for v in value] if isinstance(value, list | tuple) else value
+    if isinstance(value, dict):
+        return {str(key): _plain(v) for key, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(v) for v in value]
+    return float(value) if isinstance(value, Decimal) else value
 
 
-def write_answer(columns: Sequence[str], rows: Sequence[Row], path: Path) -> None:
-    """Write an answer to a file, whole or not at all.
+def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], path: Path) -> int:
+    """Write an answer to a file while it comes, whole or not at all.
 
     Args:
         columns: Names.
-        rows: Values.
+        stretches: Values, some rows at a time.
         path: Whose suffix is one of `SUFFIXES`.
+
+    Returns:
+        Number of rows.
     """
+    count = 0
+
+    def counted() -> Iterator[Sequence[Row]]:
+        nonlocal count
+        for rows in stretches:
+            count += len(rows)
+            yield rows
+
     path.parent.mkdir(parents=True, exist_ok=True)
-    draft = path.with_name(f".{path.name}.draft")
-    try:
-        text = rendered(columns, rows, SUFFIXES[path.suffix])
-        draft.write_text(text + "\n", encoding="utf-8")
-        os.replace(draft, path)
-    finally:
-        draft.unlink(missing_ok=True)
+    with drafted(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+        for line in lines_of(columns, counted(), SUFFIXES[path.suffix]):
+            file.write(line + "\n")
+    return count

@@ -46,6 +46,14 @@ class HouseFigure(Figure):
         return png(self)
 
 
+def as_written(text: str) -> str:
+    r"""Text of the user's for a figure, in which ``$`` begins no formula.
+
+    A scenario named ``a $\foo$ b`` would be an error of the typesetter else.
+    """
+    return text.replace("$", r"\$")
+
+
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
 

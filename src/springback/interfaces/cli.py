@@ -6,8 +6,9 @@ is wrong, 130 interrupted.  Heavy modules are imported by the commands that need
 
 from __future__ import annotations
 
+import errno
 import gc
-import os
+import json
 import sys
 import time
 import warnings
@@ -15,11 +16,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 
-from springback.errors import InputError, LedgerWarning
+from springback.errors import InputError, LedgerWarning, warn_in_one_line
+from springback.interfaces import last_words
+from springback.interfaces.plain_text import plain_text
 from springback.version import __version__
 
 OUT = click.Path(file_okay=True, path_type=Path)
@@ -79,7 +82,7 @@ def _patience(label: str, quiet: bool) -> Iterator[None]:
 
 def _say(text: str, quiet: bool) -> None:
     if not quiet:
-        click.echo(text, err=True)
+        click.echo(plain_text(text), err=True)
 
 
 def _have_figures(quiet: bool) -> bool:
@@ -137,13 +140,13 @@ def fly(
     from springback.experiments.pilots import read_pilot
     from springback.experiments.result import fly as fly_scenario
     from springback.experiments.scenario_file import read_scenario
-    from springback.interfaces.files import output_folder, write_flight
+    from springback.interfaces.files import FLIGHT_FILES, SUMMARY, output_folder, write_flight
 
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)
     for sentence in uneasy(ready, own=own is not None):
         _say(f"warning: {sentence}", False)
-    with output_folder(out, force=force) as folder:
+    with output_folder(out, force=force, replaces=FLIGHT_FILES) as folder:
         with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
             with warnings.catch_warnings():  # said below, in this program's own way
                 warnings.simplefilter("ignore", LedgerWarning)
@@ -151,7 +154,8 @@ def fly(
             figures = not no_figures and _have_figures(quiet)
             written = write_flight(flight, folder, figures=figures)
         names = [path.name for path in written]
-    _print(flight.summary() if as_json else repr(flight), as_json)
+        summary = (folder / SUMMARY).read_text(encoding="utf-8")
+    _print(json.loads(summary) if as_json else repr(flight), as_json)
     _say(f"written to {out}: {', '.join(names)}", quiet)
     if flight.remark:
         _say(f"warning: {flight.remark}", False)
@@ -250,23 +254,33 @@ def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool)
 @click.argument("preset", required=False)
 @json_option
 def show(preset: str | None, as_json: bool) -> None:
-    """Show a vehicle or surface PRESET, each number with its source; all presets without one."""
+    """Show a vehicle, surface or estimator PRESET, each number with its source; or all presets."""
     from springback.contact.library import SOURCES, SURFACES
     from springback.experiments.scenario import preset as known_preset
+    from springback.sensing.library import ESTIMATORS
+    from springback.sensing.library import SOURCES as ESTIMATOR_SOURCES
     from springback.vehicle.library import VEHICLES
 
     if preset is None:
         names = {name: entry.summary for name, entry in VEHICLES.items()}
-        names |= {name: f"surface, {entry.law}" for name, entry in SURFACES.items()}
+        names |= {
+            name: f"surface, {entry.law}, friction {entry.friction_axes}"
+            for name, entry in SURFACES.items()
+        }
+        names |= {name: f"estimator, {entry.type}" for name, entry in ESTIMATORS.items()}
         _print(
             names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()),
             as_json,
         )
         return
-    entry = known_preset("vehicle or surface", preset, {**VEHICLES, **SURFACES})
+    known = {**VEHICLES, **SURFACES, **ESTIMATORS}
+    entry = known_preset("vehicle, surface or estimator", preset, known)
+    extra: dict[str, Any] = {}
     if preset in VEHICLES:
         settings, sources, summary = entry.vehicle, entry.sources, entry.summary
         extra = {"mass": entry.vehicle.mass, "inertia": entry.vehicle.inertia().tolist()}
+    elif preset in ESTIMATORS:
+        settings, sources, summary = entry, ESTIMATOR_SOURCES[preset], f"estimator {preset}"
     else:
         settings, sources, summary = entry, SOURCES[preset], f"surface {preset}"
         extra = {"dissipation": entry.dissipation_value()}
@@ -310,9 +324,10 @@ def _about() -> dict[str, str]:
 
 
 def _print(data: Any, as_json: bool) -> None:
-    import json
-
-    click.echo(json.dumps(data, indent=2, allow_nan=False, default=str) if as_json else data)
+    if as_json:
+        click.echo(json.dumps(data, indent=2, allow_nan=False, default=str))
+    else:
+        click.echo(plain_text(data))
 
 
 def _described(data: dict[str, Any], indent: str = "") -> str:
@@ -361,33 +376,55 @@ from springback.interfaces import (  # noqa: E402, F401
 def main() -> None:
     """Run the command line and leave with its exit code."""
     gc.set_threshold(FEW_CYCLES)
+    warn_in_one_line()
     try:
         cli.main(standalone_mode=False)
     except InputError as error:
         for line in error.problems:
-            click.echo(f"error: {line}", err=True)
+            _say(f"error: {line}", False)
         sys.exit(2)
+    except click.Abort as error:
+        # So says click of Ctrl-C, and of a file that ends too early, too.
+        if isinstance(error.__cause__, EOFError):
+            raise error.__cause__ from None
+        _interrupted()
+    except KeyboardInterrupt:
+        _interrupted()
     except click.ClickException as error:
         error.show()
         sys.exit(2)
-    except (KeyboardInterrupt, click.Abort):
-        click.echo("interrupted; nothing was written", err=True)
-        sys.exit(130)
+    except Exception as error:
+        if last_words.came():  # and whatever it led to in a library
+            _interrupted()
+        said = environment(error)
+        if said is None:
+            raise
+        _say(f"error: {said}", False)
+        sys.exit(1)
 
 
-def run() -> None:
-    """The program: `main`, and then away at once.
+def _interrupted() -> NoReturn:
+    last_words.deafen()
+    _say(last_words.words(), False)
+    sys.exit(130)
 
-    All files are closed by then; taking apart what was loaded would take longer than most flights.
-    """
-    code: Any = 0
-    try:
-        main()
-    except SystemExit as done:
-        code = done.code
-    try:
-        sys.stdout.flush()
-        sys.stderr.flush()
-    except BrokenPipeError:  # whoever read us has left, too
-        code = code or 1
-    os._exit(code if isinstance(code, int) else 0 if code is None else 1)
+
+#: Errors of the system that are nobody's mistake here.
+_OF_THE_SYSTEM = {
+    getattr(errno, name) for name in
+    ("ENOSPC", "EDQUOT", "EIO", "EROFS", "EFBIG", "EACCES", "EPERM", "ENAMETOOLONG", "EMFILE",
+     "ENFILE", "ELOOP", "ESTALE", "ENOTDIR", "EISDIR")
+    if hasattr(errno, name)
+}  # fmt: skip
+
+
+def environment(error: BaseException) -> str | None:
+    """What a disk or the memory has to say, in one line; None if the program is at fault."""
+    if isinstance(error, OSError) and error.errno in _OF_THE_SYSTEM:
+        where = f"{error.filename}: " if error.filename else ""
+        return f"{where}{error.strerror}"
+    if isinstance(error, MemoryError):
+        return f"out of memory ({' '.join(str(error).split()) or 'no more to be had'})"
+    if type(error).__name__ in ("IOException", "FatalException"):  # DuckDB's
+        return " ".join(str(error).split())[:300]
+    return None

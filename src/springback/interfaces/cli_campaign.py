@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from springback.errors import InputError
+from springback.interfaces import last_words
 from springback.interfaces.cli import (
     OUT,
     _have_figures,
@@ -23,6 +24,7 @@ from springback.interfaces.cli import (
     json_option,
     quiet_option,
 )
+from springback.interfaces.plain_text import plain_text
 
 if TYPE_CHECKING:
     from springback.experiments.campaign.running import Progress
@@ -42,8 +44,15 @@ BETWEEN_LINES = 10.0
 @click.option("--workers", type=int, help="Processes; by default as many as there are cores.")
 @click.option("--chunk", type=int, help="Flights flown and kept together; by default at most 2000.")
 @click.option(
-    "--scheduler", metavar="ADDRESS", help="Fly on Dask: tcp://HOST:8786 of its scheduler."
+    "--scheduler", metavar="ADDRESS", help="Fly on Dask: tls://HOST:8786 of its scheduler."
 )
+@click.option("--tls-ca", type=click.Path(path_type=Path), help="Of the cluster: its authority.")
+@click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate to show there.")
+@click.option("--tls-key", type=click.Path(path_type=Path), help="Its private key.")
+@click.option(
+    "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
+    help="Where flights fly; gpu is an NVIDIA GPU of this machine.",
+)  # fmt: skip
 @json_option
 @quiet_option
 def campaign(
@@ -55,6 +64,10 @@ def campaign(
     workers: int | None,
     chunk: int | None,
     scheduler: str | None,
+    tls_ca: Path | None,
+    tls_cert: Path | None,
+    tls_key: Path | None,
+    device: Any,
     as_json: bool,
     quiet: bool,
 ) -> None:
@@ -76,6 +89,7 @@ def campaign(
 
     if plan is None and not (resume and out):
         raise InputError("PLAN is missing: a file such as plan.toml (or --resume with --out)")
+    tls = _tls(scheduler, tls_ca, tls_cert, tls_key)
     with _patience("reading the plan", quiet):
         design = _design(plan, overrides, out)
     if dry_run:
@@ -83,28 +97,39 @@ def campaign(
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
-    again = _again(plan, overrides, out, scheduler)
+    again = _again(plan, overrides, out, scheduler, tls)
+    last_words.say(f"interrupted; what was flown is kept; go on by: {again}")
     try:
         with _told(quiet) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                progress=tell, remark=remark,
+                tls=tls, device=device, progress=tell, remark=remark,
             )  # fmt: skip
     except Stopped as error:
         _say(f"error: {error}", False)
         _say(f"what was flown is kept; go on by: {again}", False)
         sys.exit(1)
-    except KeyboardInterrupt:
-        _say(f"interrupted; what was flown is kept; go on by: {again}", False)
-        sys.exit(130)
     _finished(flown, out, as_json, quiet)
+
+
+def _tls(
+    scheduler: str | None, authority: Path | None, certificate: Path | None, key: Path | None
+) -> Any:
+    """Certificates for a cluster, if any are given; then all are."""
+    if authority is None and certificate is None and key is None:
+        return None
+    if scheduler is None or authority is None or certificate is None or key is None:
+        raise InputError("--tls-ca, --tls-cert and --tls-key belong together, and to --scheduler")
+    from springback.experiments.campaign.cluster import Tls
+
+    return Tls(authority, certificate, key)
 
 
 def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> Any:
     from springback.experiments.campaign.design import laid_out
     from springback.experiments.campaign.plan import read_plan
     from springback.experiments.campaign.reading import check_conditions
-    from springback.experiments.campaign.store import PLAN, about
+    from springback.experiments.campaign.store import stored_plan
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
@@ -112,16 +137,21 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
         check_conditions(design, source)
         return design
     assert out is not None
-    about(out)
-    return laid_out(*read_plan(out / PLAN), tried=False)
+    return laid_out(stored_plan(out), tried=False)
 
 
-def _again(plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None) -> str:
+def _again(
+    plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None, tls: Any
+) -> str:
     import shlex
 
     words = ["springback", "campaign", *([str(plan)] if plan else []), *overrides]
     words += ["--out", str(out), "--resume"]
-    return shlex.join(words + (["--scheduler", scheduler] if scheduler else []))
+    words += ["--scheduler", scheduler] if scheduler else []
+    if tls is not None:
+        given = {"ca": tls.authority, "cert": tls.certificate, "key": tls.key}
+        words += [word for name, path in given.items() for word in (f"--tls-{name}", str(path))]
+    return shlex.join(words)
 
 
 def _finished(flown: Any, out: Path, as_json: bool, quiet: bool) -> None:
@@ -171,7 +201,7 @@ def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
-            console.print(text, markup=False, highlight=False)
+            console.print(plain_text(text), markup=False, highlight=False)
 
         yield tell, remark
 
@@ -208,7 +238,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     springback query results "FROM flights WHERE NOT success" --out failures.csv
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.answers import SUFFIXES, rendered, write_answer
+    from springback.interfaces.answers import SUFFIXES, lines_of, write_answer
 
     known = Campaign(folder)
     if out is not None and out.suffix not in SUFFIXES and (out.suffix != ".parquet" or not sql):
@@ -218,15 +248,26 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     if out is not None and sql is not None and out.suffix == ".parquet":
         _say(f"{known.save(sql, out)} rows written to {out}", False)
         return
+
+    def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
+        if out is not None:
+            return write_answer(columns, stretches, out)
+        # Data for a program stay as they are; a terminal is not to be steered by them.
+        clean = plain_text if form == "table" or _is_terminal() else str
+        for line in lines_of(columns, stretches, form):
+            click.echo(clean(line))
+        return 0
+
     if sql is None:
-        columns, rows = ["column", "unit", "meaning"], _columns(known)
+        count = taken(["column", "unit", "meaning"], iter([_columns(known)]))
     else:
-        columns, rows = known.query(sql)
-    if out is None:
-        _print(rendered(columns, rows, form), False)
-        return
-    write_answer(columns, rows, out)
-    _say(f"{len(rows)} rows written to {out}", False)
+        count = known.stream(sql, taken)
+    if out is not None:
+        _say(f"{count} rows written to {out}", False)
+
+
+def _is_terminal() -> bool:
+    return sys.stdout is not None and sys.stdout.isatty()
 
 
 def _columns(known: Any) -> list[tuple[Any, ...]]:
@@ -268,13 +309,16 @@ def refly(
     springback refly results 1711 --out flight-1711
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.files import output_folder, write_flight
+    from springback.interfaces.files import FLIGHT_FILES, output_folder, write_flight
 
     known = Campaign(folder)
     with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
         again = known.refly(row)
     if out is not None:
-        with output_folder(out, force=force) as place, _patience("writing", quiet):
+        with (
+            output_folder(out, force=force, replaces=FLIGHT_FILES) as place,
+            _patience("writing", quiet),
+        ):
             figures = not no_figures and _have_figures(quiet)
             names = [path.name for path in write_flight(again.flight, place, figures=figures)]
         _say(f"written to {out}: {', '.join(names)}", quiet)

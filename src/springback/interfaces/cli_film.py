@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
@@ -73,18 +72,16 @@ def animate(
     check(out, wanted, fps)
     with _patience("reading", quiet):
         scenes = [scene_of(read_result(folder)) for folder in results]
-    draft = out.with_name(f".{out.stem}.draft{out.suffix}")
+    from springback.experiments.drafts import drafted
+
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        with _progress("drawing", quiet) as show:
+        with drafted(out, suffix=out.suffix) as draft, _progress("drawing", quiet) as show:
             count = write_film(
                 scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
             )
-        os.replace(draft, out)
     except OSError as error:
         raise InputError(f"--out {out}: cannot be written ({error.strerror})") from None
-    finally:
-        draft.unlink(missing_ok=True)
     _say(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB", quiet)
 
 

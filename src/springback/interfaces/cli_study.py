@@ -19,6 +19,7 @@ from springback.interfaces.cli import (
     json_option,
     quiet_option,
 )
+from springback.interfaces.cli_choices import choices, friction
 from springback.interfaces.cli_why import why
 
 
@@ -27,7 +28,8 @@ def study() -> None:
     """Studies of what the paper leaves open."""
 
 
-study.add_command(why)
+for command in (why, choices, friction):
+    study.add_command(command)
 
 
 @study.command()

@@ -25,7 +25,7 @@ from springback.interfaces.cli import (
     "--trials", type=click.IntRange(1, 1000), default=10, show_default=True, help="Of each test."
 )
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all luck.")
-@click.option("--no-ranges", is_flag=True, help="Only the ablation.")
+@click.option("--no-ranges", is_flag=True, help="Only the ablation and its pairs.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option
 @json_option
@@ -40,13 +40,15 @@ def why(
     as_json: bool,
     quiet: bool,
 ) -> None:
-    """Switch one thing at a time, and see which robot still survives which test.
+    """Switch one thing at a time, then two, and see which robot still survives which test.
 
-    Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; then, along
-    numbers that the paper does not print, over which range the printed result holds.
+    Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; pairs of
+    changes at 3.5 m/s; then, along numbers that the paper does not print, over which range the
+    printed result holds.
     """
     from springback.experiments.why import RANGES
     from springback.experiments.why import why as explained
+    from springback.experiments.why_pairs import fly_pairs
     from springback.interfaces.files import output_folder
 
     figures = not no_figures and _have_figures(quiet)
@@ -55,13 +57,16 @@ def why(
         ranges = () if no_ranges else RANGES
         with _progress("what if", quiet) as show:
             results = explained(trials, ranges=ranges, seed=seed, progress=show)
-        _written(results, folder, figures)
+        with _progress("two at a time", quiet) as show:
+            pairs = fly_pairs(trials, seed=seed, progress=show)
+        _written(results, pairs, folder, figures)
     rows = [cell.as_dict() for cell in (*results.cells, *results.ranges)]
-    _print(rows if as_json else "\n".join(sentences(results)), as_json)
+    rows += [pair.as_dict() for pair in pairs.pairs]
+    _print(rows if as_json else "\n".join(sentences(results, pairs)), as_json)
     _say(f"written to {out}", quiet)
 
 
-def _written(results: Any, folder: Path, figures: bool) -> None:
+def _written(results: Any, pairs: Any, folder: Path, figures: bool) -> None:
     import csv
 
     from springback.interfaces.files import write_json
@@ -69,23 +74,27 @@ def _written(results: Any, folder: Path, figures: bool) -> None:
     rows = [{**cell.as_dict(), "part": part}
             for part, cells in (("ablation", results.cells), ("range", results.ranges))
             for cell in cells]  # fmt: skip
-    write_json(folder / "why.json", {"cells": rows, "sentences": sentences(results)})
+    paired = [pair.as_dict() for pair in pairs.pairs]
+    said = sentences(results, pairs)
+    write_json(folder / "why.json", {"cells": rows, "pairs": paired, "sentences": said})
     with (folder / "why.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, rows[0])
         writer.writeheader()
         writer.writerows(rows)
     if figures:
         from springback.interfaces.canvas import save
-        from springback.interfaces.plots_why import ablation_figure, ranges_figure
+        from springback.interfaces.plots_why import ablation_figure, pairs_figure, ranges_figure
 
+        save(pairs_figure(pairs), folder / "pairs")
         save(ablation_figure(results), folder / "ablation")
         if results.ranges:
             save(ranges_figure(results), folder / "ranges")
 
 
-def sentences(results: Any) -> list[str]:
+def sentences(results: Any, pairs: Any = None) -> list[str]:
     """What the study says, a line each."""
     from springback.experiments.why import RANGES, ROBOTS, VARIANTS
+    from springback.experiments.why_pairs import pair_sentences
 
     told = []
     for robot in ROBOTS:
@@ -100,6 +109,9 @@ def sentences(results: Any) -> list[str]:
     found = results.printed_by()
     names = ", ".join(f"{v.cause} {v.name}" for v in found) or "none of these changes"
     told.append(f"ARQ always and Quad never at 3.5 m/s, as printed: {names}")
+    if pairs is not None:
+        told.append("two changes at a time, 0 deg 3.5 m/s, that tell the robots apart:")
+        told += [f"  {sentence}" for sentence in pair_sentences(pairs)]
     for one in RANGES if results.ranges else ():
         held = results.holds(one)
         unit = f" {one.unit}" if one.unit else ""

@@ -13,7 +13,6 @@ CORE = (
     "numba",
     "llvmlite",
     "pydantic",
-    "pint",
     "duckdb",
     "click",
     "rich",

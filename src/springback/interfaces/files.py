@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import json
 import os
+import re
 import shutil
+import sys
 import tempfile
-from collections.abc import Iterator
+import time
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -14,6 +19,19 @@ from typing import Any
 from springback.errors import InputError
 from springback.experiments.parquet import write_parquet
 from springback.experiments.result import Flight
+from springback.experiments.sealed import file_digest, sealed
+from springback.interfaces import last_words
+
+#: How names of folders end that are still being written.
+DRAFT = ".springback-draft"
+#: A draft that nobody holds is one of a killed process, unless it is as young as this [s] (chosen).
+YOUNG = 10.0
+#: Files that a flight leaves: those of an earlier one go when it is replaced.
+SUMMARY = "summary.json"
+FLIGHT_FILES = (
+    SUMMARY, "trajectory.parquet", "diary.parquet",
+    *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
+)  # fmt: skip
 
 
 def _existing_ancestor(folder: Path) -> Path:
@@ -21,44 +39,189 @@ def _existing_ancestor(folder: Path) -> Path:
 
 
 @contextmanager
-def output_folder(folder: Path, *, force: bool = False) -> Iterator[Path]:
+def output_folder(
+    folder: Path, *, force: bool = False, replaces: Iterable[str] = ()
+) -> Iterator[Path]:
     """A folder to write into, which becomes ``folder`` when the block ends well.
 
-    If the block fails, nothing is left and nothing that was there is touched.  With ``force``,
-    files of the same names are replaced and all others stay.
+    The folder is replaced whole or not at all.  If the block fails, or the process is killed, what
+    was there is there.  With ``force`` files of earlier results make way, and all others stay.
+
+    Args:
+        folder: To be written.
+        force: Whether results in it may be replaced.
+        replaces: Names of files that do not outlive the results they belong to.
 
     Raises:
         InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
     """
     folder = folder.absolute()
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"--out {folder}: is a file, not a folder")
-    if folder.exists() and any(folder.iterdir()) and not force:
-        raise InputError(
-            f"--out {folder}: is not empty; give another folder, or --force to replace results"
-        )
-    anchor = _existing_ancestor(folder.parent)
     try:
+        folder = folder.resolve() if folder.is_symlink() else folder
+        if folder.exists() and not folder.is_dir():
+            raise InputError(f"--out {folder}: is a file, not a folder")
+        if folder.exists() and any(folder.iterdir()) and not force:
+            raise InputError(
+                f"--out {folder}: is not empty; give another folder, or --force to replace results"
+            )
+        anchor = _existing_ancestor(folder.parent)
         if folder.exists() and not os.access(folder, os.W_OK):
             raise PermissionError(13, "Permission denied")
-        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=anchor))
+        remove_abandoned(anchor, folder.name)
+        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", suffix=DRAFT, dir=anchor))
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+    with _held(draft):
+        try:
+            yield draft
+            _replace(draft, folder, set(replaces))
+            last_words.say(f"interrupted; {folder} was written before")
+        except OSError as error:
+            if error.errno not in FULL:
+                raise
+            raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+        finally:
+            _remove(draft)
+
+
+#: What a system says when a disk takes no more.
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EROFS, errno.EFBIG}
+
+
+def _remove(draft: Path) -> None:
     try:
-        yield draft
-        _move(draft, folder)
-    finally:
         shutil.rmtree(draft, ignore_errors=True)
+    except KeyboardInterrupt:  # once more, to the end
+        shutil.rmtree(draft, ignore_errors=True)
+        raise
 
 
-def _move(draft: Path, folder: Path) -> None:
-    for source in sorted(draft.rglob("*")):
-        target = folder / source.relative_to(draft)
-        if source.is_dir():
-            target.mkdir(parents=True, exist_ok=True)
+# -- drafts of processes that were killed ---------------------------------------------------------
+
+
+@contextmanager
+def _held(folder: Path) -> Iterator[None]:
+    """Hold a folder: the system lets go when this process ends, however that comes about."""
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        with contextlib.suppress(OSError):  # a file system without locks
+            fcntl.flock(handle, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        yield
+    finally:
+        os.close(handle)
+
+
+def remove_abandoned(anchor: Path, name: str) -> None:
+    """Remove drafts of a folder whose processes were killed.
+
+    Args:
+        anchor: The folder that they lie in.
+        name: Of the folder that they would have become.
+    """
+    if sys.platform == "win32":
+        return
+    import fcntl
+
+    draft = re.compile(rf"\.{re.escape(name)}-[a-z0-9_]{{8}}{re.escape(DRAFT)}")
+    for path in [path for path in anchor.iterdir() if draft.fullmatch(path.name)]:
+        with contextlib.suppress(OSError):
+            if path.is_symlink() or time.time() - path.stat().st_ctime < YOUNG:
+                continue
+            handle = os.open(path, os.O_RDONLY)
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(path, ignore_errors=True)
+            finally:
+                os.close(handle)
+
+
+# -- one folder in place of another ---------------------------------------------------------------
+
+
+def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
+    """Put a draft where a folder is or shall be, in one step where the system can."""
+    mask = os.umask(0)
+    os.umask(mask)
+    draft.chmod(0o777 & ~mask)
+    if not folder.exists():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        os.rename(draft, folder)
+        return
+    elsewhere = folder.stat().st_dev != draft.stat().st_dev
+    if elsewhere or Path.cwd().is_relative_to(
+        folder
+    ):  # a disk is mounted there, or one stands in it
+        _move_into(draft, folder, replaces)
+        return
+    _keep_others(folder, draft, replaces)
+    if _exchanged(draft, folder):
+        return
+    old = draft.with_name(f"{draft.name}-old{DRAFT}")
+    try:
+        os.rename(folder, old)
+    except OSError:  # it is in use in a way that holds its name
+        _move_into(draft, folder, replaces)
+        return
+    try:
+        os.rename(draft, folder)
+    except BaseException:
+        os.rename(old, folder)
+        raise
+    _remove(old)
+
+
+def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
+    """What else lies in a folder lies in its draft, too: as links, where the disk has them."""
+    for path in folder.iterdir():
+        target = draft / path.name
+        if path.name in replaces or (target.exists() and not target.is_dir()):
+            continue
+        if path.is_dir() and not path.is_symlink():
+            target.mkdir(exist_ok=True)
+            _keep_others(path, target, set())
+            shutil.copystat(path, target)
         else:
+            try:
+                os.link(path, target, follow_symlinks=False)
+            except OSError:
+                shutil.copy2(path, target, follow_symlinks=False)
+
+
+def _exchanged(one: Path, other: Path) -> bool:
+    """Exchange two folders in one step; False where the system cannot."""
+    import ctypes
+
+    at_working_directory, exchange = -100, 2
+    try:
+        rename = ctypes.CDLL(None, use_errno=True).renameat2
+    except (AttributeError, OSError, TypeError):
+        return False
+    done = rename(
+        at_working_directory, os.fsencode(one), at_working_directory, os.fsencode(other), exchange
+    )
+    return bool(done == 0)
+
+
+def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
+    """Replace files one by one; without its summary a folder is no result, so that goes first."""
+    for name in [SUMMARY, *sorted(replaces)]:
+        with contextlib.suppress(FileNotFoundError, IsADirectoryError):
+            (folder / name).unlink()
+    for source in sorted(draft.rglob("*"), key=lambda path: (path.name == SUMMARY, path)):
+        target = folder / source.relative_to(draft)
+        if source.is_dir() and not source.is_symlink():
+            target.mkdir(parents=True, exist_ok=True)
+        elif not (os.path.lexists(target) and os.path.samestat(source.lstat(), target.lstat())):
             target.parent.mkdir(parents=True, exist_ok=True)
-            os.replace(source, target)
+            shutil.move(source, target)
+
+
+# -- a flight -------------------------------------------------------------------------------------
 
 
 def write_json(path: Path, data: Any) -> None:
@@ -73,7 +236,9 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
     flight beside what was wanted, and ``impact.png`` the collision if there was one.  What each
-    shows is in a CSV file of the same name.
+    shows is in a CSV file of the same name.  The summary names all of them with their digests
+    (``files``) and has one of its own (``seal``), so that no file of another flight is taken for
+    one of this.
 
     Args:
         flight: Any.
@@ -84,8 +249,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
         The files written.
     """
     summary = flight.summary()
-    write_json(folder / "summary.json", summary)
-    written = [folder / "summary.json"]
+    written = []
     about = {
         "springback": summary["springback"],
         "name": flight.scenario.name,
@@ -101,7 +265,9 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             written += [folder / f"{stem}.png", folder / f"{stem}.csv"]
             written[-2].write_bytes(picture)
             written[-1].write_text(numbers, encoding="utf-8")
-    return written
+    files = {path.name: file_digest(path) for path in written}
+    write_json(folder / SUMMARY, sealed(summary | {"files": files}))
+    return [folder / SUMMARY, *written]
 
 
 def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from springback.interfaces.canvas import BLUE, GREY, INK, RED, Look
+from springback.interfaces.canvas import BLUE, GREY, INK, RED, Look, as_written
 from springback.interfaces.film_bodies import Pose, pose, views
 from springback.interfaces.film_panel import Panel
 from springback.interfaces.film_timing import EARLY, LATE, Timing, origin
@@ -102,8 +102,8 @@ class Picture:
         box = (k * width, CURVE, width, (1.0 - SIDE) * height)
         lower = self._panel(scene, above, k, box, "from above")
         upper.ax.text(
-            0.015, 0.95, scene.label, transform=upper.ax.transAxes, va="top", weight="bold",
-            fontsize=12 * self.unit, color=LOOKS[k % 2][0],
+            0.015, 0.95, as_written(scene.label), transform=upper.ax.transAxes, va="top",
+            weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2][0],
         )  # fmt: skip
         return upper, lower
 
@@ -201,7 +201,8 @@ class _Curve:
             t = scene.t - origin(scene)
             top = max(top, float(values[(t >= begin) & (t <= end)].max(initial=0.0)))
             colour, style = LOOKS[k % 2]
-            (line,) = self.ax.plot([], [], color=colour, ls=style, lw=1.8 * unit, label=scene.label)
+            name = as_written(scene.label)
+            (line,) = self.ax.plot([], [], color=colour, ls=style, lw=1.8 * unit, label=name)
             (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=colour)
             self.curves.append((line, dot, 1e3 * t, values))
             self.moving += [line, dot]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 from typing import Any
-from urllib.parse import parse_qsl, urlsplit
+from urllib.parse import parse_qsl
 
 from starlette.applications import Starlette
 from starlette.requests import Request
@@ -72,7 +72,7 @@ def _refusal(scope: Scope) -> Response | None:
     if length != "0" or b"transfer-encoding" in heads:
         return _error(413, "the lab takes no body: settings stand in the query")
     origin = heads.get(b"origin")
-    if origin is not None and urlsplit(origin).netloc != heads.get(b"host"):
+    if origin is not None and origin.partition("://")[2] != heads.get(b"host"):
         return _error(403, f"pages of {_short(origin)} may not ask the lab")
     if heads.get(b"sec-fetch-site") == "cross-site" and heads.get(b"sec-fetch-mode") != "navigate":
         return _error(403, "pages of other sites may not ask the lab")

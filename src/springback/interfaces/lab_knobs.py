@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator
 
-from springback.quantities import checked
+from springback.quantities import checked, number_in
 from springback.settings import problem
 
 #: Letters of a value that are looked at at all (chosen).
 LONGEST_VALUE = 32
-_WITH_UNIT = re.compile(
-    r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]{1,3})? *[a-z%° /·]{1,12}", re.IGNORECASE
-)
 #: Of a setting that has an effect under all others.
 EVERYWHERE: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
@@ -65,24 +61,10 @@ def knob(how: Knob) -> Any:
 
     def validate(value: Any) -> float:
         if isinstance(value, str):
-            value = _number_of(value, how.unit)
+            value = number_in(value, how.unit, bare=True)
         return checked(value, how.unit, least=how.least, most=how.most)
 
     return Annotated[float, BeforeValidator(validate), how]
-
-
-def _number_of(text: str, unit: str) -> float | str:
-    """A number in a knob's unit; text with a unit is left to `checked` if it is no more than that.
-
-    Strings come from strangers: expressions such as ``9**9**9`` are not to be computed.
-    """
-    text = text.strip()
-    try:
-        return float(text)
-    except ValueError:
-        if len(text) <= LONGEST_VALUE and _WITH_UNIT.fullmatch(text):
-            return text
-    raise problem(f"must be a number in {unit or 'no unit'} (got {shortened(text)!r})")
 
 
 def choice(words: tuple[str, ...], how: Choice) -> Any:

@@ -146,7 +146,10 @@ class LabSettings(Settings):
     ) = _fitted(_WALL)  # fmt: skip
     friction: knob(  # type: ignore[valid-type]
         Knob(
-            "Friction μ", "", 0.0, 1.5, 0.05, "Coulomb's, along the surface.",
+            "Friction μ", "", 0.0, 1.5, 0.05,
+            "Coulomb's, along the surface. Where two cages touch at once it holds them, and arms "
+            "at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
+            "acts along the vertical only, as in the paper.",
             (Mark(float(_WALL.friction), "paper: Table II"),), "Surface", _OWN,
         )
     ) = float(_WALL.friction)  # fmt: skip

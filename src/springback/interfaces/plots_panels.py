@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from springback.interfaces.canvas import LOOKS, SHADE, WIDTH, HouseFigure, Look
+from springback.interfaces.canvas import LOOKS, SHADE, WIDTH, HouseFigure, Look, as_written
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 ROUNDING = 1e-6
@@ -138,5 +138,5 @@ def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]
 
 
 def short(name: str, most: int = 24) -> str:
-    """A name that fits into a legend."""
-    return name if len(name) <= most else name[: most - 1] + "…"
+    """A name that fits into a legend, and is drawn as it is written."""
+    return as_written(name if len(name) <= most else name[: most - 1] + "…")

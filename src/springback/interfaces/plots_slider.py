@@ -54,6 +54,11 @@ def _reading_looks(results: SliderResults) -> dict[str, Look]:
     return {r.name: order[k % len(order)] for k, r in enumerate(results.readings)}
 
 
+def _legend_room(readings: int) -> float:
+    """More height [in] for the legend of more than three readings, three names to a line."""
+    return 0.2 * max(0, -(-readings // 3) - 1)
+
+
 @styled
 def slider_figure(results: SliderResults, robot: str) -> Figure:
     """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
@@ -66,12 +71,12 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     """
     flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
     flights = [case.flight for cases in flown.values() for case in cases]
+    looks = _reading_looks(results)
     labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
     if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
         labels.append("Arm length [mm]")
-    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels)))
+    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels) + _legend_room(len(looks))))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
-    looks = _reading_looks(results)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
         span = _slider_times(robot, surface, cases)
         for case in cases:
@@ -152,7 +157,7 @@ def sweep_figure(results: SliderResults) -> Figure:
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
     looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
     speeds = sorted({p.speed for p in results.sweep})
-    figure = HouseFigure(figsize=(WIDTH, 4.4))
+    figure = HouseFigure(figsize=(WIDTH, 4.7 + 0.2 * (len(names) // 2)))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
     for n in names:
@@ -173,7 +178,7 @@ def sweep_figure(results: SliderResults) -> Figure:
     lower.set_xlabel("Speed at touch [m/s]")
     lower.set_xticks(speeds, [f"{v:g}" for v in speeds])
     figure.align_ylabels([upper, lower])
-    upper.legend(loc="upper left", ncols=1 + len(names) // 4)
+    figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     lower.legend(loc="upper left")
     return figure
 
@@ -207,7 +212,7 @@ def readings_figure(results: SliderResults) -> Figure:
         ("travel", "travel", ""),
         ("contact\ntime", "contact_time", "time_to_return"),
     ]
-    figure = HouseFigure(figsize=(WIDTH, 2.9))
+    figure = HouseFigure(figsize=(WIDTH, 2.9 + _legend_room(len(results.readings))))
     axes = figure.subplots(1, 2, sharey=True, sharex=True)
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from springback.experiments.run_ups import CONDITIONS
 from springback.experiments.why import RANGES, ROBOTS, VARIANTS, Range, WhyResults
+from springback.experiments.why_pairs import CHANGES, PairResults
 from springback.interfaces.canvas import BLUE, GREY, INK, RED, WIDTH, HouseFigure, styled
 
 TITLES = {"arq": "ARQ", "quad": "Quad"}
@@ -87,4 +88,33 @@ def ranges_figure(results: WhyResults) -> Figure:
     for axes in list(grid.flat)[len(RANGES) :]:
         axes.set_visible(False)
     grid.flat[0].legend(loc="lower left")
+    return figure
+
+
+@styled
+def pairs_figure(results: PairResults) -> Figure:
+    """Recovered trials under every two changes at the paper's fastest; one change on the edge."""
+    names = [change.cause for change in CHANGES]
+    figure = HouseFigure(figsize=(WIDTH * 1.75, 0.3 * len(names) + 2.0), layout="constrained")
+    for axes, robot in zip(figure.subplots(1, 2, sharey=True), ROBOTS, strict=True):
+        share = np.full((len(names), len(names)), np.nan)
+        for i, first in enumerate(names):
+            for j, second in enumerate(names[: i + 1]):
+                pair = results.at(first, second, robot)
+                if pair is not None:
+                    share[i, j] = pair.share
+                    axes.text(j, i, str(pair.successes), ha="center", va="center", size=8,
+                              color="white" if pair.share < 0.5 else INK)  # fmt: skip
+        image = axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
+        image.set_label("_Share of trials that succeed [-]")
+        base = results.at("none", "none", robot)
+        told = f"; unchanged {base.successes}/{base.trials}" if base else ""
+        axes.set_title(f"{TITLES[robot]}{told}", size=9)
+        axes.set_xticks(range(len(names)), names, size=8, rotation=45, ha="right")
+        axes.set_yticks(range(len(names)), [change.name for change in CHANGES], size=8)
+        axes.set_xlabel("and, too", size=8)
+        axes.tick_params(length=0)
+        axes.grid(visible=False)
+        for edge in axes.spines.values():
+            edge.set_visible(False)
     return figure

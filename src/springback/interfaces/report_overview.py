@@ -6,9 +6,11 @@ The words are in ``templates/overview.toml``.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from springback.experiments.comparison import AGREEMENT, Mark, Row
+from springback.experiments.paper.choices import OURS
+from springback.experiments.paper.slider import COUNTED, DEFAULT
 from springback.interfaces.plots_overview import overview_figure
 from springback.interfaces.report_page import (
     Cell,
@@ -59,7 +61,94 @@ def _belongs(row: Row, part: dict[str, Any]) -> bool:
         row.experiment in part["experiments"]
         and row.robot in part.get("robots", [row.robot])
         and row.reading.endswith(part.get("ends", ""))
+        and part.get("without", "\0") not in row.reading
     )
+
+
+class Counts(NamedTuple):
+    """Printed numbers, each counted once, and how many agree."""
+
+    numbers: int
+    default: int
+    """With the default choices: the reading that every flight has, springback's estimator."""
+    best: int
+    """With one other reading of the slider, and one other estimator in flight."""
+    somehow: int
+    """With any of the readings and estimators."""
+    reading: str
+    """On the slider, of `best`; empty where no slider was flown."""
+    estimator: str
+    """In flight, of `best`; empty where no other was flown."""
+
+
+def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
+    """Every printed number once, with what stands for it, a row for each set of choices.
+
+    A number that can be defined in several ways counts by one of them: COR when the cage leaves,
+    contact time until the body is back, the pitch that was flown.
+
+    Args:
+        rows: All compared numbers.
+    """
+    found: dict[tuple[str, ...], list[Row]] = {}
+    for row in untouched(rows):
+        if row.experiment == "Table III" and row.quantity not in COUNTED:
+            continue
+        if "asked for" in row.quantity:
+            continue
+        alternatives = row.experiment in ("Table III", "Sweep", "Table I")
+        test = "" if alternatives else row.reading.split("; ")[0]
+        found.setdefault((row.experiment, row.robot, row.surface, row.quantity, test), []).append(
+            row
+        )
+    return found
+
+
+def counts(rows: Sequence[Row], share: float = AGREEMENT) -> Counts:
+    """How many printed numbers agree within a share of them, each counted once.
+
+    Args:
+        rows: All compared numbers.
+        share: Such as 0.05.
+    """
+    numbers = printed_numbers(rows)
+
+    def agreeing(slider: str, estimator: str) -> int:
+        return sum(
+            any(_agrees(row, share) for row in some if _taken(row, slider, estimator))
+            for some in numbers.values()
+        )
+
+    sliders = dict.fromkeys(
+        [DEFAULT, *(r.reading for r in untouched(rows) if r.robot in ("arq", "quad - arq")
+                    and r.experiment in ("Table III", "Sweep"))]
+    )  # fmt: skip
+    others = dict.fromkeys(r.reading.split("; ")[1] for r in rows if "; " in r.reading)
+    best = max(
+        ((slider, other) for slider in sliders for other in ("", *others)),
+        key=lambda choice: agreeing(*choice),
+    )
+    somehow = sum(any(_agrees(row, share) for row in some) for some in numbers.values())
+    has_slider = any(row.experiment == "Table III" for row in rows)
+    return Counts(
+        len(numbers), agreeing(DEFAULT, ""), agreeing(*best), somehow,
+        best[0] if has_slider else "", best[1],
+    )  # fmt: skip
+
+
+def _agrees(row: Row, share: float) -> bool:
+    if row.deviation is None:
+        return row.mark is Mark.PREDICTED
+    return abs(row.deviation) <= share
+
+
+def _taken(row: Row, slider: str, estimator: str) -> bool:
+    """Whether a row belongs to a set of choices; what has no alternatives belongs to all."""
+    if row.experiment in ("Table III", "Sweep"):
+        return row.reading in ("Quad", slider)
+    if row.experiment == "Resilience" and row.quantity == "success rate":
+        return row.reading.partition("; ")[2] == estimator
+    return True
 
 
 def within(rows: Sequence[Row], share: float) -> int:
@@ -87,11 +176,21 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
     answers = [Point(s.anchor, s.title, s.answer) for s in sections if s.answer]
     if len(answers) == 1:  # no need to say it twice on one page
         answers = []
-    counts = {
-        name: within(free, share)
-        for name, share in zip(("first", "second", "third"), WITHIN, strict=True)
-    }
-    shares = {f"{name}_share": plain(100 * s) for name, s in zip(counts, WITHIN, strict=True)}
+    found = [counts(rows, share) for share in WITHIN]
+    first = found[0]
+    verdict = WORDS.say(
+        "verdict", count=first.numbers, share=plain(100 * AGREEMENT), default=first.default,
+        somehow=first.somehow, wider=plain(100 * WITHIN[1]), wider_somehow=found[1].somehow,
+    )  # fmt: skip
+    readings = WORDS.text["readings"] if first.reading else ""
+    if first.best > first.default:
+        changed = first.reading not in ("", DEFAULT)
+        best = [WORDS.say("best_slider", reading=first.reading)] if changed else []
+        best += [WORDS.say("best_flight", estimator=first.estimator)] if first.estimator else []
+        verdict += " " + WORDS.say(
+            "verdict_best", best=first.best, count=first.numbers, choices=" and ".join(best)
+        )
+    verdict += _failures_of(rows)
     note = WORDS.say(
         "note", given=sum(row.mark is Mark.GIVEN for row in rows),
         fitted=sum(row.mark is Mark.FITTED for row in rows),
@@ -102,7 +201,8 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
         title,
         (
             WORDS.say("asked"),
-            WORDS.say("verdict", count=len(free), **counts, **shares),
+            verdict,
+            *([WORDS.say("readings", default=DEFAULT, ours=OURS)] if readings else []),
             Picture("overview", words, overview_figure(parts)),
             *([Points(tuple(answers))] if answers else []),
             _by_part(parts),
@@ -112,6 +212,27 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
         summary=True,
         answers=True,
     )
+
+
+def _failures_of(rows: Sequence[Row]) -> str:
+    """How a collision that print has failing goes with each estimator, and ARQ's beside it."""
+    found = {
+        (row.robot, *row.reading.partition("; ")[::2]): row.ours
+        for row in rows
+        if row.quantity == "success rate"
+    }
+    failing = [r for r in rows if r.quantity == "success rate" and r.printed == 0.0]
+    for test, estimator in (row.reading.split("; ") for row in failing if "; " in row.reading):
+        values = [found.get(key) for key in (
+            ("quad", test, estimator), ("arq", test, estimator), ("quad", test, "")
+        )]  # fmt: skip
+        if None not in values:
+            quad, arq, default = (plain(round(100 * (value or 0.0), 1)) for value in values)
+            return " " + WORDS.say(
+                "verdict_failing", test=test.replace(" deg", "°"), estimator=estimator, quad=quad,
+                arq=arq, default=default,
+            )  # fmt: skip
+    return ""
 
 
 def _by_part(parts: Groups) -> Table:

@@ -168,6 +168,11 @@ def rounded(value: float | None, decimals: int) -> str:
     return "–" if value is None else f"{value:.{decimals}f}".replace("-", "−")
 
 
+def number(value: float, decimals: int) -> str:
+    """A number, rounded, without a negative zero."""
+    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−")
+
+
 def plain(value: float | None) -> str:
     """A given or printed number with no more digits than it has."""
     return "–" if value is None else f"{value:.6g}".replace("e+0", "e")

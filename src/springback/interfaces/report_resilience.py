@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from springback.experiments.comparison import Mark, Row
+from springback.experiments.paper.choices import EKF2, choices_data
+from springback.experiments.paper.choices import Cell as Chosen
 from springback.experiments.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.experiments.paper.resilience import (
     CONFIDENCE,
@@ -30,9 +33,10 @@ from springback.experiments.paper.resilience import (
     wilson,
 )
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
-from springback.experiments.run_ups import CONDITIONS
 from springback.interfaces import plots_resilience
+from springback.interfaces.plots_choices import ORDER
 from springback.interfaces.plots_resilience import NAMES, POSES, SEEN
+from springback.interfaces.report_choices import choices_blocks, condition, map_blocks, signed
 from springback.interfaces.report_page import (
     Blocks,
     Cell,
@@ -41,6 +45,7 @@ from springback.interfaces.report_page import (
     Table,
     Words,
     listed,
+    number,
     plain,
     words_of_power,
 )
@@ -48,7 +53,6 @@ from springback.recovery.parameters import Settling
 from springback.vehicle.library import VEHICLES
 
 WORDS = Words.of("resilience")
-ORDER = tuple(sorted(CONDITIONS, key=lambda c: (c[1], c[0])))
 SLOW = (0.0, 2.0)
 """Pitch [deg] and speed [m/s] at which the paper draws both robots."""
 STEEPEST = -45.0
@@ -75,6 +79,8 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
     rows = results.rows()
     blocks: dict[str, Blocks] = {
         "resilience": _answer(results, rows),
+        "choices": choices_blocks(results),
+        "map": map_blocks(results),
         "recovery": (*_fast(results, rows), *_recovery(results), *_compared(results)),
         "detection": (*_detection(results), *_where(results)),
         "energy_of_hits": _energy(results),
@@ -94,20 +100,8 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
 # -- numbers --------------------------------------------------------------------------------------
 
 
-def _number(value: float, decimals: int) -> str:
-    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−")
-
-
 def _share(value: float) -> str:
     return plain(round(100 * value, 1))
-
-
-def _signed(degrees: float) -> str:
-    return f"{degrees:+g}".replace("-", "−") if degrees else "0"
-
-
-def _condition(pitch: float, speed: float) -> str:
-    return f"{_signed(pitch)}°, {plain(speed)} m/s"
 
 
 def _middle(
@@ -118,9 +112,9 @@ def _middle(
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
         return Cell("–")
-    least, most = _number(min(found), decimals), _number(max(found), decimals)
+    least, most = number(min(found), decimals), number(max(found), decimals)
     median = float(np.median(found))
-    return Cell(_number(median, decimals), median / scale, f"{least} to {most}")
+    return Cell(number(median, decimals), median / scale, f"{least} to {most}")
 
 
 def _median(results: ResilienceResults, of: tuple[str, float, float], measure: str) -> float:
@@ -135,7 +129,7 @@ def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
 
 
 def _name(of: tuple[str, float, float]) -> Cell:
-    return Cell(f"{NAMES[of[0]]}, {_condition(*of[1:])}")
+    return Cell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
 
 
 def _row(rows: Sequence[Row], quantity: str) -> Cell:
@@ -143,7 +137,7 @@ def _row(rows: Sequence[Row], quantity: str) -> Cell:
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return Cell("–", mark=Mark.CONTRADICTED)
-    return Cell(_number(row.ours, 0), row.ours, "", row.mark)
+    return Cell(number(row.ours, 0), row.ours, "", row.mark)
 
 
 # -- who survives what ----------------------------------------------------------------------------
@@ -159,15 +153,15 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     gentle = [pitch for (_, pitch, _), word in SUCCESS_WORDS.items() if word == "fairly good"]
     picture = WORDS.say(
         "success_picture", confidence=plain(100 * CONFIDENCE), slow=plain(SLOW[1]),
-        good=SUCCESS_WORDS["quad", *SLOW], least=_signed(min(gentle)), most=_signed(max(gentle)),
-        drops=SUCCESS_WORDS["quad", STEEPEST, SLOW[1]], steep=_signed(STEEPEST),
+        good=SUCCESS_WORDS["quad", *SLOW], least=signed(min(gentle)), most=signed(max(gentle)),
+        drops=SUCCESS_WORDS["quad", STEEPEST, SLOW[1]], steep=signed(STEEPEST),
     )  # fmt: skip
     return (
         WORDS.say(
             "asked", conditions=len({t[1:3] for t in tallies}), trials=results.trials,
             fast=plain(FASTEST[1]),
         ),
-        _verdict(tallies),
+        _verdict(tallies, results.chosen()),
         Picture("resilience", picture, plots_resilience.success_figure(results)),
         words,
         _success(tallies),
@@ -175,7 +169,10 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     )  # fmt: skip
 
 
-def _verdict(tallies: Sequence[Tally]) -> str:
+def _verdict(
+    tallies: Sequence[Tally],
+    chosen: Mapping[tuple[str, float, float], Chosen] = MappingProxyType({}),
+) -> str:
     arq = [tally for tally in tallies if tally.robot == "arq"]
     words = WORDS.say(
         "verdict_arq", successes=sum(t.successes for t in arq), all=sum(t.trials for t in arq),
@@ -188,22 +185,29 @@ def _verdict(tallies: Sequence[Tally]) -> str:
                 "verdict_quad_agrees" if right else "verdict_quad_against",
                 fast=plain(FASTEST[1]), successes=tally.successes, all=tally.trials,
             )  # fmt: skip
+    cells = [chosen.get((robot, *FASTEST)) for robot in ROBOTS]
+    if all(cells):
+        arq_fast, quad_fast = (cell for cell in cells if cell is not None)
+        words += " " + WORDS.say(
+            "verdict_chosen", estimator=EKF2, fast=plain(FASTEST[1]), arq=arq_fast.successes,
+            quad=quad_fast.successes, all=quad_fast.trials, duration=plain(quad_fast.duration),
+        )  # fmt: skip
     return words.strip()
 
 
 def _success(tallies: Sequence[Tally]) -> Table:
     found, lines = {tally[:3]: tally for tally in tallies}, []
-    for condition in ORDER:
+    for test in ORDER:
         cells = []
         for robot in ROBOTS:
-            of = (robot, *condition)
+            of = (robot, *test)
             printed = SUCCESS.get(of)
             if printed is None:
                 cells.append(Cell(SUCCESS_WORDS.get(of, "–")))
             else:
                 cells.append(Cell(WORDS.say("printed_share", share=_share(printed)), printed))
             cells.append(_tally(found.get(of), printed))
-        lines.append((Cell(_condition(*condition)), *cells))
+        lines.append((Cell(condition(*test)), *cells))
     caption = WORDS.say("success_caption", confidence=plain(100 * CONFIDENCE))
     return Table(caption, WORDS.head("success"), tuple(lines))
 
@@ -235,7 +239,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
     sample = results.sample("arq", *FASTEST)
     if not flown or sample is None:
         return ()
-    up, down = (_signed(value) for value in RECOVERY_PITCH)
+    up, down = (signed(value) for value in RECOVERY_PITCH)
     words = WORDS.say(
         "pitch", fast=plain(FASTEST[1]), up=up, down=down, trials=len(flown),
         ours_up=_row(rows, "pitch, nose up"), ours_down=_row(rows, "pitch, nose down"),
@@ -245,7 +249,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
         asked = WORDS.say(
             "pitch_asked", asked_up=_row(rows, "pitch asked for, nose up"),
             asked_down=_row(rows, "pitch asked for, nose down"),
-            aimed_up=_number(aimed[0], 0), aimed_down=_number(aimed[1], 0),
+            aimed_up=number(aimed[0], 0), aimed_down=number(aimed[1], 0),
         )  # fmt: skip
         blocks.append(asked)
     words = WORDS.say("fast_picture", fast=plain(FASTEST[1]))
@@ -275,8 +279,8 @@ def _recovery(results: ResilienceResults) -> Blocks:
     low = min(results.flown, key=lambda trial: trial.measures["lowest_height"] or 0.0)
     words = WORDS.say(
         "recovery", far=far, again=again, all=len(flown), who=NAMES[low.robot],
-        where=_condition(low.pitch, low.speed),
-        height=_number(low.measures["lowest_height"] or 0.0, 2),
+        where=condition(low.pitch, low.speed),
+        height=number(low.measures["lowest_height"] or 0.0, 2),
     )  # fmt: skip
     return (Table(WORDS.say("recovery_caption"), WORDS.head("recovery"), lines), words)
 
@@ -286,7 +290,7 @@ def _compared(results: ResilienceResults) -> Blocks:
     if len(samples) < len(ROBOTS):
         return ()
     numbers = {
-        f"{robot}_{name}": _number(_median(results, (robot, *SLOW), measure), 2)
+        f"{robot}_{name}": number(_median(results, (robot, *SLOW), measure), 2)
         for robot in ROBOTS
         for name, measure in (("far", "excursion"), ("time", "recovery_time"))
     }
@@ -304,8 +308,8 @@ def _compared(results: ResilienceResults) -> Blocks:
 def _detection(results: ResilienceResults) -> Blocks:
     lines, everyone = [], [*results.flown, *results.slower]
     for robot in ROBOTS:
-        for condition in (SLOWEST, SLOW, FASTEST):
-            of = (robot, *condition)
+        for test in (SLOWEST, SLOW, FASTEST):
+            of = (robot, *test)
             found = [t for t in everyone if (t.robot, t.pitch, t.speed) == of]
             if found:
                 delays = (
@@ -314,7 +318,7 @@ def _detection(results: ResilienceResults) -> Blocks:
                 )
                 missed = sum(t.measures["detection_delay"] is None for t in found)
                 wrong = sum(t.measures["false_alarms"] or 0.0 for t in found)
-                name = Cell(f"{NAMES[robot]}, {plain(condition[1])} m/s")
+                name = Cell(f"{NAMES[robot]}, {plain(test[1])} m/s")
                 counts = (Cell(str(missed), missed), Cell(plain(wrong), wrong))
                 lines.append((name, *delays, *counts))
     words = WORDS.say(
@@ -358,12 +362,12 @@ def _energy(results: ResilienceResults) -> Blocks:
         speed, mass = _median(results, of, "touch_speed"), VEHICLES[of[0]].vehicle.mass
         kinetic = 0.5 * mass * speed**2
         losses = (_middle(results, of, name, 1.0, 2) for name in LOSSES)
-        lines.append((_name(of), Cell(_number(kinetic, 2), kinetic), *losses))
+        lines.append((_name(of), Cell(number(kinetic, 2), kinetic), *losses))
     fast = {name: _median(results, ("arq", *FASTEST), name) for name in LOSSES}
     worst = max(abs(t.measures["ledger_residual"] or 0.0) for t in results.flown)
     words = WORDS.say(
         "energy", fast=plain(FASTEST[1]), residual=words_of_power(worst),
-        arms=_number(100 * fast["loss_arm"] / sum(fast.values()), 0),
+        arms=number(100 * fast["loss_arm"] / sum(fast.values()), 0),
     )  # fmt: skip
     return (words, Table(WORDS.say("energy_caption"), WORDS.head("energy"), tuple(lines)))
 
@@ -372,10 +376,10 @@ def _repeated(results: ResilienceResults) -> Blocks:
     arq, quad = results.repeated("arq"), results.repeated("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
     words = WORDS.say(
-        "repeated", collisions=results.repeats[0].asked, steep=_signed(REPEATED[0]),
+        "repeated", collisions=results.repeats[0].asked, steep=signed(REPEATED[0]),
         flights=len(arq), won=sum(r.success for r in arq), quad_flights=len(quad),
         quad_won=sum(r.success for r in quad), both=len(results.repeats),
-        worst=_number(1e3 * max(gaps), 0) if gaps else "–",
+        worst=number(1e3 * max(gaps), 0) if gaps else "–",
         swung=sum(r.alarms > r.collisions for r in results.repeats),
     )  # fmt: skip
     lines = []
@@ -385,7 +389,7 @@ def _repeated(results: ResilienceResults) -> Blocks:
         lines.append((
             Cell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
             *(Cell(str(count), count) for count in counts),
-            Cell("–") if worst is None else Cell(_number(1e3 * worst, 1), worst),
+            Cell("–") if worst is None else Cell(number(1e3 * worst, 1), worst),
             Cell(WORDS.say("yes" if repeat.success else "no")),
         ))  # fmt: skip
     table = Table(WORDS.say("repeated_caption"), WORDS.head("repeated"), tuple(lines))
@@ -411,7 +415,7 @@ def _method(results: ResilienceResults) -> Blocks:
 
 def resilience_data(results: ResilienceResults) -> dict[str, Any]:
     """Counts, every trial and the repeated tests, as plain data."""
-    found = {
+    found: dict[str, Any] = {
         "success": [
             {**tally._asdict(), "rate": tally.rate, "printed": SUCCESS.get(tally[:3])}
             for tally in results.tallies()
@@ -421,6 +425,10 @@ def resilience_data(results: ResilienceResults) -> dict[str, Any]:
         "repeated": [repeat.as_dict() for repeat in results.repeats],
         "scatter": results.scatter._asdict(),
     }
+    if results.choices is not None:
+        found["choices"] = choices_data(results.choices)
+    if results.envelope is not None:
+        found["map"] = results.envelope.as_dict()
     return {"resilience": found}
 
 
@@ -430,6 +438,8 @@ def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, An
         "trials.csv": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "collisions.csv": _sample_rows(results),
         "repeated.csv": _repeated_rows(results),
+        "choices.csv": [c.as_dict() for c in results.choices.cells] if results.choices else [],
+        "map.csv": results.envelope.rows() if results.envelope else [],
     }
     return {name: rows for name, rows in tables.items() if rows}
 

@@ -5,13 +5,13 @@ The words are in ``templates/slider.toml``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from springback.experiments.comparison import AGREEMENT, Mark, Row
-from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS
-from springback.experiments.paper.slider import Case, SliderResults
+from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
+from springback.experiments.paper.slider import DEFAULT, Case, SliderResults
 from springback.interfaces import plots, plots_drawing, plots_slider
 from springback.interfaces.report_page import (
     Blocks,
@@ -31,8 +31,10 @@ from springback.simulation.measures import MEASURES
 
 WORDS = Words.of("slider")
 TEXT = WORDS.text
-DRAWN = "B"
+DRAWN = DEFAULT
 """The reading whose contact is drawn: the one with arms at an angle."""
+NEAR = (AGREEMENT, 0.10)
+"""Chosen: shares of the printed value within which agreement is counted."""
 
 
 class Quantity(NamedTuple):
@@ -63,6 +65,14 @@ def _ours(row: Row | None) -> Cell:
 
 def _printed(row: Row, value: float | None) -> Cell:
     return Cell(plain(None if value is None else value * QUANTITIES[row.quantity].scale), value)
+
+
+def _tested(row: Row) -> Cell:
+    """The physical test's number, and how far it is from the paper's own simulation."""
+    cell = _printed(row, row.printed_test)
+    if row.scatter is None:
+        return cell
+    return Cell(cell.text, cell.value, WORDS.say("scatter", share=percent(row.scatter)))
 
 
 def _c_a(run: Run | None, absent: str = "–") -> Cell:
@@ -183,7 +193,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
         for key, row in example.items():
             quantity = QUANTITIES[key]
             label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
-            simulated, tested = _printed(row, row.printed), _printed(row, row.printed_test)
+            simulated, tested = _printed(row, row.printed), _tested(row)
             ours = (_ours(run.get(key)) for run in chosen.values())
             rows.append((Cell(label), simulated, *ours, tested))
         title = WORDS.say(caption, robot=plots_slider.ROBOTS[robot], surface=surface)
@@ -197,7 +207,18 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
     own = both("arq", "table_caption_own", 1)
     if not predicted:
         return ()
-    return (WORDS.say("table"), *predicted, *([WORDS.say("table_own")] if own else []), *own)
+    said = _differences()
+    return (WORDS.say("table"), *predicted, said, *([WORDS.say("table_own")] if own else []), *own)
+
+
+def _differences() -> str:
+    """What the paper says of restitution on both surfaces, against its own numbers."""
+    gaps = {}
+    for robot in plots_slider.ROBOTS:
+        wall, mat = (TABLE_III[robot, surface] for surface in plots_slider.SURFACES)
+        gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
+        gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
+    return WORDS.say("differences", **gaps)
 
 
 def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
@@ -227,6 +248,8 @@ def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
     head = ("printed number of ARQ", *(f"given on the {s} by" for s in plots_slider.SURFACES))
     columns = ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
     return (
+        WORDS.say("explained", default=DEFAULT),
+        _counts(results, names),
         WORDS.say("disagreement", agreement=plain(100 * AGREEMENT)),
         Table(WORDS.say("who"), head, tuple(who)),
         Picture("readings", WORDS.say("readings_picture"), plots_slider.readings_figure(results)),
@@ -234,6 +257,29 @@ def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
         WORDS.say("wanted"),
         Table(WORDS.say("wanted_caption"), columns, tuple(wanted)),
     )
+
+
+def _counts(results: SliderResults, names: Sequence[str]) -> Table:
+    """How many of ARQ's numbers each reading gives, and the gap of the sweep."""
+    gaps, lines = _gaps(results), []
+    for reading in (r for r in results.readings if r.name in names):
+        rows = results.counted(reading.name)
+        known = [abs(row.deviation) for row in rows if row.deviation is not None]
+        near = (sum(deviation <= share for deviation in known) for share in NEAR)
+        fitted = sum(row.mark is Mark.FITTED for row in rows)
+        gap = gaps.get(reading.name)
+        lines.append((
+            Cell(reading.name, detail=reading.text),
+            *(Cell(f"{count} of {len(rows)}", count) for count in near),
+            Cell(str(fitted), fitted),
+            Cell(percent(max(known)).lstrip("+") if known else "–"),
+            Cell("–") if gap is None else Cell(rounded(gap.ours, 0), gap.ours),
+        ))  # fmt: skip
+    head = tuple(
+        word.format(*(plain(100 * share) for share in NEAR), plain(SWEEP_GAP))
+        for word in WORDS.head("counts")
+    )
+    return Table(WORDS.say("counts_caption"), head, tuple(lines))
 
 
 def _sweep(results: SliderResults) -> Blocks:

@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 
 from springback.errors import InputError
-from springback.experiments.database import in_database
+from springback.experiments.database import in_database, locked, parquet, pattern
 from springback.experiments.result import Flight
 from springback.experiments.scenario import Scenario, scenario_from
+from springback.experiments.sealed import file_digest, is_sealed, read_object
 from springback.simulation.measures import Outcome
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -36,14 +37,16 @@ def read_result(folder: str | Path) -> Flight:
         raise InputError(f"{folder}: is a file; give the folder that springback fly wrote")
     summary = _summary(folder / "summary.json")
     path = folder / "trajectory.parquet"
-    if not path.is_file():
+    if path.name not in summary["files"]:
         raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
+    for name in ("trajectory.parquet", "diary.parquet"):
+        _check_file(folder / name, summary["files"])
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
     _check(path, columns, _wanted(scenario.vehicle.arm_count))
     diary: dict[str, Array] = {}
     path = folder / "diary.parquet"
-    if path.is_file():
+    if path.name in summary["files"]:
         diary, more = _table(path)
         _check(path, diary, ["t"])
         units |= more
@@ -56,18 +59,32 @@ def _summary(path: Path) -> Mapping[str, Any]:
         raise InputError(
             f"{path}: is missing; {path.parent} is no result folder as springback fly writes it"
         )
-    try:
-        read = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, ValueError, RecursionError) as error:
-        raise InputError(f"{path}: cannot be read as JSON ({_first_line(error)})") from None
-    if not isinstance(read, dict):
-        raise InputError(f"{path}: is no summary of a flight: it must be a JSON object")
-    for name, kind in {"scenario": dict, "measures": dict, "outcome": str}.items():
+    read = read_object(path)
+    for name, kind in {"scenario": dict, "measures": dict, "outcome": str, "files": dict}.items():
         if not isinstance(read.get(name), kind):
             raise InputError(
                 f"{path}: {name}: is missing or of another kind; this is no summary of one flight"
             )
+    if not is_sealed(read):
+        raise InputError(f"{path}: is damaged or was edited; fly the scenario again")
     return read
+
+
+def _check_file(path: Path, files: Mapping[str, Any]) -> None:
+    """Refuse a file that is not the one of the flight: damaged, or left by another."""
+    if path.name not in files:
+        return
+    try:
+        same = file_digest(path) == files[path.name]
+    except FileNotFoundError:
+        raise InputError(f"{path}: is missing; fly the scenario again") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if not same:
+        raise InputError(
+            f"{path}: is damaged, or belongs to another flight than summary.json; fly the scenario "
+            "again"
+        )
 
 
 def _first_line(error: BaseException) -> str:
@@ -117,18 +134,18 @@ def _wanted(arms: int) -> list[str]:
 
 def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns of a Parquet file, and their units."""
+    path = path.absolute()
     import duckdb
 
     def ask(connection: Any) -> tuple[Any, Any]:
-        connection.execute("SET threads = 1")
-        read = connection.read_parquet(str(path)).fetchnumpy()
+        read = connection.execute(f"SELECT * FROM {parquet([path])}").fetchnumpy()
         told = connection.execute(
-            "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [str(path)]
+            "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [pattern(path)]
         ).fetchone()
         return read, told
 
     try:
-        read, told = in_database(ask)
+        read, told = in_database(ask, locked([path], threads=1))
     except duckdb.Error as error:
         raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
     columns: dict[str, Array] = {}

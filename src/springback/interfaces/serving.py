@@ -172,7 +172,7 @@ def serve(
     Raises:
         InputError: If it cannot be bound, or the extra ``web`` is not installed.
     """
-    uvicorn = needs("uvicorn", "web")
+    needs("uvicorn", "web")
     say = announce or (lambda line: click.echo(line, err=True))
     with bound(host, port) as listening:
         port = listening.getsockname()[1]
@@ -184,12 +184,27 @@ def serve(
         say("Ctrl-C ends it")
         if browser and _has_display():
             threading.Timer(0.3, _open, (url,)).start()
-        settings = uvicorn.Config(
-            guarded(app, host), log_level="error", access_log=False, server_header=False,
-            timeout_graceful_shutdown=PATIENCE, lifespan="auto", ws="none",
-        )  # fmt: skip
         with contextlib.suppress(KeyboardInterrupt):
-            uvicorn.Server(settings).run(sockets=[listening])
+            server_of(app, host).run(sockets=[listening])
+
+
+def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> Any:
+    """The server of an application, which is `guarded` here.
+
+    Args:
+        app: Any ASGI application.
+        host: What it is bound to.
+        patience: Seconds for the head of a request; by default those of `serving_protocol`.
+    """
+    uvicorn = needs("uvicorn", "web")
+    from springback.interfaces.serving_protocol import HEAD_PATIENCE, PatientProtocol
+
+    patient = type("Patient", (PatientProtocol,), {"patience": patience or HEAD_PATIENCE})
+    settings = uvicorn.Config(
+        guarded(app, host), log_level="error", access_log=False, server_header=False,
+        timeout_graceful_shutdown=PATIENCE, lifespan="auto", ws="none", http=patient,
+    )  # fmt: skip
+    return uvicorn.Server(settings)
 
 
 def url_of(host: str, port: int, path: str = "/") -> str:

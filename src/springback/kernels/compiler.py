@@ -18,7 +18,7 @@ import os
 import types
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ParamSpec, Protocol, TypeVar, cast
+from typing import Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 import numba
 import numba.extending
@@ -28,9 +28,10 @@ from numba.core import compiler, compiler_machinery, lowering, typed_passes
 from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
+from springback.kernels.kernel_cache import KernelCache
+
 #: Parts of numba whose stubs know only some of their options, or that have none.
 _overload: Any = numba.extending.overload
-_config: Any = numba.config
 _register_pass: Any = compiler_machinery.register_pass
 _Lower: Any = lowering.Lower
 _NativeLowering: Any = typed_passes.NativeLowering
@@ -193,7 +194,7 @@ def source_digest() -> str:
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
-    for chapter in _SOURCES:
+    for chapter in ("", *_SOURCES):
         for path in sorted((package / chapter).glob("*.py")):
             digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
@@ -202,7 +203,8 @@ def source_digest() -> str:
 def cache_folder() -> Path:
     """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's."""
     root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
-    return Path(root) / "kernels" / source_digest()
+    # An unknown user's ~ stays as it is.
+    return Path(os.path.expanduser(root)) / "kernels" / source_digest()
 
 
 def is_writable(folder: Path) -> bool:
@@ -216,13 +218,10 @@ def is_writable(folder: Path) -> bool:
 
 def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
     """Compile an entry point, kept in a folder between processes, or not kept."""
-    before = _config.CACHE_DIR
-    try:
-        _config.CACHE_DIR = str(folder) if folder else before
-        entry: F = njit(cache=folder is not None, **{**STRICT, **options})(function)
-    finally:
-        _config.CACHE_DIR = before
-    return entry
+    entry: Any = njit(**{**STRICT, **options})(function)
+    if folder is not None:
+        entry._cache = KernelCache(function, folder)
+    return cast("F", entry)
 
 
 def executor(**options: Any) -> Callable[[F], F]:
@@ -232,8 +231,7 @@ def executor(**options: Any) -> Callable[[F], F]:
     """
 
     def compile_entry(function: F) -> F:
-        folder = cache_folder()
-        return _entry(function, folder if is_writable(folder) else None, options)
+        return _entry(function, cache_folder(), options)
 
     return compile_entry
 
@@ -250,22 +248,37 @@ def rebound(function: F, **others: Any) -> F:
     return cast("F", rebuilt)
 
 
+class Origin(NamedTuple):
+    """All that decides what the code of a user's types becomes."""
+
+    files: tuple[str, ...]
+    """Of the code."""
+    modules: tuple[str, ...]
+    """Under which it was imported: a kept kernel finds its types by these names."""
+    frozen: str
+    """Digest of the values that it takes from elsewhere (`springback.kernels.frozen`)."""
+
+    def words(self) -> list[str]:
+        """What names a place where its kernels are kept."""
+        read = [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in self.files]
+        return [*self.files, *read, *self.modules, self.frozen]
+
+
 @functools.cache
-def own_executor(function: F, sources: tuple[str, ...] | None, **options: Any) -> F:
+def own_executor(function: F, origin: Origin | None, **options: Any) -> F:
     """An entry point for models that hold a user's types, apart from the package's own kernels.
 
-    A kept kernel can be read only where its types can be imported, and must follow edits of their
-    source.  So these are kept in a folder named after the source, or not at all.
+    A kept kernel can be read only where its types can be imported under the same names, and must
+    follow edits of their source and of the values frozen into it.  So these are kept in a folder
+    named after all of that, or not at all.
 
     Args:
         function: The undecorated entry point.
-        sources: Files of the user's code; None if there is none to be relied on.
+        origin: Of the user's code; None if there is none to be relied on.
         **options: As for `executor`.
     """
-    if sources is None:
+    if origin is None:
         return _entry(function, None, options)
-    digest = hashlib.sha256(source_digest().encode())
-    for path in sources:
-        digest.update(path.encode() + Path(path).read_bytes())
-    folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:16]
-    return _entry(function, folder if is_writable(folder) else None, options)
+    digest = hashlib.sha256("\n".join((source_digest(), *origin.words())).encode())
+    folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:32]
+    return _entry(function, folder, options)

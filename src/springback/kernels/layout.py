@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numba
 import numpy as np
@@ -119,14 +119,31 @@ def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
         buffer[(row + k) * width + lane] = leaf
 
 
-def got(like: Like, buffer: Buffer, width: int, lane: int) -> Any:
+class Parted(NamedTuple):
+    """A buffer in two pieces: `got` and `put` find the one in which a tree lies."""
+
+    like: Like  # what lies in the first
+    first: Buffer
+    second: Buffer
+
+
+def got(like: Like, buffer: Buffer | Parted, width: int, lane: int) -> Any:
     """The tree in the column ``lane`` of ``width``, at the place that ``like`` knows."""
-    return read(like, buffer, like._row, width, lane)
+    return read(like, *_piece(like, buffer), width, lane)
 
 
-def put(tree: Any, like: Like, buffer: Buffer, width: int, lane: int) -> None:
+def put(tree: Any, like: Like, buffer: Buffer | Parted, width: int, lane: int) -> None:
     """Lay a tree into the column ``lane`` of ``width``, at the place that ``like`` knows."""
-    write(tree, buffer, like._row, width, lane)
+    write(tree, *_piece(like, buffer), width, lane)
+
+
+def _piece(like: Like, buffer: Buffer | Parted) -> tuple[Buffer, int]:
+    """The buffer in which a tree lies, and its first row there."""
+    if not isinstance(buffer, Parted):
+        return buffer, like._row
+    before = rows(buffer.like)
+    inside = like._row < before
+    return (buffer.first, like._row) if inside else (buffer.second, like._row - before)
 
 
 # -- the same for the compiler --------------------------------------------------------------------
@@ -195,8 +212,10 @@ def _row_of(like: Any, field: Any) -> Any:
     return function_of("like, field", [f"return {before}"], {})
 
 
-#: Unsigned, so that the compiler need not ask whether an index counts from the end.
-_PLACE = ("step = whole(width)", "start = whole(row) * step + whole(lane)")
+#: Unsigned, so that the compiler need not ask whether an index counts from the end.  A flight alone
+#: lies in lane 0, which the compiler cannot see of a loop that may have no turn at all.
+_STEP = ("step = whole(width)", "start = whole(lane if width != 1 else 0)")
+_PLACE = (*_STEP, "start = whole(row) * step + start")
 
 
 @compiled(read)
@@ -210,14 +229,24 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
 
 
 #: Where a row is known when code is compiled, no two rows are taken for the same memory.
-_KNOWN = ("step = whole(width)", "start = whole(lane)")
+_KNOWN = _STEP
+
+
+def _typed_piece(like: Any, buffer: Any) -> tuple[str, int]:
+    """`_piece` when compiled: how the buffer is called in generated code, and the first row."""
+    if not is_named(buffer, Parted):
+        return "buffer", like.row
+    before = leaf_count(buffer.types[0].tree)
+    inside = like.row < before
+    return ("buffer[1]", like.row) if inside else ("buffer[2]", like.row - before)
 
 
 @compiled(got)
 def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     scope: dict[str, Any] = {"whole": np.uint64, "taken_from": _taken_from}
-    places = range(like.row, like.row + leaf_count(like.tree))
-    texts = [f"taken_from(buffer, start + whole({k}) * step, {k})" for k in places]
+    name, row = _typed_piece(like, buffer)
+    places = range(leaf_count(like.tree))
+    texts = [f"taken_from({name}, start + whole({row + k}) * step, {like.row + k})" for k in places]
     lines = [*_KNOWN, f"return {construct(like.tree, texts, scope)}"]
     return function_of("like, buffer, width, lane", lines, scope)
 
@@ -225,7 +254,9 @@ def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
 @compiled(put)
 def _put(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     lines = [*_KNOWN]
-    place = "laid_into(buffer, start + whole({row}) * step, {row}, {leaf})"
+    name, row = _typed_piece(like, buffer)
+    row = like.row - row  # of the piece, were it whole
+    place = f"laid_into({name}, start + (whole({{row}}) - whole({row})) * step, {{row}}, {{leaf}})"
     _lay(tree, "tree", like.row, lines, "", place)
     scope = {"whole": np.uint64, "laid_into": _laid_into}
     return function_of("tree, like, buffer, width, lane", [*lines, "return None"], scope)

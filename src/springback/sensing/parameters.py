@@ -13,7 +13,14 @@ from pydantic import Field, model_validator
 from springback.kernels.vectors import Vec
 from springback.quantities import Length, quantity, triple
 from springback.sensing.clock import inside, lateness, period
-from springback.sensing.hall import HallSensors, Magnet, PerfectArmLengths, Span, axial_field
+from springback.sensing.hall import (
+    HallSensors,
+    Magnet,
+    PerfectArmLengths,
+    Span,
+    axial_field,
+    slope,
+)
 from springback.sensing.inertial import Channel, InertialUnit, PerfectInertial, per_tick
 from springback.sensing.measurement import paced
 from springback.sensing.motion_capture import MotionCapture, PerfectMotionCapture
@@ -246,7 +253,7 @@ class HallSettings(Settings):
         for j, free in enumerate(vehicle.lengths()):
             shortest = free - float(vehicle.arms.at("stroke", j))
             spans.append(Span(free, shortest - self.overrun, free + self.overrun))
-        return HallSensors(
+        sensors = HallSensors(
             magnet=self.magnet(),
             distance=self.distance,
             sensitivity=self.sensitivity,
@@ -260,6 +267,15 @@ class HallSettings(Settings):
             delay=delay,
             spans=tuple(spans),
         )
+        for j, span in enumerate(spans, start=1):
+            if not slope(sensors, span.free - span.shortest) < 0.0:
+                raise problem(
+                    f"leaves an output that does not change with the length of arm {j} where it is "
+                    f"shortest, {span.shortest:g} m, so that it cannot be calibrated; mind the "
+                    f"magnet and the stroke, too (got {self.distance:g} m)",
+                    "distance",
+                )
+        return sensors
 
 
 class SensorSettings(Settings):

@@ -13,7 +13,9 @@ import numpy as np
 
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
-from springback.kernels.compiler import own_executor, registered
+from springback.errors import InputError
+from springback.kernels.compiler import Origin, own_executor, registered
+from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, Like, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
@@ -30,6 +32,8 @@ LANES = 8
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
+#: Most instants of a trajectory that are kept (chosen: some 2.5 GB with the diary and all columns).
+MOST_INSTANTS = 1_000_000
 #: When this process read its first sources [s since the epoch].
 BEGUN = time.time()
 
@@ -153,22 +157,27 @@ def _gather_types(tree: Any, found: set[type]) -> None:
             _gather_types(branch, found)
 
 
-def sources(types: set[type]) -> tuple[str, ...] | None:
-    """Files of own types, of what is registered for them, and of the modules beside them.
+def sources(types: set[type]) -> Origin | None:
+    """Files and modules of own types, of what is registered for them, and of the modules beside.
 
-    None if their kernels had better not be kept: those of a script or of a session, and those of a
-    file that was changed while this process runs, which may have read it before.
+    None if their kernels had better not be kept: those of a script or of a session, those of a
+    file that was changed while this process runs, which may have read it before, and those that
+    take values from elsewhere which no digest can stand for.
     """
-    own = {entry.__module__ for cls in types for entry in (cls, *registered(cls))}
-    own = {name for name in own if not name.startswith("springback.")}
+    entries = [entry for cls in types for entry in (cls, *registered(cls))]
+    entries = [entry for entry in entries if not entry.__module__.startswith("springback.")]
+    own = {entry.__module__ for entry in entries}
     files = {getattr(sys.modules.get(name), "__file__", None) for name in own}
     if "__main__" in own or None in files:
         return None
     named = sorted({str(file) for file in files} | _beside({str(file) for file in files}))
+    frozen = frozen_digest(sorted(entries, key=lambda one: (one.__module__, one.__qualname__)))
     try:
-        return tuple(named) if all(os.path.getmtime(file) < BEGUN for file in named) else None
+        if frozen is None or not all(os.path.getmtime(file) < BEGUN for file in named):
+            return None
     except OSError:
         return None
+    return Origin(tuple(named), tuple(sorted(own)), frozen)
 
 
 def _beside(files: set[str]) -> set[str]:
@@ -210,6 +219,9 @@ def fly_one(
         trace: Keep the trajectory: every step of it.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called now and then with the simulated time [s].
+
+    Raises:
+        InputError: If the trajectory has more instants than can be kept.
     """
     shape = shape_of(model, start)
     buffers = loaded(shape, [model], [start], 1)
@@ -222,14 +234,35 @@ def fly_one(
         logged = np.zeros(1, dtype=np.int64)
         flying = run(like, buffers, 0, 1, (0,), log, logged, SLICE, 0.0)
         logs.append(log[: logged[0]])
+        time_now = float(buffers[0, record_row])
+        check_instants(sum(map(len, logs)), time_now, model.timing.until)
         if progress is not None:
-            progress(float(buffers[0, record_row]))
+            progress(time_now)
         if not flying:
             break
     flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
     return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+
+
+def check_instants(instants: int, reached: float, until: float) -> None:
+    """Stop a flight whose trajectory has become too long to be kept.
+
+    Args:
+        instants: Of the trajectory so far, or foreseen.
+        reached: Simulated time by then [s].
+        until: When the flight ends [s].
+
+    Raises:
+        InputError: What there is, and what helps.
+    """
+    if instants > MOST_INSTANTS:
+        raise InputError(
+            f"simulation.duration: of {until:g} s makes a trajectory of more than {MOST_INSTANTS} "
+            f"instants, which are all that can be kept; it has {instants} by {reached:.4g} s; give "
+            "a shorter duration, coarser steps or a slower clock, or in Python trajectory=False"
+        )
 
 
 def trace_columns(shape: Shape) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.dynamics.gusts import Calm, first_gust
-from springback.kernels.compiler import executor, own_executor, rebound
+from springback.kernels.compiler import Origin, executor, own_executor, rebound
 from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.aboard import (
@@ -32,6 +32,7 @@ from springback.simulation.flight import (
     Executor,
     Flown,
     Trace,
+    check_instants,
     loaded,
     own_types,
     shape_of,
@@ -218,9 +219,9 @@ def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> 
 
 @functools.cache
 def _own_entries(
-    own_model: frozenset[type], own_cabin: frozenset[type], files: tuple[str, ...] | None
+    own_model: frozenset[type], own_cabin: frozenset[type], files: Origin | None
 ) -> Entries:
-    """The functions for types of the user's, from some files."""
+    """The functions for types of the user's, of some origin."""
     plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
     parts["ticked"] = own_executor(plain["ticked"], files, nogil=True)
     parts["powered"] = own_executor(plain["powered"], files, nogil=True)
@@ -265,8 +266,12 @@ def fly_guided(
         trace: Keep the trajectory and the diary.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called now and then with the simulated time [s].
+
+    Raises:
+        InputError: If the trajectory has more instants than can be kept.
     """
     shape, duration = shape_of(model, start), model.timing.until
+    check_instants(len(noise) if trace else 0, duration, duration)
     buffers, cabins = loaded(shape, [model], [start], 1), cabins_loaded([cabin], 1)
     entries, ticks = entries_for(model, cabin, executor), len(noise)
     channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
@@ -292,8 +297,10 @@ def fly_guided(
                 if trace:  # the page of this tick has been written before the pilot spoke
                     diary[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
         logs.append(log[: logged[0]])
+        time_now = float(buffers[0, record_row])
+        check_instants(sum(map(len, logs)), time_now, duration)
         if progress is not None:
-            progress(float(buffers[0, record_row]))
+            progress(time_now)
     aboard = rebuilt(cabin.aboard, cabins[0, rows(cabin.guidance) :])
     flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:

@@ -8,30 +8,58 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
+from springback.errors import shown_value
 from springback.kernels.vectors import Mat, Vec
 from springback.quantities import Mass, checked, quantity, spread
-from springback.settings import Settings, naming, problem
+from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm
+
+#: More arms are a slip of the pen (chosen): a flight is compiled for each number of them.
+MOST_ARMS = 32
+#: Relative error that rounding may leave in moments and distances (chosen).
+ROUNDING = 1e-9
 
 
 def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     """Three principal moments or a full matrix [kg m²], checked to be an inertia."""
     unit = "kg m^2"
     if not isinstance(value, list | tuple) or len(value) != 3:
-        raise problem(f"must be three moments or a 3 x 3 matrix in kg m² (got {value!r})")
+        raise problem(
+            f"must be three moments or a 3 x 3 matrix in kg m² (got {shown_value(value)})"
+        )
     if not any(isinstance(row, list | tuple) for row in value):
         moments = [checked(entry, unit, above=0.0) for entry in value]
+        check_moments(moments)
         return tuple(tuple(m if i == j else 0.0 for j in range(3)) for i, m in enumerate(moments))
     if not all(isinstance(row, list | tuple) and len(row) == 3 for row in value):
-        raise problem(f"must be a 3 x 3 matrix in kg m² (got {value!r})")
+        raise problem(f"must be a 3 x 3 matrix in kg m² (got {shown_value(value)})")
     rows = [[checked(entry, unit) for entry in row] for row in value]
     matrix = np.array(rows)
     if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
-        raise problem(f"must be symmetric (got {rows} kg m²)")
-    if np.linalg.eigvalsh(matrix)[0] <= 0.0:
-        raise problem(f"must have positive principal moments (got {rows} kg m²)")
+        raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
+    principal = np.linalg.eigvalsh(matrix)
+    if principal[0] <= 0.0:
+        raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
+    check_moments(principal)
     return tuple(tuple(row) for row in rows)
+
+
+def check_moments(principal: Any) -> None:
+    """Refuse principal moments of inertia that no distribution of mass has.
+
+    Each is a sum of two second moments of mass, so none is larger than the sum of the others; of a
+    plate it is as large.
+
+    Args:
+        principal: Moments [kg m²], in any order, shape (3,).
+    """
+    first, second, largest = sorted(float(moment) for moment in principal)
+    if largest > (first + second) * (1.0 + ROUNDING):
+        raise problem(
+            f"is that of no body: the largest principal moment, {largest:g} kg m², must be at most "
+            f"the sum of the others, {first + second:g} kg m²"
+        )
 
 
 def _flags(value: Any) -> bool | tuple[bool, ...]:
@@ -40,7 +68,9 @@ def _flags(value: Any) -> bool | tuple[bool, ...]:
         return value
     if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
         return tuple(value)
-    raise problem(f"must be true or false, or a list of them, one for each arm (got {value!r})")
+    raise problem(
+        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
+    )
 
 
 def _signs(value: Any) -> tuple[int, ...] | None:
@@ -49,7 +79,7 @@ def _signs(value: Any) -> tuple[int, ...] | None:
         return None
     if isinstance(value, list | tuple) and all(entry in (-1, 1) for entry in value):
         return tuple(int(entry) for entry in value)
-    raise problem(f"must be a list of -1 and 1, one for each rotor (got {value!r})")
+    raise problem(f"must be a list of -1 and 1, one for each rotor (got {shown_value(value)})")
 
 
 class Body(Settings):
@@ -91,8 +121,10 @@ class Arms(Settings):
     @model_validator(mode="after")
     def _consistent(self) -> Arms:
         count = len(self.directions)
-        if count < 1:
-            raise problem("must name at least one arm", "directions")
+        if not 1 <= count <= MOST_ARMS:
+            raise problem(
+                f"must name at least one arm and at most {MOST_ARMS} (got {count})", "directions"
+            )
         for name in type(self).model_fields:
             value = getattr(self, name)
             if isinstance(value, tuple) and len(value) != count:
@@ -108,7 +140,44 @@ class Arms(Settings):
                     f"must be less than the length of arm {j + 1}, {length:g} m (got {stroke:g} m)",
                     "stroke",
                 )
+        for second in range(count):
+            for first in range(second):
+                self._check_apart(first, second)
         return self
+
+    def _check_apart(self, first: int, second: int) -> None:
+        """Refuse two arms that point the same way, and cages that meet.
+
+        Unpressed cages must be apart, and stay so while either arm is pressed in to the end of its
+        stroke.  Two arms pressed in at once are not looked at: those of the paper's own robot would
+        meet 34 mm in, which its springs do not come to.
+        """
+        names = f"arms {first + 1} and {second + 1}"
+        cosine = math.cos(self.directions[first] - self.directions[second])
+        if cosine > 1.0 - ROUNDING:
+            raise problem(f"of {names} must differ", "directions")
+        pair = (first, second)
+        room = sum(self.at("cage_radius", j) for j in pair)
+        for moving, still in (pair, pair[::-1]):
+            here, there = self.at("length", moving), self.at("length", still)
+            apart = _distance(here, there, cosine)
+            if apart < room * (1.0 - ROUNDING):
+                raise problem(
+                    f"of {names} lets their cages overlap: radii of {room:g} m together need the "
+                    f"ends of the arms as far apart, and they are {apart:.6g} m",
+                    "cage_radius",
+                )
+            if not (self.at("compliant", moving) and self.end_stops):
+                continue
+            shortest = here - self.at("stroke", moving)
+            nearest = _distance(min(max(there * cosine, shortest), here), there, cosine)
+            if nearest < room * (1.0 - ROUNDING):
+                raise problem(
+                    f"of arm {moving + 1} lets its cage meet that of arm {still + 1}, which is not "
+                    f"pressed in: the ends come as near as {nearest:.6g} m, the cages need "
+                    f"{room:g} m (got {self.at('stroke', moving):g} m)",
+                    "stroke",
+                )
 
     @model_validator(mode="before")
     @classmethod
@@ -128,7 +197,7 @@ class Arms(Settings):
 class Vehicle(Settings):
     """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
 
-    name: str = "vehicle"
+    name: Name = "vehicle"
     body: Body
     arms: Arms
     propulsion: Propulsion | None = None
@@ -207,6 +276,11 @@ class Vehicle(Settings):
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""
         return tuple(float(self.arms.at("length", j)) for j in range(self.arm_count))
+
+
+def _distance(here: float, there: float, cosine: float) -> float:
+    """Distance of the ends of two arms of some lengths [m], from the cosine between them."""
+    return math.sqrt(max(here**2 + there**2 - 2.0 * here * there * cosine, 0.0))
 
 
 def _exact(x: float) -> float:

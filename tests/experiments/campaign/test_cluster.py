@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
 import sys
 import time
@@ -14,6 +15,7 @@ import pytest
 from experiments.campaign.plans import plan
 from springback.errors import InputError
 from springback.experiments.campaign import cluster
+from springback.experiments.campaign.cluster import Tls, connected, is_open
 from springback.experiments.campaign.running import run_campaign
 
 distributed = pytest.importorskip("distributed", reason="needs the extra springback[cluster]")
@@ -114,3 +116,63 @@ def test_versions_differ_where_it_matters() -> None:
     major, minor, _ = ours["python"].split(".")
     assert cluster.differing(ours | {"python": f"{major}.{minor}.99"}) == ""
     assert cluster.differing(ours | {"numba": "0.1"}).startswith("numba 0.1 there, ")
+
+
+# -- who may speak to it --------------------------------------------------------------------------
+
+
+def certificates(folder: Path) -> Tls:
+    """A certificate that signed itself: authority, certificate and key of a cluster of one."""
+    key, certificate = folder / "key.pem", folder / "cert.pem"
+    words = "openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=localhost"
+    subprocess.run(
+        [*words.split(), "-keyout", str(key), "-out", str(certificate)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    return Tls(certificate, certificate, key)
+
+
+def test_certificates_reach_a_cluster_that_asks_for_them(tmp_path: Path) -> None:
+    if shutil.which("openssl") is None:
+        pytest.skip("makes its certificates with openssl")
+    tls = certificates(tmp_path)
+    file = tmp_path / "scheduler.json"
+    options = (
+        "--port", "0", "--protocol", "tls", "--scheduler-file", str(file),
+        "--tls-ca-file", str(tls.authority), "--tls-cert", str(tls.certificate),
+        "--tls-key", str(tls.key),
+    )  # fmt: skip
+    scheduler = process("scheduler", *LOCAL, *options)
+    try:
+        end = time.monotonic() + 60.0
+        while not file.exists() or not file.read_text():
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        address = json.loads(file.read_text())["address"]
+        assert address.startswith("tls://127.0.0.1")
+        said: list[str] = []
+        with connected(address, tls, said.append) as client:
+            assert client.scheduler_info()["address"] == address
+        assert said == []
+        with pytest.raises(InputError, match="cannot be reached"), connected(address):
+            pass
+    finally:
+        scheduler.kill()
+        scheduler.wait()
+
+
+def test_certificates_that_are_not_there_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"TLS authority .*: there is no such file"):
+        Tls(tmp_path / "a", tmp_path / "b", tmp_path / "c")
+
+
+@pytest.mark.parametrize(
+    ("address", "open_to_others"),
+    [
+        ("tcp://127.0.0.1:8786", False), ("tcp://localhost:8786", False), ("tcp://[::1]:8786", False),
+        ("tls://node7:8786", False), ("inproc://1", False), ("tcp://node7:8786", True),
+        ("tcp://10.0.0.1:8786", True), ("10.0.0.1:8786", True), ("tcp://0.0.0.0:8786", True),
+    ],
+)  # fmt: skip
+def test_addresses_that_others_can_use_are_known(address: str, open_to_others: bool) -> None:
+    assert is_open(address) is open_to_others

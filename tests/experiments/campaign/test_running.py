@@ -186,6 +186,18 @@ def test_workers_that_cannot_start_are_told(monkeypatch: pytest.MonkeyPatch) -> 
         list(fly_locally(plan().canonical(), [(0, 2)], 1, print))
 
 
+def serve_another_source(*given: Any) -> None:
+    """A worker that was started after the source had been edited."""
+    workers.source = lambda: "another"
+    workers.serve(*given)
+
+
+def test_a_worker_of_another_source_stops_the_campaign(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "SERVED", serve_another_source)
+    with pytest.raises(Stopped, match="source was changed while it was flying"):
+        list(fly_locally(plan().canonical(), [(0, 2)], 1, print))
+
+
 def test_leaving_early_leaves_no_process(whole: Campaign) -> None:
     coming = fly_locally(whole.design.plan.canonical(), [(0, 2), (2, 4), (4, 6)], 2, print)
     assert isinstance(next(coming), Flown | GivenUp)

@@ -21,6 +21,7 @@ from springback.experiments.campaign.ledger import Part, missing
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import opened
+from springback.experiments.sealed import sealed
 
 
 def names(folder: Path) -> set[str]:
@@ -79,9 +80,8 @@ def test_a_damaged_part_is_set_aside_and_flown_again(tmp_path: Path, harm: str) 
     else:
         data[200] ^= 1
         path.write_bytes(data[:-1] if harm == "cut" else data)
-    if harm != "flipped":  # what a look at the folder can see
-        with pytest.raises(InputError, match=r"part-0000000010.*--resume"):
-            Campaign(tmp_path)
+    with pytest.raises(InputError, match=r"part-0000000010.*--resume"):
+        Campaign(tmp_path)
     with opened(tmp_path, design, resume=True) as again:
         [said] = again.checked_parts()
         assert ("missing" if harm == "gone" else "damaged; it is now aside/part") in said
@@ -174,15 +174,47 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
     refused(False, "holds a campaign with 30 flights; go on with it by --resume")
     refused(True, "its seed is 3, not 4", seed=4)
     refused(True, "its plan differs in repeats, samples", samples=31, repeats=2)
-    about = json.loads((tmp_path / store.ABOUT).read_text())
-    about["versions"]["springback"] = "0.0.9"
-    (tmp_path / store.ABOUT).write_text(json.dumps(about))
+    rewrite(tmp_path, versions={"springback": "0.0.9"})
     refused(True, "its springback's version is 0.0.9, not ")
-    about["versions"] |= {"springback": store.__version__, "numba": "0.1"}
-    (tmp_path / store.ABOUT).write_text(json.dumps(about))
+    rewrite(tmp_path, versions={"springback": store.__version__, "numba": "0.1"}, cpu="Intel 386")
     with opened(tmp_path, design, resume=True):
-        [told] = store.changed_versions(tmp_path)
-    assert told.startswith("numba was 0.1 and is ")
+        numba, cpu = store.changed_versions(tmp_path)
+    assert numba.startswith("numba was 0.1 and is ")
+    assert cpu.startswith("the processor was Intel 386 and is ")
+
+
+def rewrite(folder: Path, versions: dict[str, str] | None = None, **changes: Any) -> None:
+    """Have campaign.json say something else, as if it had been begun so."""
+    about = json.loads((folder / store.ABOUT).read_text()) | changes
+    about["versions"] |= versions or {}
+    (folder / store.ABOUT).write_text(json.dumps(sealed(about)))
+
+
+def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Path) -> None:
+    """Was let in: rows of two states of the physics in one campaign."""
+    design = filled(tmp_path)
+
+    def refused(told: str) -> None:
+        with pytest.raises(InputError, match=told), opened(tmp_path, design, resume=True):
+            pass
+
+    rewrite(tmp_path, versions={"source": "0123456789abcdef"})
+    refused(r"source is another \([0-9a-f]{16}\) than it was begun with \(0123456789abcdef\)")
+    rewrite(tmp_path, versions={"source": store.source()}, scenarios_sha256="0")
+    refused("a preset or a default that its plan names has other numbers now")
+
+
+def test_every_part_says_which_source_and_numbers_flew(tmp_path: Path) -> None:
+    import duckdb
+
+    design = filled(tmp_path)
+    sql = "SELECT decode(key), decode(value) FROM parquet_kv_metadata(?)"
+    told = dict(duckdb.execute(sql, [str(tmp_path / "parts/part-0000000010.parquet")]).fetchall())
+    assert told["source"] == store.source() == store.versions()["source"]
+    assert told["scenarios"] == design.digest
+    about = json.loads((tmp_path / store.ABOUT).read_text())
+    assert about["scenarios"]["arq"]["vehicle"]["arms"]["stiffness"] == 5000.0
+    assert about["scenarios"]["arq"]["world"]["obstacles"][0]["surface"]["friction"] > 0.0
 
 
 def test_a_folder_with_other_things_is_left_alone(tmp_path: Path) -> None:
@@ -207,5 +239,7 @@ def test_a_campaign_that_died_before_it_began_can_be_gone_on_with(tmp_path: Path
         assert begun.done == 0
     about = json.loads((tmp_path / store.ABOUT).read_text())
     assert about["plan_sha256"] == design.plan.digest()
-    assert about["versions"].keys() == {"springback", "python", "numpy", "scipy", "numba"}
+    assert about["versions"].keys() == {
+        "springback", "source", "python", "numpy", "scipy", "numba"
+    }  # fmt: skip
     assert {"host", "cpu", "started", "seed", "flights"} <= about.keys()

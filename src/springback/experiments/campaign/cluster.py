@@ -7,11 +7,14 @@ wherever they fly, given the same versions, which is checked.
 from __future__ import annotations
 
 import contextlib
+import ipaddress
 import threading
 import time
 import uuid
 from collections import deque
 from collections.abc import Generator, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from springback.errors import InputError
@@ -37,18 +40,47 @@ def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], Flown]:
         return versions(), flown(text, chunk)
 
 
+@dataclass(frozen=True)
+class Tls:
+    """Certificates for a cluster that speaks TLS, as PEM files."""
+
+    authority: Path
+    """Whose signature all of the cluster carry."""
+    certificate: Path
+    key: Path
+    """Of the certificate, private."""
+
+    def __post_init__(self) -> None:
+        """Refuse files that are not there."""
+        for name, path in vars(self).items():
+            if not path.is_file():
+                raise InputError(f"TLS {name} {path}: there is no such file")
+
+
 @contextlib.contextmanager
-def connected(address: str) -> Iterator[Any]:
+def connected(address: str, tls: Tls | None = None, remark: Remark | None = None) -> Iterator[Any]:
     """A client of a cluster that can fly what we would.
+
+    Without TLS Dask neither asks who speaks to it nor hides what is said, and runs what it is sent:
+    whoever reaches its ports runs programs on its machines.
 
     Args:
         address: Of the scheduler.
+        tls: Certificates; None leaves it to Dask's own configuration, which usually has none.
+        remark: Told of a connection that others could use.
 
     Raises:
         InputError: If there is no scheduler, or its workers have other versions.
     """
     distributed = needs("distributed", "cluster")
-    client = _client(distributed, address)
+    if tls is not None and not address.startswith("tls://"):
+        raise InputError(f"--scheduler {address}: certificates belong to tls://HOST:PORT")
+    if remark is not None and is_open(address):
+        remark(
+            f"{address} is neither encrypted nor asks who speaks: whoever reaches it runs programs "
+            "there; use tls:// with --tls-ca, --tls-cert and --tls-key, or a tunnel"
+        )
+    client = _client(distributed, address, tls)
     try:
         _check_versions(client, address)
         yield client
@@ -88,10 +120,30 @@ def fly_on_cluster(
             future.release()  # nobody waits for it any more
 
 
-def _client(distributed: Any, address: str) -> Any:
+def is_open(address: str) -> bool:
+    """Whether others than this machine's own users can use what listens at an address."""
+    protocol, sign, rest = address.rpartition("://")
+    if sign and protocol not in ("tcp", "ws"):
+        return False
+    host = rest.rpartition(":")[0].strip("[]")
     try:
-        return distributed.Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, TimeoutError, ValueError) as error:
+        return not ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host != "localhost"
+
+
+def _client(distributed: Any, address: str, tls: Tls | None) -> Any:
+    security = None
+    if tls is not None:
+        security = distributed.Security(
+            tls_ca_file=str(tls.authority), tls_client_cert=str(tls.certificate),
+            tls_client_key=str(tls.key), require_encryption=True,
+        )  # fmt: skip
+    try:
+        return distributed.Client(
+            address, timeout=PATIENCE, set_as_default=False, security=security
+        )
+    except (OSError, TimeoutError, TypeError, ValueError) as error:  # also: no certificates
         said = str(error).partition("\n")[0] or type(error).__name__
         raise InputError(f"--scheduler {address}: cannot be reached ({said})") from None
 

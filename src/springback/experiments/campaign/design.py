@@ -41,6 +41,7 @@ from springback.experiments.campaign.sampling import (
 )
 from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import Scenario, preset, scenario_from
+from springback.experiments.sealed import digest_of
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
 from springback.vehicle.library import VEHICLES
@@ -84,6 +85,16 @@ class Design:
     def units(self) -> dict[str, str]:
         """Of the columns of what differs, SI."""
         return {d.column: d.unit for d in self.dimensions}
+
+    @functools.cached_property
+    def expanded(self) -> list[dict[str, Any]]:
+        """Of each robot, the scenario with every preset and default as numbers, in SI."""
+        return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
+
+    @functools.cached_property
+    def digest(self) -> str:
+        """SHA-256 of `expanded`."""
+        return digest_of({"scenarios": self.expanded})
 
     @property
     def success(self) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from springback.errors import InputError
+from springback.errors import InputError, shown_value
 from springback.experiments.axes import Parameter
 from springback.experiments.campaign.laws import Bell, BellFactor, Even, Law, Levels
 from springback.experiments.campaign.placing import (
@@ -22,7 +22,7 @@ from springback.experiments.campaign.placing import (
     multiplied,
     target,
 )
-from springback.experiments.campaign.plan import FROM, Plan, Vary
+from springback.experiments.campaign.plan import FROM, MOST_LEVELS, Plan, Vary
 from springback.experiments.scenario import Scenario
 from springback.experiments.trials import Scatter
 
@@ -149,7 +149,7 @@ class _Reader:
         whole = self.goal.number.whole and not difference
         plain = Parameter(self.entry.field, self.goal.path, self.goal.number.unit, whole)
         if isinstance(value, bool) or not isinstance(value, int | float | str):
-            self.say(key, f"must be a number (got {value!r})")
+            self.say(key, f"must be a number (got {shown_value(value)})")
             return 0.0
         try:
             return plain.read(value if isinstance(value, str) else repr(value))
@@ -203,7 +203,11 @@ class _Reader:
         if self.entry.step is not None:
             step = self.number("step", self.entry.step, difference=True)
             parts = (last - first) / step if step else math.nan
-            if not self.failed and not (parts > 0.5 and abs(parts - round(parts)) < 1e-9):
+            if not self.failed and parts > MOST_LEVELS - 1:
+                least = (last - first) / (MOST_LEVELS - 1)
+                what = f"must be at least {least:.3g}, for {MOST_LEVELS} levels (got {step:g})"
+                self.say("step", what)
+            elif not self.failed and not (parts > 0.5 and abs(parts - round(parts)) < 1e-9):
                 self.say("step", f"does not lead from {self.entry.from_!r} to {self.entry.to!r}")
             count = 0 if self.failed else round(parts) + 1
         if self.failed:

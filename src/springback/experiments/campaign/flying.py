@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.experiments.bulk import fly_scenarios, no_collection
+from springback.experiments.bulk import Device, fly_scenarios, no_collection
 from springback.experiments.campaign.design import Design, design_of
 
 Chunk = tuple[int, int]
@@ -18,20 +18,21 @@ class Flown(NamedTuple):
     columns: dict[str, Any]
 
 
-def flown(text: str, chunk: Chunk) -> Flown:
+def flown(text: str, chunk: Chunk, device: Device = "cpu") -> Flown:
     """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
 
     Args:
         text: The plan, as `springback.experiments.campaign.plan.Plan.canonical` has it.
         chunk: Which flights.
+        device: On which they fly.
     """
-    return Flown(chunk, rows(design_of(text), chunk))
+    return Flown(chunk, rows(design_of(text), chunk, device))
 
 
-def rows(design: Design, chunk: Chunk) -> dict[str, Any]:
+def rows(design: Design, chunk: Chunk, device: Device = "cpu") -> dict[str, Any]:
     """Rows of a stretch of flights, column by column."""
     with no_collection():
         dealt = design.dealt(*chunk)
-        ended = fly_scenarios(dealt.tables, threads=1)
+        ended = fly_scenarios(dealt.tables, threads=1, device=device)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
     return {**dealt.columns, **tail, **ended.measures}

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy  # its parts are loaded when first used
 
-from springback.experiments.paper.resilience import CONFIDENCE, wilson
+from springback.experiments.shares import CONFIDENCE, wilson
 
 Values = npt.NDArray[np.float64]
 

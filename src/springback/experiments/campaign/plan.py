@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import hashlib
 import json
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
-from springback.errors import InputError
+from springback.errors import InputError, shortened, shown_value
 from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario_file import line_of, overridden, read_scenario
+from springback.experiments.source_text import json_tables, source_text, toml_tables
 from springback.experiments.trials import Scatter
 from springback.quantities import quantity
-from springback.settings import Settings, problem
+from springback.settings import Name, Settings, problem
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
 #: More samples, or repeats, are a slip of the pen (chosen).
 MOST_SAMPLES = 10**8
+#: More levels of one field, and more fields, are a slip of the pen (chosen).
+MOST_LEVELS, MOST_FIELDS = 100_000, 100
 Count = Annotated[int, Field(ge=1, le=MOST_SAMPLES, strict=True)]
 #: A field whose name is a word of Python is written without the underscore.
 FROM = "from_"
@@ -70,11 +72,11 @@ class Vary(Spaced):
 
     field: str
     """A short name, or the dotted path of any value of the scenario."""
-    name: str | None = None
+    name: Name | None = None
     """Of its column; by default that of the field."""
     from_: Any = None
     to: Any = None
-    count: Annotated[int, Field(ge=2, le=MOST_SAMPLES, strict=True)] | None = None
+    count: Annotated[int, Field(ge=2, le=MOST_LEVELS, strict=True)] | None = None
     """Of levels from ``from`` to ``to``, both included; a grid needs it, or ``step``."""
     step: Any = None
     """Between levels."""
@@ -100,6 +102,9 @@ class Vary(Spaced):
             raise problem("belongs to linear spacing; give count", "step")
         if self.values is not None and not self.values:
             raise problem("needs at least one value", "values")
+        if self.values is not None and len(self.values) > MOST_LEVELS:
+            what = f"must be at most {MOST_LEVELS} values (got {len(self.values)})"
+            raise problem(what, "values")
         return self
 
 
@@ -125,7 +130,7 @@ class ScatterSettings(Settings):
         if not isinstance(table, dict) or "preset" not in table:
             return table
         if table["preset"] != "trials":
-            raise problem(f"must be trials (got {table['preset']!r})", "preset")
+            raise problem(f"must be trials (got {shown_value(table['preset'])})", "preset")
         return Scatter()._asdict() | {key: v for key, v in table.items() if key != "preset"}
 
     def deviations(self) -> Scatter:
@@ -149,7 +154,7 @@ class Plan(Settings):
     ``k // robots // repeats``.  All robots are dealt the same samples and the same luck.
     """
 
-    name: str = "campaign"
+    name: Name = "campaign"
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
     """Of samples and luck."""
     scenario: dict[str, Any] | str
@@ -174,6 +179,8 @@ class Plan(Settings):
             raise problem("cannot be given for a grid, which has its points", "samples")
         if self.method != "grid" and self.samples is None:
             raise problem(f"is missing: how many a {self.method} design has", "samples")
+        if len(self.vary) > MOST_FIELDS:
+            raise problem(f"must be at most {MOST_FIELDS} fields (got {len(self.vary)})", "vary")
         if len(set(self.robots)) != len(self.robots):
             raise problem(f"names one twice (got {list(self.robots)})", "robots")
         return self
@@ -206,7 +213,7 @@ class Source:
             return said
         for word in reversed(self.overrides):
             if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
-                return f"override {word}: {said}"
+                return f"override {shortened(word)}: {said}"
         return f"{self.name}:{line_of(self.text, keys)}: {said}"
 
 
@@ -221,17 +228,9 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
         InputError: One line for each problem: file and line or override, field, value, range.
     """
     path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8")
-        given = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: is not text in UTF-8") from None
-    except json.JSONDecodeError as error:
-        raise InputError(f"{path}: is not JSON: {error}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: is not TOML: {error}") from None
+    text = source_text(path)
+    tables = json_tables if path.suffix == ".json" else toml_tables
+    given = tables(text, str(path))
     source = Source(str(path), text, overrides)
     plan = plan_from(overridden(given, overrides), source)
     return with_scenario(plan, path.parent, source), source
@@ -269,8 +268,13 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
     if not isinstance(plan.scenario, str):
         return plan
     path = folder / plan.scenario
-    if not path.is_file():
-        raise InputError(source.blamed(("scenario",), f"there is no file {path}"))
+    try:
+        there = path.is_file()
+    except (OSError, ValueError):  # a name that no file can have
+        there = False
+    if not there:
+        what = f"there is no file {shown_value(str(path))}"
+        raise InputError(source.blamed(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
-    given = tomllib.loads(path.read_text(encoding="utf-8"))
+    given = toml_tables(source_text(path), str(path))
     return plan.model_copy(update={"scenario": given})

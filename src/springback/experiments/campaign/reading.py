@@ -16,9 +16,25 @@ from springback.errors import InputError
 from springback.experiments.campaign import ledger
 from springback.experiments.campaign.columns import known_columns
 from springback.experiments.campaign.design import Design, laid_out
-from springback.experiments.campaign.plan import Source, read_plan
-from springback.experiments.campaign.store import PLAN, about, empty_rows, rows_of, written
-from springback.experiments.database import in_database, quoted
+from springback.experiments.campaign.plan import Source
+from springback.experiments.campaign.store import (
+    about,
+    empty_rows,
+    is_disk,
+    rows_of,
+    stored_plan,
+    written,
+)
+from springback.experiments.database import (
+    in_database,
+    in_one_line,
+    locked,
+    one_expression,
+    one_select,
+    parquet,
+    quoted,
+)
+from springback.experiments.drafts import drafted
 from springback.experiments.parquet import write_parquet
 from springback.experiments.result import Flight, fly
 from springback.version import __version__
@@ -29,6 +45,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
+#: Rows of an answer that are taken at once (chosen).
+STRETCH = 1000
 
 
 class Answer(NamedTuple):
@@ -54,27 +72,31 @@ class Campaign:
     """A campaign in a folder, finished or not."""
 
     def __init__(self, folder: str | Path) -> None:
-        """Of a folder that a campaign was flown into.
+        """Of a folder that a campaign was flown into; every byte of its parts is checked.
 
         Raises:
-            InputError: If there is none, or parts of it are not there.
+            InputError: If there is none, or parts of it are missing or damaged.
         """
         self.folder = Path(folder)
         self.about = about(self.folder)
         self.parts = ledger.read(self.folder / ledger.NAME)
-        for part in self.parts:
+        flights = self.about["flights"]
+        if self.parts and self.parts[-1].last > flights:
+            raise InputError(
+                f"{self.folder / ledger.NAME}: holds flights up to {self.parts[-1].last - 1}, and "
+                f"the campaign has {flights}"
+            )
+        for part in ledger.damaged(self.parts, self.folder):
             path = self.folder / part.file
-            if not path.is_file() or path.stat().st_size != part.bytes:
-                raise InputError(
-                    f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
-                    "campaign by --resume to fly it again"
-                )
+            raise InputError(
+                f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
+                "campaign by --resume to fly it again"
+            )
 
     @functools.cached_property
     def design(self) -> Design:
         """What was flown."""
-        plan, _ = read_plan(self.folder / PLAN)
-        return laid_out(plan, tried=False)
+        return laid_out(stored_plan(self.folder), tried=False)
 
     @property
     def done(self) -> int:
@@ -92,13 +114,19 @@ class Campaign:
         known = {name: unit for name, (unit, _) in known_columns().items()}
         return known | dict(self.about["units"])
 
-    def _asked(self, sql: str, parameters: Sequence[Any], found: Callable[[Any], T]) -> T:
+    def _asked(
+        self,
+        sql: str,
+        parameters: Sequence[Any],
+        found: Callable[[Any], T],
+        writes: Sequence[Path] = (),
+    ) -> T:
         """What is found in the answer to a question to all rows, the view ``flights``."""
+        files = [(self.folder / part.file).absolute() for part in self.parts]
 
         def ask(connection: Any) -> T:
-            if self.parts:
-                files = ", ".join(quoted(str(self.folder / part.file)) for part in self.parts)
-                source = f"SELECT * FROM read_parquet([{files}])"
+            if files:
+                source = f"SELECT * FROM {parquet(files)}"
             else:
                 connection.register("given", empty_rows(self.design))
                 source = rows_of(self.design)
@@ -106,23 +134,51 @@ class Campaign:
             with in_words():
                 return found(connection.execute(sql, list(parameters)))
 
-        return in_database(ask)
+        return in_database(ask, locked([*files, *writes]))
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
         """Ask in SQL; the table is ``flights``.
 
+        All rows of the answer are kept; `stream` keeps few.
+
         Args:
-            sql: One statement.
+            sql: One SELECT.
             parameters: For its question marks.
 
         Raises:
-            InputError: If it cannot be understood.
+            InputError: If it cannot be understood, or is something else.
         """
-        return self._asked(sql, parameters, _answer)
+        return self._asked(one_select(sql), parameters, _answer)
+
+    def stream(self, sql: str, taken: Callable[[list[str], Iterator[list[Any]]], T]) -> T:
+        """Ask in SQL, and take the answer in stretches, however long it is.
+
+        Args:
+            sql: One SELECT.
+            taken: Given names of columns, and stretches of rows, at most `STRETCH` long.
+
+        Returns:
+            What ``taken`` returns.
+
+        Raises:
+            InputError: If it cannot be understood, or is something else.
+        """
+
+        def take(found: Any) -> T:
+            names = [column[0] for column in found.description]
+            return taken(names, iter(lambda: found.fetchmany(STRETCH), []))
+
+        return self._asked(one_select(sql), (), take)
+
+    def count(self, sql: str) -> int:
+        """Number of rows of an answer."""
+        counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
+        return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
         """What a query finds, as arrays of floats by column; NaN for what is not there."""
-        found = self._asked(sql, parameters, lambda found: found.fetchnumpy())
+        select = one_select(sql)
+        found = self._asked(select, parameters, lambda found: found.fetchnumpy())
         return {
             name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
             for name, values in found.items()
@@ -132,28 +188,29 @@ class Campaign:
         """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
 
         Args:
-            sql: One statement.
+            sql: One SELECT.
             path: Of the file.
 
         Raises:
-            InputError: If it cannot be understood, or the file not be written.
+            InputError: If it cannot be understood, or is something else.
+            OSError: If the file cannot be written.
         """
+        select = one_select(sql)
+        path = path.absolute()
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_name(f".{path.name}.draft")
-        try:
-            copy = f"COPY ({sql}) TO {quoted(str(draft))} (FORMAT parquet, COMPRESSION zstd)"
-            count = self._asked(copy, (), lambda found: int(found.fetchone()[0]))
-            draft.replace(path)
-        finally:
-            draft.unlink(missing_ok=True)
-        return count
+        with drafted(path) as draft:
+            copy = (
+                f"COPY (\n{select}\n) TO {quoted(str(draft))} "
+                "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
+            )
+            return self._asked(copy, (), lambda found: int(found.fetchone()[0]), [draft])
 
     def to_dataframe(self, sql: str = "SELECT * FROM flights ORDER BY flight") -> pandas.DataFrame:
         """Rows as a pandas DataFrame; units in ``attrs``."""
         from springback.experiments.extras import needs
 
         needs("pandas", "dataframe")
-        frame: pandas.DataFrame = self._asked(sql, (), lambda found: found.df())
+        frame: pandas.DataFrame = self._asked(one_select(sql), (), lambda found: found.df())
         frame.attrs["units"] = self.units
         return frame
 
@@ -201,7 +258,8 @@ class Campaign:
         wanted = self.design.plan.keep
         if wanted is None:
             return
-        sql = f"SELECT flight FROM flights WHERE ({wanted.where}) AND outcome <> 'refused' "
+        condition = one_expression(wanted.where)
+        sql = f"SELECT flight FROM flights WHERE {condition} AND outcome <> 'refused' "
         for (number,) in self.query(f"{sql} ORDER BY flight LIMIT {wanted.most}").rows:
             stem = self.folder / KEPT / f"flight-{number:010d}"
             summary = stem.with_name(f"{stem.name}.json")
@@ -225,9 +283,8 @@ def _write_kept(flight: Flight, stem: Path) -> None:
     for word, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
         if columns:
             path = stem.with_name(f"{stem.name}-{word}.parquet")
-            draft = path.with_name(f".{path.name}.draft")
-            write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
-            draft.replace(path)
+            with drafted(path) as draft:
+                write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
 
 
 def _same(row: Any, now: Any) -> bool:
@@ -245,10 +302,9 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
     try:
         yield
     except duckdb.Error as error:
-        said = str(error)
-        for rest in ("\nLINE ", "\n\n", " You might need", "\n\tCandidate functions"):
-            said = said.partition(rest)[0]
-        raise InputError(f"{whose}: {' '.join(said.split())}") from None
+        if is_disk(error):
+            raise
+        raise InputError(f"{whose}: {in_one_line(error)}") from None
 
 
 def check_conditions(design: Design, source: Source | None = None) -> None:
@@ -261,16 +317,24 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     Raises:
         InputError: That names the entry.
     """
-    kept = design.plan.keep.where if design.plan.keep else "true"
+    blamed = (source or Source()).blamed
+    keep = design.plan.keep
+    conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
+    for entry, text in conditions.items():
+        try:
+            one_expression(text)
+        except InputError as error:
+            raise InputError(blamed(entry.split("."), str(error))) from None
+    kept = one_expression(conditions["keep.where"])
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",
-        "keep.where": f"SELECT flight FROM flights WHERE ({kept})",
+        "keep.where": f"SELECT flight FROM flights WHERE {kept}",
     }
 
     def check(connection: Any) -> None:
         connection.register("given", empty_rows(design))
         for entry, statement in statements.items():
-            with in_words((source or Source()).blamed(entry.split("."), "").rstrip(": ")):
+            with in_words(blamed(entry.split("."), "").rstrip(": ")):
                 connection.execute(statement)
 
     in_database(check)

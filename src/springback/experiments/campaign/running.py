@@ -9,9 +9,10 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from springback.errors import InputError
+from springback.experiments.bulk import GPU_BLOCK, Device
 from springback.experiments.campaign.design import Design, laid_out
 from springback.experiments.campaign.flying import Chunk, Flown
 from springback.experiments.campaign.plan import Plan
@@ -20,8 +21,13 @@ from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import Store, changed_versions, opened
 from springback.experiments.campaign.workers import GivenUp, Remark, fly_locally
 
+if TYPE_CHECKING:
+    from springback.experiments.campaign.cluster import Tls
+
 #: Flights of a chunk (chosen): seconds of work, and some 1.5 MB of rows.
 CHUNK = 2000
+#: The same on a GPU.
+GPU_CHUNK = GPU_BLOCK
 #: Fewest chunks for each worker, where there are not enough flights for full ones (chosen).
 SHARES = 4
 #: The rate is that of so many last parts (chosen).
@@ -106,6 +112,8 @@ def run_campaign(
     workers: int | None = None,
     chunk: int | None = None,
     scheduler: str | None = None,
+    tls: Tls | None = None,
+    device: Device = "cpu",
     progress: Callable[[Progress], None] | None = None,
     remark: Remark | None = None,
 ) -> Campaign:
@@ -122,6 +130,9 @@ def run_campaign(
         chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
             all workers have some.
         scheduler: Address of a Dask scheduler to fly on, in place of processes.
+        tls: Certificates for it, if it speaks TLS.
+        device: Where the workers' flights fly: ``cpu``, or ``gpu`` for an NVIDIA GPU that they
+            share.
         progress: Told how far it is, after each part.
         remark: Told of what went wrong and was mended, in one line each.
 
@@ -135,13 +146,17 @@ def run_campaign(
     """
     design = plan if isinstance(plan, Design) else laid_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
-    wanted = _at_least_one("chunk", chunk, CHUNK)
+    on_gpu = device == "gpu"
+    wanted = _at_least_one("chunk", chunk, GPU_CHUNK if on_gpu else CHUNK)
+    if on_gpu:
+        _check_gpu(scheduler)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
-    with _team(scheduler, crew) as fly, opened(folder, design, resume=resume) as store:
+    team = _team(scheduler, crew, device, tls, say)
+    with team as fly, opened(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
-        fair = -(-(design.flights - store.done) // (SHARES * crew))
+        fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
         size = wanted if chunk else max(1, min(wanted, fair))
         chunks = store.missing(size)
         watch, failed = _Watch(store), list[GivenUp]()
@@ -172,15 +187,26 @@ Fly = Callable[[str, list[Chunk], Remark], Generator[Flown | GivenUp]]
 
 
 @contextlib.contextmanager
-def _team(scheduler: str | None, crew: int) -> Iterator[Fly]:
+def _team(
+    scheduler: str | None, crew: int, device: Device, tls: Tls | None, remark: Remark
+) -> Iterator[Fly]:
     """Who flies: processes of this machine, or a cluster that answers."""
     if scheduler is None:
-        yield lambda text, chunks, say: fly_locally(text, chunks, crew, say)
+        yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
     from springback.experiments.campaign.cluster import connected, fly_on_cluster
 
-    with connected(scheduler) as client:
+    with connected(scheduler, tls, remark) as client:
         yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
+
+
+def _check_gpu(scheduler: str | None) -> None:
+    """Raises InputError where no GPU can be had: better now than in every worker."""
+    from springback.kernels.cuda import device
+
+    if scheduler is not None:
+        raise InputError("--device: gpu is for this machine; without --scheduler")
+    device()
 
 
 def _at_least_one(name: str, given: int | None, default: int) -> int:

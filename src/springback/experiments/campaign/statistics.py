@@ -16,7 +16,7 @@ from springback.experiments.campaign.intervals import (
     share,
 )
 from springback.experiments.campaign.reading import Campaign
-from springback.experiments.paper.resilience import CONFIDENCE
+from springback.experiments.shares import CONFIDENCE
 
 #: Measures that a summary shows, where any flight has them.
 MAIN = (

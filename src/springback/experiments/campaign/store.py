@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import datetime
 import errno
+import functools
 import hashlib
 import json
 import os
@@ -29,16 +30,20 @@ from springback.errors import InputError
 from springback.experiments.campaign import ledger
 from springback.experiments.campaign.columns import known_columns
 from springback.experiments.campaign.design import HEAD, Design
+from springback.experiments.campaign.ledger import PARTS, file_of
+from springback.experiments.campaign.plan import Plan, plan_from
 from springback.experiments.campaign.stopped import Stopped
-from springback.experiments.database import named
+from springback.experiments.database import named, one_expression
+from springback.experiments.drafts import DRAFT, drafted
 from springback.experiments.parquet import write_parquet
 from springback.experiments.recovery_measures import RECOVERY_MEASURES
+from springback.experiments.sealed import file_digest, is_sealed, read_object, sealed
 from springback.simulation.measures import MEASURES
 from springback.version import __version__
 
 Columns = Mapping[str, Any]
-PLAN, ABOUT, PARTS, ASIDE, LOCK, HOLDER = (
-    "plan.json", "campaign.json", "parts", "aside", ".lock", ".holder.json",
+PLAN, ABOUT, ASIDE, LOCK, HOLDER = (
+    "plan.json", "campaign.json", "aside", ".lock", ".holder.json",
 )  # fmt: skip
 #: Packages whose versions can change the last digits of a result.
 NUMERICAL = ("numpy", "scipy", "numba")
@@ -46,10 +51,30 @@ NUMERICAL = ("numpy", "scipy", "numba")
 EARLY = {LOCK, HOLDER, PLAN, PARTS}
 
 
+#: Chapters of the package that no row depends on.
+SHOWING = "interfaces"
+
+
+@functools.cache
+def source() -> str:
+    """Digest of the package's source, as far as rows can depend on it, presets included.
+
+    The version stands still between releases; this does not.
+    """
+    package = Path(__file__).parents[2]
+    digest = hashlib.sha256()
+    for path in sorted(package.rglob("*.py")):
+        name = path.relative_to(package)
+        if name.parts[0] != SHOWING:
+            digest.update(name.as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
+
+
 def versions() -> dict[str, str]:
     """Of all that decides the bits of a result."""
     return {
         "springback": __version__,
+        "source": source(),
         "python": platform.python_version(),
         **{name: metadata.version(name) for name in NUMERICAL},
     }
@@ -57,26 +82,8 @@ def versions() -> dict[str, str]:
 
 def written(path: Path, data: bytes) -> None:
     """Write a file whole or not at all, and onto the disk."""
-    draft = path.with_name(f".{path.name}.draft")
-    try:
-        with draft.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        _moved(draft, path)
-    finally:
-        draft.unlink(missing_ok=True)
-
-
-def _moved(draft: Path, path: Path) -> None:
-    """Rename, and have the folder say so on the disk."""
-    os.replace(draft, path)
-    if os.name == "posix":
-        folder = os.open(path.parent, os.O_RDONLY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
+    with drafted(path, durable=True) as draft:
+        draft.write_bytes(data)
 
 
 class Store:
@@ -102,17 +109,13 @@ class Store:
         Raises:
             Stopped: If they cannot be written; nothing half-written is left.
         """
-        name = f"{PARTS}/part-{first:010d}.parquet"
+        name = file_of(first)
         path = self.folder / name
-        draft = path.with_name(f".{path.name}.draft")
         try:
             path.parent.mkdir(exist_ok=True)
-            write_rows(draft, columns, self.design)
-            with draft.open("rb+") as file:
-                os.fsync(file.fileno())
-                digest = hashlib.file_digest(file, "sha256").hexdigest()
-            size = draft.stat().st_size
-            _moved(draft, path)
+            with drafted(path, durable=True) as draft:
+                write_rows(draft, columns, self.design)
+                digest, size = file_digest(draft), draft.stat().st_size
             refused = sum(word == "refused" for word in columns["outcome"])
             wary = int(sum(value == 1.0 for value in columns["ledger_open"]))
             part = ledger.Part(first, last, name, size, digest, refused, wary)
@@ -121,9 +124,6 @@ class Store:
             if not is_disk(error):
                 raise
             raise Stopped(f"{name} cannot be written: {_reason(error)}") from error
-        finally:
-            with contextlib.suppress(OSError):
-                draft.unlink(missing_ok=True)
         self.parts = sorted([*self.parts, part], key=lambda one: one.first)
         return part
 
@@ -131,7 +131,7 @@ class Store:
         """Move aside what is damaged or not in the ledger; say what was moved, line by line."""
         said = []
         ledger.mend(self.folder / ledger.NAME)
-        for part in [part for part in self.parts if not part.whole(self.folder)]:
+        for part in ledger.damaged(self.parts, self.folder):
             there = self._set_aside(self.folder / part.file)
             what = f"is damaged; it is now {there}" if there else "is missing"
             said.append(f"{part.file} {what}; its flights are flown again")
@@ -139,8 +139,10 @@ class Store:
             ledger.append(self.folder / ledger.NAME, withdrawn)
             self.parts.remove(part)
         known = {part.file for part in self.parts}
+        for path in sorted(self.folder.glob(f".*{DRAFT}")):
+            path.unlink()
         for path in sorted((self.folder / PARTS).glob("*")):
-            if path.name.endswith(".draft"):
+            if path.name.endswith(DRAFT):
                 path.unlink()
             elif path.is_file() and f"{PARTS}/{path.name}" not in known:
                 there = self._set_aside(path)
@@ -161,7 +163,10 @@ class Store:
 def write_rows(path: Path, columns: Columns, design: Design) -> None:
     """Rows as Parquet: numbers that do not exist are empty, success as the plan has it."""
     units = {name: unit for name, (unit, _) in known_columns().items()} | design.units
-    about = {"springback": __version__, "plan": design.plan.digest(), "name": design.plan.name}
+    about = {
+        "springback": __version__, "source": source(), "plan": design.plan.digest(),
+        "scenarios": design.digest, "name": design.plan.name,
+    }  # fmt: skip
     write_parquet(path, arrays(columns, design), units, about, select=rows_of(design))
 
 
@@ -184,7 +189,11 @@ def rows_of(design: Design) -> str:
         for name in (MEASURES | RECOVERY_MEASURES)
     )
     flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
-    won = f"CASE WHEN outcome <> 'refused' THEN ({design.success}) END"
+    try:
+        condition = one_expression(design.success)
+    except InputError as error:
+        raise InputError(f"success: {error}") from None
+    won = f"CASE WHEN outcome <> 'refused' THEN {condition} END"
     success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
     rest = ", ".join(named(name) for name in (MEASURES | RECOVERY_MEASURES))
     return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
@@ -228,7 +237,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
         raise InputError(f"--out {folder}: is a file, not a folder")
     begun = (folder / ABOUT).exists()
     names = {path.name for path in folder.iterdir()} if folder.exists() else set[str]()
-    others = {name for name in names - EARLY if not name.endswith(".draft")}
+    others = {name for name in names - EARLY if not name.endswith(DRAFT)}
     if others and not begun:
         raise InputError(f"--out {folder}: is not empty, and holds no campaign; give another")
     try:
@@ -283,16 +292,19 @@ def _in_the_way(folder: Path, design: Design) -> str:
 
 def _begin(folder: Path, design: Design) -> None:
     """Write down what is flown, where, and with what."""
-    plan = json.loads(design.plan.canonical())
-    written(folder / PLAN, json.dumps(plan, indent=2, ensure_ascii=False).encode() + b"\n")
+    plan = json.dumps(json.loads(design.plan.canonical()), indent=2, ensure_ascii=False) + "\n"
+    written(folder / PLAN, plan.encode())
     about = {
         "name": design.plan.name, "seed": design.plan.seed, "plan_sha256": design.plan.digest(),
+        "plan_file_sha256": hashlib.sha256(plan.encode()).hexdigest(),
         "flights": design.flights, "robots": list(design.robots), "started": _now(),
         "versions": versions(), "host": socket.gethostname(), "cpu": _cpu(),
         "cores": os.cpu_count(), "system": platform.platform(),
-        "units": design.units,
+        "units": design.units, "scenarios_sha256": design.digest,
+        "scenarios": dict(zip(design.robots, design.expanded, strict=True)),
     }  # fmt: skip
-    written(folder / ABOUT, json.dumps(about, indent=2, ensure_ascii=False).encode() + b"\n")
+    data = json.dumps(sealed(about), indent=2, ensure_ascii=False, allow_nan=False)
+    written(folder / ABOUT, data.encode() + b"\n")
 
 
 def _cpu() -> str:
@@ -303,54 +315,93 @@ def _cpu() -> str:
     return platform.processor() or platform.machine()
 
 
+#: What `campaign.json` must hold for the rows to be asked.
+_NEEDED: dict[str, type] = {
+    "flights": int, "seed": int, "plan_sha256": str, "plan_file_sha256": str, "versions": dict,
+    "units": dict, "robots": list, "scenarios_sha256": str, "cpu": str,
+}  # fmt: skip
+
+
 def about(folder: Path) -> dict[str, Any]:
     """What `campaign.json` says.
 
     Raises:
-        InputError: If there is none, or it cannot be read.
+        InputError: If there is none, or it cannot be read, or is not as it was written.
     """
     path = folder / ABOUT
     try:
-        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        found = read_object(path)
     except FileNotFoundError:
         raise InputError(f"{folder}: holds no campaign ({ABOUT} is missing)") from None
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path}: cannot be read ({error})") from None
+    if not is_sealed(found):
+        raise InputError(f"{path}: is damaged, or was written by another version or edited")
+    for name, kind in _NEEDED.items():
+        if type(found.get(name)) is not kind:
+            raise InputError(f"{path}: {name}: is missing or of another kind")
     return found
 
 
+def stored_plan(folder: Path) -> Plan:
+    """The plan of a campaign, as it was begun.
+
+    Raises:
+        InputError: If it cannot be read, or is not as it was written.
+    """
+    path, known = folder / PLAN, about(folder)
+    try:
+        given = read_object(path)
+        digest = file_digest(path)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if digest != known["plan_file_sha256"]:
+        raise InputError(f"{path}: is damaged or was edited; it is not the one that was begun")
+    if not isinstance(given.get("scenario"), dict):
+        raise InputError(f"{path}: scenario: must be a table")
+    plan = plan_from(given)
+    if plan.digest() != known["plan_sha256"]:
+        raise InputError(f"{path}: is not the plan that {ABOUT} names")
+    return plan
+
+
 def _check_same(folder: Path, design: Design) -> None:
-    """Refuse to go on with another plan, seed or version."""
+    """Refuse to go on with another plan, seed, version, source or preset."""
     known = about(folder)
     pairs = {
-        "seed": (known.get("seed"), design.plan.seed),
+        "seed": (known["seed"], design.plan.seed),
         "springback's version": (known["versions"].get("springback"), __version__),
-        "plan": (known.get("plan_sha256"), design.plan.digest()),
     }
-    told = [
-        f"its {name} is {before}, not {now}"
-        for name, (before, now) in pairs.items()
-        if before != now and name != "plan"
-    ]
-    if not told and pairs["plan"][0] != pairs["plan"][1]:
+    told = [f"its {name} is {old}, not {new}" for name, (old, new) in pairs.items() if old != new]
+    if not told and known["plan_sha256"] != design.plan.digest():
         told = [_difference(folder, design)]
+    if not told and known["scenarios_sha256"] != design.digest:
+        told = ["a preset or a default that its plan names has other numbers now"]
+    if not told and known["versions"].get("source") != source():
+        told = [
+            f"springback's source is another ({source()}) than it was begun with "
+            f"({known['versions'].get('source')}), though the version is the same; finish it with "
+            "that one, or begin anew"
+        ]
     if told:
         raise InputError(f"--out {folder}: holds another campaign: {'; '.join(told)}")
 
 
 def _difference(folder: Path, design: Design) -> str:
     """Which entries of two plans differ."""
-    before = json.loads((folder / PLAN).read_text(encoding="utf-8"))
+    before = json.loads(stored_plan(folder).canonical())
     now = json.loads(design.plan.canonical())
     keys: Sequence[str] = [key for key in now if before.get(key) != now[key]]
     return f"its plan differs in {', '.join(keys) or 'something'} (see {folder / PLAN})"
 
 
 def changed_versions(folder: Path) -> list[str]:
-    """Versions other than springback's that changed since the campaign was begun, in words."""
-    before, now = about(folder)["versions"], versions()
-    return [
+    """What else has changed since the campaign was begun: versions and processor, in words."""
+    known, now = about(folder), versions()
+    before = known["versions"]
+    said = [
         f"{name} was {before.get(name)} and is {now[name]}; last digits may differ"
         for name in ("python", *NUMERICAL)
         if before.get(name) != now[name]
     ]
+    if known["cpu"] != _cpu():
+        said.append(f"the processor was {known['cpu']} and is {_cpu()}; last digits may differ")
+    return said

@@ -18,8 +18,11 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
+from springback.errors import warn_in_one_line
+from springback.experiments.bulk import Device
 from springback.experiments.campaign.flying import Chunk, Flown, flown
 from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import source
 
 Remark = Callable[[str], None]
 #: A chunk that takes so many workers with it is given up (chosen).
@@ -39,11 +42,11 @@ class GivenUp(NamedTuple):
 class _Worker:
     """A process, and what it is flying."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, device: Device) -> None:
         context = multiprocessing.get_context("spawn")
         self.line, theirs = context.Pipe()
         self.process: SpawnProcess = context.Process(
-            target=SERVED, args=(theirs, text), daemon=True, name="springback worker"
+            target=SERVED, args=(theirs, text, device), daemon=True, name="springback worker"
         )
         with _single_threads():
             self.process.start()
@@ -77,17 +80,18 @@ def _single_threads() -> Iterator[None]:
                 os.environ[name] = value
 
 
-def serve(line: Connection, text: str) -> None:
+def serve(line: Connection, text: str, device: Device) -> None:
     """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
+    warn_in_one_line()
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError):
-        line.send(None)
+        line.send(source())
         while True:
             chunk: Chunk = line.recv()
             answer: Flown | GivenUp
             try:
-                answer = flown(text, chunk)
+                answer = flown(text, chunk, device)
             except Exception as error:
                 why = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
                 answer = GivenUp(chunk, why, traceback.format_exc())
@@ -106,7 +110,7 @@ def _leave_with_parent() -> None:
 
 
 def fly_locally(
-    text: str, chunks: Iterable[Chunk], workers: int, remark: Remark
+    text: str, chunks: Iterable[Chunk], workers: int, remark: Remark, device: Device = "cpu"
 ) -> Generator[Flown | GivenUp]:
     """Fly chunks on this machine; results come in the order in which they are ready.
 
@@ -115,12 +119,13 @@ def fly_locally(
         chunks: To be flown.
         workers: Processes.
         remark: Told of workers that were lost.
+        device: On which they fly.
 
     Raises:
         Stopped: If workers cannot even start.
     """
     waiting, strikes = deque(chunks), Counter[Chunk]()
-    crew = [_Worker(text) for _ in range(min(workers, len(waiting)))]
+    crew = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
     for worker in crew:
         worker.fly(waiting.popleft())
     try:
@@ -136,13 +141,15 @@ def fly_locally(
                         assert worker.chunk is not None
                         waiting.appendleft(worker.chunk)
                     if waiting:
-                        crew.append(_Worker(text))
+                        crew.append(_Worker(text, device))
                         crew[-1].fly(waiting.popleft())
                     if lost is not None:
                         yield lost
                     continue
-                if answer is None:
+                if isinstance(answer, str):
                     worker.ready = True
+                    if answer != source():
+                        raise Stopped("springback's source was changed while it was flying")
                     continue
                 if waiting:
                     worker.fly(waiting.popleft())

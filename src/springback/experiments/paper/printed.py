@@ -13,6 +13,8 @@ SLIDER_SPEED = 1.85
 """[m/s], section IV-A, 'about 1.85 m/s right before collision'."""
 SLIDER_DISTANCE = 1.0
 """[m], section IV-A, D."""
+DISSIPATION_RANGE = (0.01, 0.5)
+"""[s/m], section IV-A, of c_a: "usually between"."""
 FREE_MASS = {"quad": 0.844, "arq": 1.034}
 """[kg], Table I, without battery: 'only the masses of the robots' in the sweep."""
 SWEEP_GAP = 493.0
@@ -55,5 +57,9 @@ SUCCESS_WORDS = {
 """The same where it has words and no number."""
 RECOVERY_PITCH = (-66.0, 49.0)
 """[deg], largest nose up and nose down of a recovery from 3.5 m/s, section Impact Resilience."""
+WALL_DISTANCE = 2.75
+"""[m], section Impact Resilience, D."""
+RECOVERY_DISTANCE = 0.1
+"""[m], section on recovery, L_c."""
 COLLISIONS_IN_A_ROW = 10
 """Of ARQ at -45 deg, 2 m/s, 'without landing', section Impact Resilience."""

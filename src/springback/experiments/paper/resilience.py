@@ -1,6 +1,8 @@
 """Impact resilience: seven kinds of collision with a wall, both robots, and ten hits in a row.
 
-One set of parameters flies all of it; nothing is tuned to a condition.  Trials differ in their luck
+One set of parameters flies all of it; nothing is tuned to a condition.  Friction is the paper's,
+along the vertical; friction along both tangents and the noise that PX4's EKF2 assumes are flown
+beside it (`springback.experiments.paper.choices`).  Trials differ in their luck
 (`Scatter`), of which both robots are dealt the same.  What the paper leaves open is chosen here and
 said so: the laws of that luck, how long a flight lasts and how often the repeated test is flown.
 """
@@ -14,17 +16,24 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
 
 from springback.experiments.comparison import Mark, Row, predicted_or_contradicted
+from springback.experiments.envelope import Envelope
+from springback.experiments.mapping import fly_envelope, plan_envelope
+from springback.experiments.paper.choices import EKF2, VERTICAL, Cell, ChoiceResults, fly_choices
 from springback.experiments.paper.printed import (
     COLLISIONS_IN_A_ROW,
+    RECOVERY_DISTANCE,
     RECOVERY_PITCH,
     SUCCESS,
+    WALL_DISTANCE,
 )
 from springback.experiments.result import Flight, fly
 from springback.experiments.run_ups import CONDITIONS
+from springback.experiments.shares import CONFIDENCE as CONFIDENCE
+from springback.experiments.shares import wilson as wilson
 from springback.experiments.trials import (
+    DURATION,
     HOME,
     Condition,
     Luck,
@@ -41,14 +50,21 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 ROBOTS = ("arq", "quad")
 TRIALS = 10
 """Section Impact Resilience: ten trials of each condition."""
-CONFIDENCE = 0.95
-"""Of the intervals of success rates."""
 SLOWEST = (0.0, 1.0)
 """Pitch [deg] and speed [m/s] of flights that only serve to see how detection goes with speed."""
 FASTEST = (0.0, 3.5)
 """Pitch [deg] and speed [m/s] of the collisions whose largest pitch is printed."""
 REPEATED = (-45.0, 2.0)
 """Pitch [deg] and speed [m/s] of the repeated test."""
+COMPARED = 20
+"""Trials of each condition under each set of choices, chosen; `springback study choices` flies a
+hundred."""
+MAPPED = 4
+"""Trials of each cell of the map, chosen."""
+MAP = ("speed=2:6:5", "pitch=-45deg:45deg:5")
+"""Axes of the map, chosen so that both robots fail on it."""
+MAP_SETTINGS = ("estimator=px4-ekf2",)
+"""Of the map: the noise with which the robots differ."""
 REPEATS = 5
 """How often the repeated test is flown, chosen."""
 TIME_EACH = 12.0
@@ -79,13 +95,6 @@ class Tally(NamedTuple):
     def rate(self) -> float:
         """Share of the trials."""
         return self.successes / self.trials
-
-
-def wilson(successes: int, trials: int) -> tuple[float, float]:
-    """Wilson's interval of a share, at `CONFIDENCE` (Wilson 1927)."""
-    test = scipy.stats.binomtest(successes, trials)
-    interval = test.proportion_ci(confidence_level=CONFIDENCE, method="wilson")
-    return float(interval.low), float(interval.high)
 
 
 @dataclass(frozen=True)
@@ -148,6 +157,10 @@ class ResilienceResults:
     """At `SLOWEST`, which the paper does not fly."""
     repeats: list[Repeat] = field(default_factory=list)
     samples: list[Sample] = field(default_factory=list)
+    choices: ChoiceResults | None = None
+    """The same conditions under every set of choices."""
+    envelope: Envelope | None = None
+    """Success over speed and pitch, with `MAP_SETTINGS`."""
 
     def values(self, robot: str, pitch: float, speed: float, measure: str) -> list[float]:
         """A measure of all trials of a condition that have it."""
@@ -181,7 +194,32 @@ class ResilienceResults:
 
     def rows(self) -> list[Row]:
         """Ours beside print, for every printed number."""
-        return [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
+        found = [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
+        return [*_given_rows(), *found, *self._chosen_rows()] if self.flown else []
+
+    def chosen(self) -> dict[tuple[str, float, float], Cell]:
+        """Conditions with the paper's friction and EKF2's noise; empty if they were not flown."""
+        if self.choices is None:
+            return {}
+        flown = self.choices.flown
+        found = [one for one in flown if (one[0].friction, one[0].estimator) == (VERTICAL, EKF2)]
+        return self.choices.table(*found[0]) if found else {}
+
+    def _chosen_rows(self) -> list[Row]:
+        """Printed shares beside ours with EKF2's noise."""
+        rows, table = [], self.chosen()
+        for of, printed in SUCCESS.items():
+            cell = table.get(of)
+            if cell is not None:
+                low, high = cell.interval
+                note = (
+                    f"{cell.successes} of {cell.trials} in trials of {cell.duration:g} s, Wilson "
+                    f"{100 * CONFIDENCE:g} % interval {low:.3f} to {high:.3f}"
+                )
+                name = f"{condition_name(*of[1:])}; {EKF2}"
+                mark = rate_mark(cell.share, printed)
+                rows.append(_row(of[0], name, "success rate", "", cell.share, printed, mark, note))
+        return rows
 
     def _success_rows(self) -> list[Row]:
         rows = []
@@ -238,6 +276,16 @@ class ResilienceResults:
         mark = predicted_or_contradicted(ours, COLLISIONS_IN_A_ROW)
         name = condition_name(*REPEATED)
         return [_row("arq", name, "recovered in a row", "", ours, COLLISIONS_IN_A_ROW, mark, note)]
+
+
+def _given_rows() -> list[Row]:
+    """Printed numbers of the tests in flight that are put in."""
+    given = (
+        ("distance of the wall, D", WALL_DISTANCE),
+        ("distance of the recovery point, L_c", RECOVERY_DISTANCE),
+    )
+    note = "section Impact Resilience"
+    return [_row("", "", name, "m", value, value, Mark.GIVEN, note) for name, value in given]
 
 
 def _row(
@@ -347,6 +395,8 @@ def resilience_experiments(
     repeats: int = REPEATS,
     collisions: int = COLLISIONS_IN_A_ROW,
     *,
+    compared: int = COMPARED,
+    mapped: int = MAPPED,
     scatter: Scatter | None = None,
     seed: int = 0,
     progress: Callable[[float], None] | None = None,
@@ -357,6 +407,8 @@ def resilience_experiments(
         trials: Of each condition.
         repeats: Of the repeated test, for each robot.
         collisions: Of each repeated test.
+        compared: Trials of each condition under each set of choices; none are flown with 0.
+        mapped: Trials of each cell of the map; none are flown with 0.
         scatter: What differs from trial to trial; by default the laws of `Scatter`.
         seed: Of all luck.
         progress: Called with the share that is done.
@@ -364,16 +416,26 @@ def resilience_experiments(
     dealt = scatter or Scatter()
     asked = [Condition(robot, *condition) for robot in ROBOTS for condition in CONDITIONS]
     more = [Condition(robot, *SLOWEST) for robot in ROBOTS]
-    half = None if progress is None else lambda share: progress(0.5 * share)
-    flown = fly_trials([*asked, *more], trials, scatter=dealt, seed=seed, progress=half)
+
+    def stretch(start: float, size: float) -> Callable[[float], None] | None:
+        return None if progress is None else lambda share: progress(start + size * share)
+
+    flown = fly_trials([*asked, *more], trials, scatter=dealt, seed=seed, progress=stretch(0, 0.2))
     several = len(asked) * trials
     results = ResilienceResults(trials, dealt, flown[:several], flown[several:])
+    if compared:
+        results.choices = fly_choices(
+            compared, durations=(DURATION,), seed=seed, progress=stretch(0.2, 0.2)
+        )
+    if mapped:
+        plan = plan_envelope(*MAP, robots=ROBOTS, trials=mapped, seed=seed, settings=MAP_SETTINGS)
+        results.envelope = fly_envelope(plan, stretch(0.4, 0.2))
     left = len(SAMPLES) + repeats * len(ROBOTS)
 
     def tick() -> None:
         done = len(results.samples) + len(results.repeats)
         if progress is not None:
-            progress(0.5 + 0.5 * done / left)
+            progress(0.6 + 0.4 * done / left)
 
     for sample in SAMPLES:
         results.samples.append(sampled(*sample, dealt, seed))

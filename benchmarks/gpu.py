@@ -1,0 +1,211 @@
+"""A GPU beside the processor, in one run: ``python -m benchmarks.gpu``.
+
+Impacts are those of `benchmarks.job`; guided flights those of a plan such as README's million. Each
+is timed from the memory of the GPU to its memory, and held against the processor bit by bit; the
+campaign is timed whole, with start-up, set-up and writing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.job import reference_model, starts
+from springback.experiments.bulk import made_ready
+from springback.experiments.campaign.design import laid_out
+from springback.experiments.campaign.plan import read_plan
+from springback.experiments.campaign.running import run_campaign
+from springback.kept import Kept
+from springback.kernels.cuda import device
+from springback.kernels.layout import Buffer, rows
+from springback.simulation.abreast import GUIDED_LANES, fly_groups
+from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
+from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.loading import Loader
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+#: Flights of each job that are flown on the processor, too; more are copies of them.
+DIFFERENT = 1024
+SCENARIO = """
+vehicle = "arq"
+[reference]
+type = "run-up"
+speed = "2 m/s"
+[recovery]
+[estimator]
+type = "complementary"
+[[world.obstacles]]
+type = "wall"
+distance = "2.75 m"
+surface = "wall"
+[[world.obstacles]]
+type = "ground"
+surface = "wall"
+[simulation]
+duration = "6 s"
+"""
+PLAN = """
+name = "million"
+seed = 1
+scenario = "collision.toml"
+robots = ["arq", "quad"]
+method = "random"
+samples = {samples}
+scatter = "trials"
+"""
+
+
+def _copied(buffers: Buffer, times: int) -> Buffer:
+    return np.tile(buffers, (times, 1))
+
+
+def _timed(fly: Callable[[], None], reset: Callable[[], None], rounds: int) -> float:
+    best = float("inf")
+    for _ in range(rounds + 1):  # the first compiles
+        reset()
+        start = time.perf_counter()
+        fly()
+        best = min(best, time.perf_counter() - start)
+    return best
+
+
+def impacts(flights: int, rounds: int) -> dict[str, Any]:
+    """Steps a second of free impacts, on both."""
+    model = reference_model()
+    states = starts(model, DIFFERENT)
+    shape = shape_of(model, states[0])
+    ready = loaded(shape, [model], states, LANES)
+    there = _copied(ready, flights // DIFFERENT)
+    work = there.copy()
+
+    def reset() -> None:
+        work[:] = there
+
+    on_gpu = _timed(lambda: fly_buffers_on_gpu(shape, work, LANES), reset, rounds)
+    here = ready.copy()
+
+    def begin() -> None:
+        here[:] = ready
+
+    on_cpu = _timed(lambda: fly_buffers(shape, here, LANES), begin, rounds)
+    steps = -rows(shape.record) + shape.record._fields.index("steps")
+    lanes = work.reshape(len(work), -1, LANES)
+    return {
+        "impacts": flights,
+        "steps/s, gpu, with copying": float(lanes[:, steps].sum()) / on_gpu,
+        "steps/s, cpu": float(here.reshape(len(here), -1, LANES)[:, steps].sum()) / on_cpu,
+        "equal": _equal(shape, work, here, LANES),
+    }
+
+
+def _equal(shape: Any, some: Buffer, others: Buffer, width: int) -> bool:
+    """Whether motion and record are the same to the bit in all flights and their copies."""
+    a = some.reshape(-1, len(others), some.shape[1] // width, width).view(np.uint64)
+    b = others.reshape(len(others), -1, width).view(np.uint64)
+    model, motion, record = rows(shape.model), rows(shape.motion), rows(shape.record)
+    parts = slice(model, model + motion), slice(-record, None)
+    return all(bool((a[:, :, part] == b[None, :, part]).all()) for part in parts)
+
+
+def guided(flights: int, rounds: int) -> dict[str, Any]:
+    """Guided flights a second, on both."""
+    tables = _tables(DIFFERENT)
+    make = Kept()
+    ready = [made_ready(table, make) for table in tables]
+    first, seeds = ready[0], [one.seed for one in ready]
+    assert first.board is not None
+    cabin, draws = first.board.cabin, first.board.noise
+    loader = Loader(first.model, first.start, cabin, GUIDED_LANES)
+    for one in ready:
+        assert one.board is not None
+        loader.add(one.model, one.start, one.board.cabin)
+    laid = loader.laid()
+    assert laid.cabin is not None
+    assert laid.aboard is not None
+    times = flights // DIFFERENT
+    buffers, aboard = _copied(laid.buffers, times), _copied(laid.aboard, times)
+    work, inside = buffers.copy(), aboard.copy()
+    kind: tuple[Model, State, Any] = laid.model, laid.start, laid.cabin
+
+    def reset() -> None:
+        work[:], inside[:] = buffers, aboard
+
+    def fly() -> None:
+        fly_groups_on_gpu(*kind, work, inside, draws, seeds * times, width=GUIDED_LANES)
+
+    on_gpu = _timed(fly, reset, rounds)
+    here, beside = laid.buffers.copy(), laid.aboard.copy()
+    fly_groups(*kind, here[:8], beside[:8], draws, seeds[:64], width=GUIDED_LANES)  # compiles
+    here, beside = laid.buffers.copy(), laid.aboard.copy()
+    begun = time.perf_counter()
+    fly_groups(*kind, here, beside, draws, seeds, width=GUIDED_LANES)
+    on_cpu = time.perf_counter() - begun
+    remembered = inside.reshape(times, *beside.shape).view(np.uint64)
+    return {
+        "guided flights": flights,
+        "flights/s, gpu, with copying": flights / on_gpu,
+        "flights/s, cpu": DIFFERENT / on_cpu,
+        "equal": _equal(laid.shape, work, here, GUIDED_LANES)
+        and bool((remembered == beside.view(np.uint64)).all()),
+    }
+
+
+def _plan(folder: Path, flights: int) -> Any:
+    (folder / "collision.toml").write_text(SCENARIO)
+    (folder / "plan.toml").write_text(PLAN.format(samples=flights // 2))
+    return laid_out(*read_plan(folder / "plan.toml"))
+
+
+def _tables(flights: int) -> list[Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        return list(_plan(Path(folder), flights).dealt(0, flights).tables)
+
+
+def campaign(flights: int, workers: int) -> dict[str, Any]:
+    """A whole campaign on the GPU, and every column of its first rows on the processor."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        begun = time.perf_counter()
+        flown = run_campaign(_plan(folder, flights), folder / "gpu", workers=workers, device="gpu")
+        took = time.perf_counter() - begun
+        few = min(flights, 2000)
+        (folder / "few").mkdir()
+        other = run_campaign(_plan(folder / "few", few), folder / "cpu", workers=workers)
+        sql = f"SELECT * FROM flights WHERE flight < {few} ORDER BY flight"
+        some, others = (
+            [[repr(value) for value in row] for row in one.query(sql).rows]
+            for one in (flown, other)
+        )
+        return {
+            "campaign": flights, "workers": workers, "seconds": took, "flights/s": flights / took,
+            "rows equal": f"{sum(a == b for a, b in zip(some, others, strict=True))} of {few}",
+        }  # fmt: skip
+
+
+def main() -> None:
+    """Print one line a job."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--impacts", type=int, default=131_072)
+    parser.add_argument("--guided", type=int, default=33_792)
+    parser.add_argument("--campaign", type=int, default=0, help="flights; 0 for none")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--rounds", type=int, default=3)
+    given = parser.parse_args()
+    print(device().name, flush=True)
+    print(json.dumps(impacts(given.impacts, given.rounds)), flush=True)
+    print(json.dumps(guided(given.guided, given.rounds)), flush=True)
+    if given.campaign:
+        print(json.dumps(campaign(given.campaign, given.workers)), flush=True)
+
+
+if __name__ == "__main__":
+    main()

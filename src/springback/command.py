@@ -1,0 +1,62 @@
+"""The program ``springback``: the command line, and what is said when it ends early.
+
+Loaded before anything that takes time, so that Ctrl-C is answered from the first moment on.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Any
+
+
+def run() -> None:
+    """Run the command line, and then away at once.
+
+    All files are closed by then; taking apart what was loaded would take longer than most flights.
+    """
+    code: Any = 1
+    try:
+        from springback.interfaces import last_words
+
+        try:
+            last_words.listen()
+            from springback.interfaces.cli import main
+
+            main()
+            code = 0
+        except SystemExit as done:
+            code = done.code
+        except BaseException:
+            if not last_words.came():
+                raise
+            last_words.deafen()
+            _last(last_words.words())
+            code = 130
+    except KeyboardInterrupt:  # while it was being loaded, or being answered
+        _last("interrupted; nothing was written")
+        code = 130
+    except BaseException:
+        import traceback
+
+        traceback.print_exc()
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            if stream is not None:
+                stream.flush()
+        except BrokenPipeError:  # whoever read us has left, too
+            code = code or 1
+        except (OSError, ValueError) as error:
+            if stream is sys.stdout:
+                _last(f"error: stdout: {getattr(error, 'strerror', None) or error}")
+            code = code or 1
+    os._exit(code if isinstance(code, int) else 0 if code is None else 1)
+
+
+def _last(words: str) -> None:
+    """A line on stderr, if that still takes one."""
+    try:
+        sys.stderr.write(words + "\n")
+        sys.stderr.flush()
+    except (OSError, ValueError, AttributeError):
+        return

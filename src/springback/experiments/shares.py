@@ -1,0 +1,15 @@
+"""Shares of trials, and how well few trials tell them."""
+
+from __future__ import annotations
+
+import scipy  # its parts are loaded when first used
+
+CONFIDENCE = 0.95
+"""Of the intervals of success rates."""
+
+
+def wilson(successes: int, trials: int) -> tuple[float, float]:
+    """Wilson's interval of a share, at `CONFIDENCE` (Wilson 1927)."""
+    test = scipy.stats.binomtest(successes, trials)
+    interval = test.proportion_ci(confidence_level=CONFIDENCE, method="wilson")
+    return float(interval.low), float(interval.high)

@@ -1,0 +1,70 @@
+"""What a command says when Ctrl-C ends it, whatever it is doing then."""
+
+from __future__ import annotations
+
+import _thread
+import signal
+import sys
+import threading
+from types import FrameType
+from typing import Any
+
+NOTHING = "interrupted; nothing was written"
+#: Until an exception that Python dropped is raised again [s] (chosen).
+SOON = 0.02
+_words = [NOTHING]
+_came = threading.Event()
+
+
+def say(words: str) -> None:
+    """Set what is said from here on."""
+    _words[0] = words
+
+
+def words() -> str:
+    """What is to be said."""
+    return _words[0]
+
+
+def came() -> bool:
+    """Whether Ctrl-C was pressed: what happens afterwards happens because of it."""
+    return _came.is_set()
+
+
+def listen() -> None:
+    """Have Ctrl-C end this process whatever it is doing, and be remembered.
+
+    Python drops exceptions raised while an object is taken apart or a library calls back; one that
+    Ctrl-C raised there is raised again.
+    """
+    before = sys.unraisablehook
+
+    def unraisable(info: Any) -> None:
+        if issubclass(info.exc_type, KeyboardInterrupt):
+            again = threading.Timer(SOON, _once_more)  # not in here, where it is dropped
+            again.daemon = True
+            again.start()
+        elif not came():
+            before(info)
+
+    def interrupted(number: int, frame: FrameType | None) -> None:
+        _came.set()
+        raise KeyboardInterrupt
+
+    sys.unraisablehook = unraisable
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # a job in the background
+        signal.signal(signal.SIGINT, interrupted)
+
+
+def _once_more() -> None:
+    """Press Ctrl-C for the main thread, so that it also wakes up."""
+    ident = threading.main_thread().ident
+    if ident is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(ident, signal.SIGINT)
+    else:
+        _thread.interrupt_main()
+
+
+def deafen() -> None:
+    """Ctrl-C is being answered; no more of it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,0 +1,58 @@
+"""HTTP with a time limit for the head of a request.
+
+A connection that is opened and left, or fed a letter a minute, holds a descriptor for ever; a few
+hundred of them shut everybody else out.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any
+
+from uvicorn.protocols.http.h11_impl import H11Protocol
+
+#: Seconds from the opening of a connection, or the first byte of a later request, to the end of the
+#: request's head (chosen: a browser sends it at once).
+HEAD_PATIENCE = 10.0
+
+
+class PatientProtocol(H11Protocol):
+    """Closes connections on which no whole head of a request has come in time."""
+
+    patience = HEAD_PATIENCE
+    _deadline: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: Any) -> None:
+        """The time for the first request begins."""
+        super().connection_made(transport)
+        self._begin()
+
+    def data_received(self, data: bytes) -> None:
+        """Time for a later request begins with its first byte, and ends with its head."""
+        self._begin()
+        super().data_received(data)
+        if self._is_answering():
+            self._end()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Nothing is waited for any more."""
+        self._end()
+        super().connection_lost(exc)
+
+    def _is_answering(self) -> bool:
+        """Whether the head of a request has come, and its answer has not gone out."""
+        return self.cycle is not None and not self.cycle.response_complete
+
+    def _begin(self) -> None:
+        if self._deadline is None and not self._is_answering():
+            self._deadline = self.loop.call_later(self.patience, self._give_up)
+
+    def _end(self) -> None:
+        if self._deadline is not None:
+            self._deadline.cancel()
+            self._deadline = None
+
+    def _give_up(self) -> None:
+        self._deadline = None
+        if not self._is_answering():
+            self.transport.close()

@@ -1,0 +1,1 @@
+"""Attacks that take long; `make attack` prints their table."""

@@ -1,0 +1,84 @@
+"""Attack for as long as one likes: ``make fuzz``, or ``python -m attacks.fuzz --cases 100000``.
+
+Each round of 1000 inputs of a kind has a seed of its own, which is printed with what was found, so
+that the round can be run again: ``python -m attacks.fuzz --seed 17 --kind plans --cases 1000``.
+What is found goes into the lists of ``test_fuzz.py`` by hand, together with its cure.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import sys
+import time
+import traceback
+import warnings
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+from hypothesis import HealthCheck, given, seed, settings
+
+from attacks import inputs
+
+KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
+    "scenarios": (inputs.scenarios(), inputs.scenario_tables),
+    "files": (inputs.texts(), inputs.scenario_text),
+    "overrides": (
+        inputs.override_words(),
+        lambda words: inputs.scenario_tables(inputs.SCENARIOS[0], words),
+    ),
+    "plans": (inputs.plans(), inputs.plan_tables),
+}
+ROUND = 1000
+
+
+def attack(kind: str, number: int, cases: int, tally: Counter[str]) -> str:
+    """One round; what was found, or nothing."""
+    strategy, check = KINDS[kind]
+
+    @seed(number)
+    @settings(
+        max_examples=cases, deadline=None, database=None, derandomize=False,
+        suppress_health_check=list(HealthCheck), print_blob=False,
+    )  # fmt: skip
+    @given(strategy)
+    def each(given_input: Any) -> None:
+        tally["accepted" if inputs.timed(check, given_input) else "refused"] += 1
+
+    try:
+        each()
+    except Exception as error:
+        notes = "\n".join(getattr(error, "__notes__", []))
+        trace = "".join(traceback.format_exception(error)[-4:])
+        return f"{kind}, seed {number}:\n{trace}{notes}\n"
+    return ""
+
+
+def main() -> int:
+    """The number of rounds that found something is the exit status, 1 at most."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cases", type=int, default=100_000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kind", choices=KINDS, action="append")
+    asked = parser.parse_args()
+    warnings.simplefilter("error")
+    begun, tally, found = time.monotonic(), Counter[str](), 0
+    kinds = itertools.cycle(asked.kind or KINDS)
+    for number in itertools.count(asked.seed):
+        left = asked.cases - tally.total()
+        if left <= 0:
+            break
+        said = attack(next(kinds), number, min(ROUND, left), tally)
+        if said:
+            found += 1
+            print(said, file=sys.stderr)
+            tally["cut short"] += ROUND // 10
+    took = time.monotonic() - begun
+    rate = 3600.0 * tally.total() / took
+    print(f"{dict(tally)} in {took:.0f} s, {rate:.3g} an hour; {found} rounds found something")
+    return min(found, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+"""2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+
+from attacks.inputs import (
+    PLAN,
+    SCENARIOS,
+    override_words,
+    plan_tables,
+    plans,
+    put,
+    scenario_tables,
+    scenario_text,
+    scenarios,
+    texts,
+    timed,
+)
+from springback.errors import InputError
+
+#: Inputs that once brought up a traceback, a warning or a hang: path and value.
+FOUND: list[tuple[tuple[str | int, ...], Any]] = [
+    (("vehicle", "body", "mass"), 10**400),
+    (("vehicle", "body", "mass"), 10**5000),
+    (("sensors", "hall", "magnet_radius"), 1e9),
+    (("reference",), {"type": "run-up", "speed": 2.0, "wall_distance": 1e308}),
+    (("reference",), {"type": "run-up", "speed": 1e308}),
+    (("reference",), {"type": "run-up", "speed": 1e-300}),
+    (("start", "pitch"), "9**9**9 deg"),
+    (("name",), "\x1b[31mred"),
+    (("name",), "\ud800"),
+    (("name",), "x" * 5000),
+    (("world", "obstacles"), [{"type": "wall", "distance": 3.0, "surface": "wall"}] * 3000),
+    (("vehicle", "arms", "directions"), [0.001 * k for k in range(3000)]),
+    (("simulation", "duration"), 1e300),
+    (("clock",), 1e300),
+]
+#: The same of a scenario with a pilot.
+FOUND_ALOFT: list[tuple[tuple[str | int, ...], Any]] = [
+    (("sensors",), {"hall": {"magnet_radius": 1e9}}),
+    (("vehicle",), {"preset": "quad", "arms": {"stroke": 1e30}}),
+]
+
+
+@pytest.mark.parametrize(("path", "value"), FOUND_ALOFT)
+def test_what_was_found_aloft(path: tuple[str | int, ...], value: Any) -> None:
+    """The output of a sensor that does not change has no inverse: a division by zero."""
+    with pytest.raises(InputError, match=r"distance: leaves an output that does not change"):
+        scenario_tables(put(SCENARIOS[1], path, value))
+
+
+@pytest.mark.parametrize(
+    ("path", "value"), FOUND, ids=[".".join(map(str, path)) for path, _ in FOUND]
+)
+def test_what_was_found_before(path: tuple[str | int, ...], value: Any) -> None:
+    tables = {
+        key: entry
+        for key, entry in SCENARIOS[0].items()
+        if path != ("reference",) or key != "thrust"
+    }
+    timed(scenario_tables, put(tables, path, value))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"scenario": "x" * 5000},
+        {"scenario": "a\x00b"},
+        {"vary": [{"field": "start.pitch", "from": 0, "to": 1, "step": 1e-13}], "method": "grid"},
+        {"vary": [{"field": "start.pitch", "from": 0, "to": 1, "step": 5e-324}], "method": "grid"},
+        {
+            "vary": [{"field": "start.pitch", "from": 0, "to": 1, "count": 100_000_000}],
+            "method": "grid",
+        },
+        {"vary": [{"field": "start.pitch", "values": [0.1]}] * 3000},
+        {"vary": [{"field": "start.pitch", "from": math.nan, "to": 1}]},
+        {"vary": [{"field": "vehicle.name", "values": [[[1]], {"a": 1}]}]},
+    ],
+)
+def test_plans_that_were_found_before(change: dict[str, Any]) -> None:
+    tables = PLAN | {"scenario": SCENARIOS[0], "samples": 5} | change
+    if tables["method"] == "grid":
+        del tables["samples"]
+    assert not timed(plan_tables, tables)
+
+
+@settings(max_examples=800)
+@given(scenarios())
+def test_scenarios(tables: dict[str, Any]) -> None:
+    timed(scenario_tables, tables)
+
+
+@settings(max_examples=400)
+@given(texts())
+def test_files(text: str) -> None:
+    timed(scenario_text, text)
+
+
+@settings(max_examples=400)
+@given(override_words())
+def test_overrides(words: tuple[str, ...]) -> None:
+    timed(scenario_tables, SCENARIOS[0], words)
+
+
+@settings(max_examples=400)
+@given(plans())
+def test_plans(tables: dict[str, Any]) -> None:
+    timed(plan_tables, tables)

@@ -1,0 +1,244 @@
+"""Flights on a GPU: the host's code and the threads' own, without one; and the PTX looked at.
+
+What a thread does is run here by the interpreter, thread by thread, through the very code that
+lays flights out for a GPU and takes them back.  On a GPU, ``python -m benchmarks.gpu`` compares
+with the processor bit for bit.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from simulation.impacts import towards_wall
+from simulation.pilots_aloft import AT_WALL, WALL, Lane, lane, same, tables
+from springback.errors import InputError
+from springback.experiments.result import as_scenario
+from springback.kernels import cuda
+from springback.kernels.compiler import rebound
+from springback.kernels.layout import Like, rows
+from springback.kernels.ptx import (
+    Constants,
+    PtxError,
+    device_function,
+    kernel_of,
+    parameter,
+    program,
+    reached_over,
+)
+from springback.kernels.trees import leaves, rebuilt
+from springback.simulation import gpu, threads
+from springback.simulation.executor import advance, to_tick
+from springback.simulation.flight import fly_many, loaded, shape_of, unloaded
+from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.guided import cabins_loaded, fly_guided
+from springback.simulation.luck import deal
+from springback.simulation.ticks import powered, ticked
+
+WIDTH = 2
+
+
+class HeldMemory:
+    """In place of a GPU's memory."""
+
+    def __init__(self, array: np.ndarray[Any, Any]) -> None:
+        self.array = np.array(array)
+
+    def read_into(self, array: np.ndarray[Any, Any]) -> None:
+        array[:] = self.array
+
+
+class Interpreted:
+    """In place of a loaded kernel: its threads one after the other, in plain Python."""
+
+    launches = 0
+
+    def __init__(self, entry: Any, parameters: list[Any]) -> None:
+        plain = {f.__name__: f.py_func for f in (advance, ticked, powered, deal)}
+        plain["to_tick"] = rebound(to_tick.py_func, advance=plain["advance"])
+        self.entry = rebound(entry, **plain)
+        self.parameters = parameters
+
+    def launch(self, count: int, *arguments: Any) -> None:
+        Interpreted.launches += 1
+        for thread in range(count + 1):  # one too many, as a block may have
+            given, values = list(arguments), []
+            for p in self.parameters:
+                if isinstance(p, Like):
+                    values.append(p)
+                elif isinstance(p, Constants):
+                    values.append(self.tree(p, given, min(thread, count - 1)))
+                else:
+                    one = given.pop(0)
+                    values.append(one.array if isinstance(one, HeldMemory) else one)
+            assert not given
+            self.entry(*values, thread)
+
+    @staticmethod
+    def tree(p: Constants, given: list[Any], flight: int) -> Any:
+        alike = [given.pop(0) for _ in range(p.varies.count(False))]
+        memory, count = given.pop(0), given.pop(0)
+        varying = list(memory.array.reshape(-1, count)[:, flight])
+        picked = [varying.pop(0) if varies else alike.pop(0) for varies in p.varies]
+        return rebuilt(p.like._tree, picked)
+
+
+@pytest.fixture
+def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Kernels are run by the interpreter."""
+    monkeypatch.setattr(gpu, "Memory", HeldMemory)
+    monkeypatch.setattr(gpu, "_kinds", lambda kinds={}: kinds)
+    monkeypatch.setattr(
+        gpu._Kind, "kernel", lambda kind, *masks: Interpreted(kind._entry, kind._parameters(*masks))
+    )
+    Interpreted.launches = 0
+    yield
+    assert Interpreted.launches > 0
+
+
+def scene(speed: float, mass: float) -> tuple[Any, Any]:
+    """A short impact of a vehicle of some mass."""
+    changed = (
+        "simulation.duration=0.03", "simulation.impact_step=4e-4", f"vehicle.body.mass={mass}",
+        "world.obstacles[0].surface.slip_speed=1",
+    )  # fmt: skip
+    given = towards_wall("arq", speed, position=[0.697, 0.0, 0.0], pitch=0.2, yaw=0.4)
+    scenario = as_scenario(given, changed)
+    return scenario.flight_model(), scenario.start_state()
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Motion and record bit for bit; masses differ, all else is alike; a launch ends early."""
+    monkeypatch.setattr(gpu, "SLICE", 20)
+    made = [scene(speed, mass) for speed, mass in ((2.0, 1.0), (1.5, 1.1), (2.5, 1.2))]
+    models, starts = [model for model, _ in made], [start for _, start in made]
+    shape = shape_of(models[0], starts[0])
+    buffers = loaded(shape, models, starts, WIDTH)
+    shares: list[float] = []
+    fly_buffers_on_gpu(shape, buffers, WIDTH, progress=shares.append)
+    flown = unloaded(shape, models, starts, buffers, WIDTH)
+    there = fly_many(models, starts)
+    assert len({one.record.peak_acceleration for one in there}) == len(made)
+    assert all(one.record.contacts > 0.0 for one in there)
+    for one, other in zip(flown, there, strict=True):
+        assert leaves(one.motion) == leaves(other.motion)
+        assert leaves(one.record) == leaves(other.record)
+    assert Interpreted.launches > 1
+    assert shares[-1] == 1.0
+    assert shares == sorted(shares)
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Motion, record and everything aboard, from launch to launch, with each flight's own luck."""
+    monkeypatch.setattr(gpu, "TICKS", 17)
+    given = {"estimator": "complementary", "world": WALL}
+    flights: list[Lane] = [
+        lane(tables(0.03, start={**AT_WALL, "velocity": (speed, 0.1, 0.0)}, **given), flight)
+        for flight, speed in enumerate((2.0, 1.0, 3.0))
+    ]
+    ready = [one.alone for one in flights]
+    first = ready[0]
+    shape = shape_of(first.model, first.start)
+    models, starts = [one.model for one in ready], [one.start for one in ready]
+    buffers = loaded(shape, models, starts, WIDTH)
+    aboard = cabins_loaded([one.cabin for one in ready], WIDTH)
+    fly_groups_on_gpu(
+        first.model, first.start, first.cabin, buffers, aboard, flights[0].draws,
+        [one.seed for one in flights], flights=[one.flight for one in flights], width=WIDTH,
+    )  # fmt: skip
+    flown = unloaded(shape, models, starts, buffers, WIDTH)
+    memories = aboard.reshape(len(buffers), -1, WIDTH)
+    after, touched = rows(first.cabin.guidance), set()
+    for k, (one, alone) in enumerate(zip(flown, ready, strict=True)):
+        there = fly_guided(*alone, trace=False)
+        inside = rebuilt(first.cabin.aboard, memories[k // WIDTH, after:, k % WIDTH])
+        assert same(there._replace(flown=one, aboard=inside), there)
+        touched.add(there.flown.record.contacts > 0.0)
+    assert touched == {True, False}
+    assert Interpreted.launches == 2
+
+
+def test_a_kernel_that_is_there_serves_flights_of_which_less_varies() -> None:
+    """Another one is compiled only where a leaf varies that it takes for constant."""
+    kind = gpu._Kind(None, None, None, None)
+    wide: Any = (True, False, True), (True,)
+    kind._loaded = {wide: object(), ((True, True, True), (True,)): object()}  # type: ignore[dict-item]
+    model = np.array([[1.0, 2.0], [3.0, 3.0], [4.0, 4.0]])
+    assert kind.masks(model, np.array([[1.0, 1.0]])) == wide
+    assert kind.masks(model[::-1].copy()[[0, 2, 1]], np.array([[0.0, -0.0]])) == (
+        (True, True, True), (True,),
+    )  # fmt: skip
+    kind._loaded = {}
+    assert kind.masks(model, np.array([[0.0, -0.0]])) == ((True, False, False), (True,))
+
+
+@pytest.fixture(scope="module")
+def impact_ptx() -> str:
+    """The kernel of impacts of which the mass alone varies."""
+    model, start = scene(2.0, 1.0)
+    shape = shape_of(model, start)
+    kind = gpu._impacts(shape)
+    mask = tuple(k == 0 for k in range(rows(shape.model)))
+    types = [parameter(p) for p in kind._parameters(mask)]
+    return kernel_of(program(kind._entry, types, kind._parts, kind._files), types).text
+
+
+def test_nothing_is_contracted_or_approximated(impact_ptx: str) -> None:
+    """Each operation is rounded to nearest as written: no fused one, no approximate one."""
+    assert len(re.findall(r"(?:add|sub|mul)\.rn\.f64", impact_ptx)) > 2000
+    assert re.search(r"sqrt\.rn\.f64", impact_ptx)
+    assert re.search(r"div\.rn\.f64|rcp\.rn\.f64", impact_ptx)
+    assert not re.search(r"\bfma|\bmad\.\w+\.f|approx|\.ftz|\.f32", impact_ptx)
+    assert not re.search(r"(?:add|sub|mul|div|sqrt)\.f64", impact_ptx)
+
+
+def test_a_flight_lives_in_registers(impact_ptx: str) -> None:
+    """No memory of a thread's own is asked for; what is alike comes with the launch."""
+    assert ".local" not in impact_ptx
+    assert not re.search(r"\bcall\b", impact_ptx)
+    model, start = scene(2.0, 1.0)
+    alike = rows(shape_of(model, start).model) - 1
+    assert len(re.findall(r"\.param \.b64 fly_impact_param|\.param \.f64", impact_ptx)) >= alike
+
+
+def _powers(data: Any, count: int, thread: int) -> None:
+    values = reached_over(data, 1, count)
+    values[0, thread] = values[0, thread] ** 2.7
+
+
+def test_what_a_gpu_does_not_have_is_said() -> None:
+    """A power of any exponent calls the C library on a processor; a GPU has none."""
+    types = [parameter(np.zeros(1)), parameter(1)]
+    with pytest.raises(PtxError, match="there is no pow on a GPU"):
+        kernel_of(program(_powers, types, dict, None), types)
+
+
+def test_parts_of_an_entry_point_are_named() -> None:
+    """All that an entry point calls by name is given to it; else the processor's would be used."""
+    for entry in (threads.fly_impact, threads.fly_ticks):
+        called = {advance, to_tick, ticked, powered, deal} & {
+            threads.__dict__.get(name) for name in entry.__code__.co_names
+        }
+        names = {one.__name__ for one in called}
+        assert names == ({"advance"} if entry is threads.fly_impact else
+                         {"to_tick", "ticked", "powered", "deal"})  # fmt: skip
+    assert device_function(advance).py_func.__name__ == "advance"
+
+
+def test_without_a_gpu_it_says_so_in_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No driver, or none of its devices: one sentence, and nothing is flown."""
+
+    def refuse(name: str, *_: Any) -> Any:
+        raise cuda.GpuError(f"{name}: no CUDA-capable device is detected")
+
+    cuda.device.cache_clear()
+    monkeypatch.setattr(cuda, "_asked", refuse)
+    with pytest.raises(InputError, match="device gpu: no NVIDIA GPU can be used here: cuInit"):
+        cuda.device()
+    cuda.device.cache_clear()

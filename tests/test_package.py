@@ -1,0 +1,92 @@
+"""What is built for others: all that is needed, and nothing else."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+#: Files beside the modules without which commands fail.
+NEEDED = ("py.typed", "interfaces/web/LICENSES.txt")
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("dist")
+    words = [sys.executable, "-m", "hatchling", "build", "--directory", str(folder)]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def tracked(folder: str) -> set[str]:
+    words = ["git", "ls-files", "-z", folder]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode:
+        pytest.skip("this is no checkout")
+    return {name for name in done.stdout.split("\0") if name and (ROOT / name).exists()}
+
+
+def test_the_wheel_holds_the_package_and_its_licence(built: Path) -> None:
+    [path] = built.glob("*.whl")
+    with zipfile.ZipFile(path) as wheel:
+        names = set(wheel.namelist())
+        [metadata] = [name for name in names if name.endswith(".dist-info/METADATA")]
+        about = wheel.read(metadata).decode()
+        [entry] = [name for name in names if name.endswith("entry_points.txt")]
+        assert "springback = springback.command:run" in wheel.read(entry).decode()
+    package = {name for name in names if ".dist-info/" not in name}
+    assert package >= {name.removeprefix("src/") for name in tracked("src")}
+    assert {name.partition("/")[0] for name in package} == {"springback"}
+    assert not [name for name in package if "__pycache__" in name or name.endswith(".pyc")]
+    assert [name for name in names if name.endswith("licenses/LICENSE")]
+    assert package >= {f"springback/{name}" for name in NEEDED}
+    for name in ("numba", "llvmlite"):  # whose private parts are used
+        assert re.search(rf"^Requires-Dist: {name}<0\.\d+,", about, re.MULTILINE)
+
+
+def test_the_source_distribution_holds_no_more_than_it_says(built: Path) -> None:
+    [path] = built.glob("*.tar.gz")
+    with tarfile.open(path) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert {name.partition("/")[0] for name in names} == {
+        "src", "README.md", "LICENSE", "CHANGELOG.md", "CITATION.cff", "pyproject.toml", "PKG-INFO",
+        ".gitignore",
+    }  # fmt: skip
+    assert names >= tracked("src")
+
+
+def test_both_ways_of_installing_check_hashes() -> None:
+    for extra in ("all", "dev", "docs", "build"):
+        text = (ROOT / f"tools/locked/{extra}.txt").read_text()
+        pinned = [line for line in text.splitlines() if "==" in line and line[0].isalnum()]
+        assert len(pinned) >= 5
+        assert all(line.endswith("\\") for line in pinned), "a version without a hash"
+    way = (ROOT / "tools/environment").read_text()
+    installs = [line for line in way.splitlines() if "pip install" in line or "$pip " in line]
+    assert installs
+    joined = way.replace("\\\n", " ")
+    for line in joined.splitlines():
+        if "pip install --quiet" in line or line.strip().startswith("$pip "):
+            assert (
+                "--require-hashes" in line or "--no-deps" in line or line.strip().startswith("pip=")
+            )
+
+
+def test_the_locked_files_say_the_same() -> None:
+    """`make lock` writes all of them; a version in one and another in the next is a slip."""
+    versions: dict[str, set[str]] = {}
+    for extra in ("all", "dev", "docs"):
+        for line in (ROOT / f"tools/locked/{extra}.txt").read_text().splitlines():
+            name, sign, rest = line.partition("==")
+            if sign and name[0].isalnum():
+                versions.setdefault(f"{name} {extra}", set()).add(rest.rstrip(" \\"))
+    for key, found in versions.items():
+        name, _, extra = key.partition(" ")
+        assert found == versions.get(f"{name} dev", found) or extra == "docs"
