@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import contextlib
 import difflib
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Self
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
+
+from springback.errors import InputError
+from springback.problems import dotted, problem_paths
+
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass
+else:
+    ModelMetaclass = type(BaseModel)
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -25,10 +33,50 @@ def naming(field: str) -> Iterator[None]:
         raise problem(error.message(), field) from None
 
 
-class Settings(BaseModel):
+class _SettingsType(ModelMetaclass):
+    """Reports bad values given to a constructor as `InputError`, one line for each.
+
+    Only direct calls such as ``Plan(method="sobol")`` pass here.  Tables inside tables are made by
+    the validators, whose problems keep their path.
+    """
+
+    def __call__(cls: Any, *positional: Any, **given: Any) -> Any:
+        try:
+            return super().__call__(*positional, **given)
+        except ValidationError as error:
+            raise InputError(*cls.in_words(error)) from None
+
+
+class Settings(BaseModel, metaclass=_SettingsType):
     """A table of a scenario file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    @classmethod
+    def in_words(cls, error: ValidationError) -> list[str]:
+        """The problems of a table, one line each: the key, and what is wrong with its value."""
+        found = problem_paths(error)
+        return [f"{dotted(path)}: {what}" if path else what for path, what in found]
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy with some keys changed, which are checked as those of a file are.
+
+        Args:
+            update: Keys and their new values: numbers in SI, text with a unit, or inner tables.
+            deep: Copy the inner tables, too.
+
+        Raises:
+            InputError: One line for each problem, if the changed table is not possible.
+        """
+        if not update:
+            return super().model_copy(deep=deep)
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        changed = type(self)(**{**given, **update})
+        return changed.model_copy(deep=deep)
+
+    def with_checked(self, **values: Any) -> Self:
+        """A copy with some values changed that are known to be good: nothing is checked again."""
+        return super().model_copy(update=values)
 
     @model_validator(mode="before")
     @classmethod

@@ -21,11 +21,11 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
-from springback.experiments.problems import dotted, key_path
 from springback.experiments.run_ups import run_up_scenario
 from springback.experiments.scenario import Scenario, preset, scenario_from
 from springback.experiments.scenario_file import overridden
 from springback.experiments.trials import DURATION, NO_SCATTER, Condition, trial_tables
+from springback.problems import dotted, key_path
 from springback.quantities import checked
 from springback.settings import Settings
 from springback.vehicle.library import VEHICLES

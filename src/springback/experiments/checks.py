@@ -91,6 +91,12 @@ def check_clock(scenario: Scenario) -> None:
     """Refuse more ticks than can be kept."""
     most = MOST_TICKS / scenario.simulation.duration
     if scenario.clock > most:
+        if "clock" not in scenario.model_fields_set:
+            raise problem(
+                f"must be at most {MOST_TICKS / scenario.clock:.6g} s with a pilot whose clock is "
+                f"the default {scenario.clock:g} 1/s (got {scenario.simulation.duration:g} s)",
+                "simulation.duration",
+            )
         raise problem(
             f"must be at most {most:.6g} 1/s for a flight this long (got {scenario.clock:g} 1/s)",
             "clock",
@@ -131,6 +137,12 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
     for name in ("impact_step", "settle_step", "free_step"):
         step = getattr(simulation, name)
         if step is not None and step < shortest:
+            if name not in simulation.model_fields_set:  # a default: then the duration is too long
+                raise problem(
+                    f"must be at most {MOST_STEPS * step:.3g} s at the default {name} of "
+                    f"{step:g} s (got {simulation.duration:g} s)",
+                    "simulation.duration",
+                )
             raise problem(
                 f"must be at least {shortest:.3g} s for a flight this long (got {step:g} s)",
                 f"simulation.{name}",

@@ -110,12 +110,10 @@ def _as_plain(pilot: PlainPilot | OwnPilot) -> PlainPilot:
 
 def _at_rest(scenario: Scenario) -> Scenario:
     """The scenario as the properties are tried in it."""
-    start = scenario.start.model_copy(
-        update={"velocity": (0.0, 0.0, 0.0), "angular_velocity": (0.0, 0.0, 0.0)}
-    )
-    simulation = scenario.simulation.model_copy(update={"duration": DURATION})
+    start = scenario.start.with_checked(velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+    simulation = scenario.simulation.with_checked(duration=DURATION)
     changes = {"reference": None, "thrust": "hover", "start": start, "simulation": simulation}
-    return scenario.model_copy(update=changes)
+    return scenario.with_checked(**changes)
 
 
 # -- in flight ------------------------------------------------------------------------------------
@@ -169,8 +167,8 @@ def _marked(function: Any, pilot: Any) -> Any:
 
 def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
     half = math.acos(math.sqrt(math.cos(TILT)))  # roll and pitch that make the tilt together
-    start = scenario.start.model_copy(update={"roll": half, "pitch": half})
-    tilted = scenario.model_copy(update={"start": start})
+    start = scenario.start.with_checked(roll=half, pitch=half)
+    tilted = scenario.with_checked(start=start)
 
     def judge() -> tuple[bool, str]:
         flight = fly(tilted, pilot=pilot)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from springback.contact.library import SURFACES
-from springback.errors import InputError
+from springback.errors import InputError, within
 from springback.vehicle.library import VEHICLES
 
 
@@ -43,9 +43,16 @@ def vehicle_table(given: Any) -> Any:
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
-    base = preset("vehicle", str(table["preset"]), {k: v.vehicle for k, v in VEHICLES.items()})
+    known = {name: entry.vehicle for name, entry in VEHICLES.items()}
+    with within(*_key_of_preset(given)):
+        base = preset("vehicle", str(table["preset"]), known)
     own = {key: value for key, value in table.items() if key != "preset"}
     return merged(base.model_dump(), own)
+
+
+def _key_of_preset(given: Any) -> tuple[str, ...]:
+    """Where the name of a preset stands: in a table, or in the table's place."""
+    return () if isinstance(given, str) else ("preset",)
 
 
 def surface_table(given: Any) -> Any:
@@ -53,7 +60,8 @@ def surface_table(given: Any) -> Any:
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
-    base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
+    with within(*_key_of_preset(given)):
+        base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
     own = {key: value for key, value in table.items() if key != "preset"}
     if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
         base.pop("restitution", None)
@@ -67,7 +75,11 @@ def obstacle_table(entry: Any) -> Any:
     """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
     if not isinstance(entry, Mapping):
         return entry
-    own = {key: surface_table(entry[key]) for key in ("surface", "backing") if key in entry}
+    own = {}
+    for key in ("surface", "backing"):
+        if key in entry:
+            with within(key):
+                own[key] = surface_table(entry[key])
     return {**entry, **own}
 
 
@@ -75,9 +87,13 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario with every preset replaced by what it stands for."""
     result = dict(given)
     if "vehicle" in result:
-        result["vehicle"] = vehicle_table(result["vehicle"])
+        with within("vehicle"):
+            result["vehicle"] = vehicle_table(result["vehicle"])
     world = result.get("world")
     if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
-        entries = [obstacle_table(entry) for entry in world["obstacles"]]
+        entries = []
+        for k, entry in enumerate(world["obstacles"]):
+            with within("world", "obstacles", k):
+                entries.append(obstacle_table(entry))
         result["world"] = {**world, "obstacles": entries}
     return result

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -14,8 +15,9 @@ from pydantic_core import PydanticCustomError
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError
+from springback.experiments.given import check_executor, check_own, chosen_pilot
 from springback.experiments.guidance import OwnPilot, board_of
-from springback.experiments.pilots import careful, in_words, read_pilot, tried
+from springback.experiments.pilots import careful, in_words, shortened, tried
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
     judged,
@@ -86,11 +88,13 @@ class Flight:
         if "runs" in self.measures:
             shown += [
                 ("detection_delay", "s"), ("recovery_time", "s"), ("height_loss", "m"),
-                ("nose_up", "rad"), ("nose_down", "rad"), ("runs", ""), ("recovered_runs", ""),
+                ("nose_up", "deg"), ("nose_down", "deg"), ("runs", ""), ("recovered_runs", ""),
             ]  # fmt: skip
         lines = [f"Flight {self.scenario.name!r}: {self.message}"]
         for name, unit in shown:
             value = self.measures[name]
+            if unit == "deg" and value is not None:  # people read degrees, the measure is in rad
+                value = math.degrees(value)
             lines.append(f"  {name:<26} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}")
         return "\n".join(lines)
 
@@ -264,7 +268,9 @@ def fly(
         InputError: If the scenario cannot be flown; one line for each problem.  If a pilot of one's
             own fails, in one line with its file and line; what it raised is the cause.
     """
-    flown_by = read_pilot(pilot) if isinstance(pilot, str) else pilot
+    check_executor(executor)
+    flown_by = chosen_pilot(pilot)
+    check_own(own)
     ready = as_scenario(scenario, overrides, flown_by is not None)
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
@@ -343,10 +349,15 @@ def as_scenario(
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
         overrides: Words such as ``"vehicle.arms.stiffness=6000"``.
         pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+
+    Raises:
+        InputError: If it is none of these, or cannot be flown; one line for each problem.
     """
     if isinstance(scenario, Scenario):
         if overrides:
-            raise InputError("overrides need a file or tables; a ready Scenario has .model_copy")
+            raise InputError(
+                "overrides need a file or tables; change a Scenario by scenario.model_copy(update=)"
+            )
         if pilot is False:
             with _as_input():
                 scenario.check_without_pilot()
@@ -356,4 +367,9 @@ def as_scenario(
             return scenario_from(scenario, pilot)
         given = overridden(dict(scenario), overrides)
         return checked_scenario(given, "scenario", "", overrides, pilot)
+    if not isinstance(scenario, str | Path):
+        raise InputError(
+            "scenario must be a Scenario, tables, or the path of a TOML file "
+            f"(got {shortened(scenario)})"
+        )
     return read_scenario(scenario, overrides, pilot=pilot)

@@ -88,7 +88,9 @@ def _have_figures(quiet: bool) -> bool:
 
     if find_spec("matplotlib") is not None:
         return True
-    _say("figures are left out: pip install 'springback[plot]'", quiet)
+    from springback.experiments.extras import install_line
+
+    _say(f"figures are left out, they need matplotlib: {install_line('plot')}", quiet)
     return False
 
 

@@ -39,8 +39,8 @@ from springback.experiments.campaign.sampling import (
     seeds,
     uniform_rows,
 )
-from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import Scenario, preset, scenario_from
+from springback.problems import dotted, problem_paths
 from springback.settings import Settings
 from springback.vehicle.library import VEHICLES
 

@@ -12,9 +12,9 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from springback.errors import InputError
-from springback.experiments.problems import dotted, problem_paths
-from springback.experiments.scenario_file import line_of, overridden, read_scenario
+from springback.experiments.scenario_file import overridden, place_of, read_scenario
 from springback.experiments.trials import Scatter
+from springback.problems import dotted, problem_paths
 from springback.quantities import quantity
 from springback.settings import Settings, problem
 
@@ -178,6 +178,11 @@ class Plan(Settings):
             raise problem(f"names one twice (got {list(self.robots)})", "robots")
         return self
 
+    @classmethod
+    def in_words(cls, error: ValidationError) -> list[str]:
+        """The problems of a plan made in Python, one line each."""
+        return [Source().blamed(*_named(*found)) for found in problem_paths(error)]
+
     def canonical(self) -> str:
         """The plan as JSON, the same text for the same plan."""
         return json.dumps(
@@ -207,7 +212,7 @@ class Source:
         for word in reversed(self.overrides):
             if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
                 return f"override {word}: {said}"
-        return f"{self.name}:{line_of(self.text, keys)}: {said}"
+        return f"{place_of(self.name, self.text, keys)}: {said}"
 
 
 def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, Source]:
@@ -273,4 +278,4 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         raise InputError(source.blamed(("scenario",), f"there is no file {path}"))
     read_scenario(path, pilot=False)  # for errors that name its lines
     given = tomllib.loads(path.read_text(encoding="utf-8"))
-    return plan.model_copy(update={"scenario": given})
+    return plan.with_checked(scenario=given)
