@@ -68,11 +68,12 @@ def animate(
         raise InputError(f"--out {out}: {ending}")
     wanted = _size(size)
     from springback.interfaces.animation import check, write_film
-    from springback.interfaces.scene import read_result, scene_of
+    from springback.interfaces.saved import read_result
+    from springback.interfaces.scene_labels import scenes_of
 
     check(out, wanted, fps)
     with _patience("reading", quiet):
-        scenes = [scene_of(read_result(folder)) for folder in results]
+        scenes = scenes_of([read_result(folder) for folder in results], results)
     draft = out.with_name(f".{out.stem}.draft{out.suffix}")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)

@@ -52,7 +52,7 @@ def view(
         needs("uvicorn", "web")
         needs("starlette", "web")
     with _patience("reading, and compiling once; the first time takes 10 to 30 s", quiet):
-        page = replay_of(flights_of(results, twin=twin))
+        page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
         exported(page, export, force=force)
         _say(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)
