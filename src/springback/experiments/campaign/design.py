@@ -256,8 +256,9 @@ def _named(plan: Plan) -> tuple[str, ...]:
         return plan.robots
     assert isinstance(plan.scenario, dict)
     vehicle = plan.scenario.get("vehicle")
-    given = vehicle.get("preset") if isinstance(vehicle, Mapping) else vehicle
-    return (given if isinstance(given, str) else "own",)
+    if isinstance(vehicle, Mapping):  # one's own name for it goes before that of the preset
+        vehicle = vehicle.get("name") or vehicle.get("preset")
+    return (vehicle if isinstance(vehicle, str) else "own",)
 
 
 def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
