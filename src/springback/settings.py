@@ -19,6 +19,10 @@ else:
     ModelMetaclass = type(BaseModel)
 
 
+#: How alike a word must be to one that was perhaps meant, from 0 to 1 (chosen: foo is not robot).
+LIKE = 0.6
+
+
 def problem(message: str, field: str = "") -> PydanticCustomError:
     """What is wrong, in words, and with which key of the table (dotted for inner tables)."""
     return PydanticCustomError("problem", "{message}", {"message": message, "field": field})
@@ -84,7 +88,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
         if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
                 if key not in fields:
-                    near = difflib.get_close_matches(str(key), fields, n=1, cutoff=0.5)
+                    near = difflib.get_close_matches(str(key), fields, n=1, cutoff=LIKE)
                     known = "known keys: " + ", ".join(fields)
                     hint = f"did you mean {near[0]}?" if near else known
                     raise problem(f"unknown key; {hint}", str(key))

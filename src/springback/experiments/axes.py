@@ -27,7 +27,7 @@ from springback.experiments.scenario_file import overridden
 from springback.experiments.trials import DURATION, NO_SCATTER, Condition, trial_tables
 from springback.problems import dotted, key_path
 from springback.quantities import checked
-from springback.settings import Settings
+from springback.settings import LIKE, Settings
 from springback.vehicle.library import VEHICLES
 
 Path = tuple[str | int, ...]
@@ -289,7 +289,7 @@ def _walked(path: Path, name: str, scenario: Scenario) -> tuple[FieldInfo | None
         elif not issubclass(kind, Settings):
             raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
         elif key not in kind.model_fields:
-            near = difflib.get_close_matches(key, [*kind.model_fields, *SHORT], n=1, cutoff=0.5)
+            near = difflib.get_close_matches(key, [*kind.model_fields, *SHORT], n=1, cutoff=LIKE)
             known = "known here: " + ", ".join(kind.model_fields)
             hint = f"did you mean {near[0]}?" if near else known
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")

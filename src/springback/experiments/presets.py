@@ -8,6 +8,7 @@ from typing import Any
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError, within
+from springback.settings import LIKE
 from springback.vehicle.library import VEHICLES
 
 
@@ -19,7 +20,7 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     """
     if name in known:
         return known[name]
-    near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
+    near = difflib.get_close_matches(name.lower(), known, n=1, cutoff=LIKE)
     hint = f"did you mean {near[0]}?" if near else ""
     raise InputError(
         " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())

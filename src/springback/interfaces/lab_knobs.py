@@ -14,6 +14,8 @@ from springback.settings import problem
 
 #: Letters of a value that are looked at at all (chosen).
 LONGEST_VALUE = 32
+#: Digits that are kept of a number that was given in another unit (chosen: they fit the field).
+DIGITS = 6
 _WITH_UNIT = re.compile(
     r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]{1,3})? *[a-z%° /·]{1,12}", re.IGNORECASE
 )
@@ -66,7 +68,10 @@ def knob(how: Knob) -> Any:
     def validate(value: Any) -> float:
         if isinstance(value, str):
             value = _number_of(value, how.unit)
-        return checked(value, how.unit, least=how.least, most=how.most)
+        number = checked(value, how.unit, least=how.least, most=how.most)
+        # 10 km/h is 2.77778 m/s, in field, link, file and flight alike; what is typed in the knob's
+        # own unit stays as it is.
+        return float(f"{number:.{DIGITS}g}") if isinstance(value, str) else number
 
     return Annotated[float, BeforeValidator(validate), how]
 

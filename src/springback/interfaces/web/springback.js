@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 33c1640633b8a68325eb6accb72a389c2e75565ef03b0c8bbb2f65702d805b30
+/*! springback, MIT licence; sources 2f1253abc89ef8eb97397e111f303bb08f3f8a0e928742dac66b117e01cfae14
 
 It holds:
 
