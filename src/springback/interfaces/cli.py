@@ -24,6 +24,9 @@ from springback.version import __version__
 OUT = click.Path(file_okay=True, path_type=Path)
 UNEASY = 1e-3
 """Share of the energy that the ledger may leave before the user is warned."""
+FIRST = (
+    "flying; the first flight of each kind is compiled, for half a minute, with a pilot for minutes"
+)
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 FEW_CYCLES = 200_000
@@ -147,7 +150,7 @@ def fly(
     for sentence in uneasy(ready, own=own is not None):
         _say(f"warning: {sentence}", False)
     with output_folder(out, force=force) as folder:
-        with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+        with _patience(FIRST, quiet):
             flight = fly_scenario(ready, pilot=own)
             figures = not no_figures and _have_figures(quiet)
             written = write_flight(flight, folder, figures=figures)
@@ -352,6 +355,7 @@ def _table(rows: list[Any]) -> str:
 
 from springback.interfaces import (  # noqa: E402, F401
     cli_campaign,
+    cli_examples,
     cli_film,
     cli_lab,
     cli_map,

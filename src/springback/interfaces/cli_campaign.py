@@ -13,6 +13,7 @@ import click
 
 from springback.errors import InputError
 from springback.interfaces.cli import (
+    FIRST,
     OUT,
     _have_figures,
     _patience,
@@ -271,7 +272,7 @@ def refly(
     from springback.interfaces.files import output_folder, write_flight
 
     known = Campaign(folder)
-    with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+    with _patience(FIRST, quiet):
         again = known.refly(row)
     if out is not None:
         with output_folder(out, force=force) as place, _patience("writing", quiet):

@@ -51,7 +51,10 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with _patience("reading, and compiling once; the first time takes 10 to 30 s", quiet):
+    with _patience(
+        "reading; what is flown is compiled first, for half a minute, with a pilot for minutes",
+        quiet,
+    ):
         page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
         exported(page, export, force=force)
