@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import difflib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
@@ -21,6 +21,21 @@ else:
 
 #: How alike a word must be to one that was perhaps meant, from 0 to 1 (chosen: foo is not robot).
 LIKE = 0.6
+#: Letters of a name that are enough to tell it by its beginning (chosen).
+SHORTEST = 3
+
+
+def meant(word: str, known: Iterable[str]) -> str:
+    """The known name that a word stands for, as far as one can tell; else empty.
+
+    Args:
+        word: Misspelt, or the beginning of a name.
+        known: Names.
+    """
+    names = list(known)
+    near = difflib.get_close_matches(word.lower(), names, n=1, cutoff=LIKE)
+    begun = [name for name in names if len(word) >= SHORTEST and name.startswith(word.lower())]
+    return next(iter([*near, *begun]), "")
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -88,8 +103,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
         if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
                 if key not in fields:
-                    near = difflib.get_close_matches(str(key), fields, n=1, cutoff=LIKE)
-                    known = "known keys: " + ", ".join(fields)
-                    hint = f"did you mean {near[0]}?" if near else known
+                    near = meant(str(key), fields)
+                    hint = f"did you mean {near}?" if near else f"known keys: {', '.join(fields)}"
                     raise problem(f"unknown key; {hint}", str(key))
         return given

@@ -334,7 +334,7 @@ def test_a_flight_too_long_is_blamed_on_its_duration(tmp_path: Path) -> None:
     """The step is a default, which the user has never heard of."""
     path = tmp_path / "scenario.toml"
     path.write_text('vehicle = "arq"\n[simulation]\nduration = 1e9\n')
-    assert problem_of(path).startswith(f"{path}:3: simulation.duration: must be at most 1e+05 s")
+    assert problem_of(path).startswith(f"{path}:3: simulation.duration: must be at most ")
     assert "got 1e+09 s" in problem_of(path)
     path.write_text('vehicle = "arq"\n')
     word = "simulation.duration=1e9"
@@ -376,10 +376,6 @@ CALLS = {
     "executor": (lambda: fly({"vehicle": "arq"}, executor="gpu"), "executor must be 'compiled'"),
     "pilot": (lambda: fly({"vehicle": "arq"}, pilot=3), r"pilot must be a function .*\(got 3\)"),
     "scenario": (lambda: fly(3), r"scenario must be .* \(got 3\)"),
-    "obstacle": (lambda: fly({"vehicle": "arq"}, own=[3]), r"own\[0\] must be a pair"),
-    "shape": (
-        lambda: fly({"vehicle": "arq"}, own=[((1.0,), springback.WALL)]), "register signed_distance",
-    ),
     "plan": (
         lambda: springback.Plan(scenario={"vehicle": "arq"}, method="sobool"),
         r"^method: must be .*'sobol'.*\(got 'sobool'\)$",

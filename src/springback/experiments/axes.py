@@ -7,7 +7,6 @@ scenario, such as ``control.time_constant``, ``world.obstacles.0.surface.frictio
 
 from __future__ import annotations
 
-import difflib
 import functools
 import inspect
 import math
@@ -27,7 +26,7 @@ from springback.experiments.scenario_file import overridden
 from springback.experiments.trials import DURATION, NO_SCATTER, Condition, trial_tables
 from springback.problems import dotted, key_path
 from springback.quantities import checked
-from springback.settings import LIKE, Settings
+from springback.settings import Settings, meant
 from springback.vehicle.library import VEHICLES
 
 Path = tuple[str | int, ...]
@@ -289,9 +288,9 @@ def _walked(path: Path, name: str, scenario: Scenario) -> tuple[FieldInfo | None
         elif not issubclass(kind, Settings):
             raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
         elif key not in kind.model_fields:
-            near = difflib.get_close_matches(key, [*kind.model_fields, *SHORT], n=1, cutoff=LIKE)
+            near = meant(key, [*kind.model_fields, *SHORT])
             known = "known here: " + ", ".join(kind.model_fields)
-            hint = f"did you mean {near[0]}?" if near else known
+            hint = f"did you mean {near}?" if near else known
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         else:
             field, parent = kind.model_fields[key], None

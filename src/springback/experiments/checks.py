@@ -88,19 +88,21 @@ def check_aboard(scenario: Scenario, own: bool) -> None:
 
 
 def check_clock(scenario: Scenario) -> None:
-    """Refuse more ticks than can be kept."""
-    most = MOST_TICKS / scenario.simulation.duration
-    if scenario.clock > most:
-        if "clock" not in scenario.model_fields_set:
-            raise problem(
-                f"must be at most {MOST_TICKS / scenario.clock:.6g} s with a pilot whose clock is "
-                f"the default {scenario.clock:g} 1/s (got {scenario.simulation.duration:g} s)",
-                "simulation.duration",
-            )
+    """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
+    duration, clock = scenario.simulation.duration, scenario.clock
+    if clock * duration <= MOST_TICKS:
+        return
+    if "clock" not in scenario.model_fields_set:
         raise problem(
-            f"must be at most {most:.6g} 1/s for a flight this long (got {scenario.clock:g} 1/s)",
-            "clock",
+            f"must be at most {MOST_TICKS / clock:.6g} s with a pilot and a clock of {clock:g} 1/s "
+            f"(got {duration:g} s)",
+            "simulation.duration",
         )
+    raise problem(
+        f"must be at most {MOST_TICKS / duration:.6g} 1/s for a flight of {duration:g} s "
+        f"(got {clock:g} 1/s)",
+        "clock",
+    )
 
 
 @contextlib.contextmanager
@@ -136,17 +138,19 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
     shortest = simulation.duration / MOST_STEPS
     for name in ("impact_step", "settle_step", "free_step"):
         step = getattr(simulation, name)
-        if step is not None and step < shortest:
-            if name not in simulation.model_fields_set:  # a default: then the duration is too long
-                raise problem(
-                    f"must be at most {MOST_STEPS * step:.3g} s at the default {name} of "
-                    f"{step:g} s (got {simulation.duration:g} s)",
-                    "simulation.duration",
-                )
+        if step is None or step >= shortest:
+            continue
+        if name not in simulation.model_fields_set:
             raise problem(
-                f"must be at least {shortest:.3g} s for a flight this long (got {step:g} s)",
-                f"simulation.{name}",
+                f"must be at most {MOST_STEPS * step:.3g} s with {name} of {step:g} s "
+                f"(got {simulation.duration:g} s)",
+                "simulation.duration",
             )
+        raise problem(
+            f"must be at least {shortest:.3g} s for a flight of {simulation.duration:g} s "
+            f"(got {step:g} s)",
+            f"simulation.{name}",
+        )
     rate = vehicle.fastest_arm_rate()
     settling = settle_step(simulation, vehicle)
     steps = {"impact_step": simulation.impact_step, "settle_step": settling}

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from typing import Any
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError, within
-from springback.settings import LIKE
+from springback.settings import meant
 from springback.vehicle.library import VEHICLES
 
 
@@ -20,8 +19,8 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     """
     if name in known:
         return known[name]
-    near = difflib.get_close_matches(name.lower(), known, n=1, cutoff=LIKE)
-    hint = f"did you mean {near[0]}?" if near else ""
+    near = meant(name, known)
+    hint = f"did you mean {near}?" if near else ""
     raise InputError(
         " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,8 +15,9 @@ from pydantic_core import PydanticCustomError
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError
-from springback.experiments.given import check_executor, check_own, chosen_pilot
+from springback.experiments.given import check_executor, chosen_pilot
 from springback.experiments.guidance import OwnPilot, board_of
+from springback.experiments.own_surfaces import Surface, surfaces_of
 from springback.experiments.pilots import careful, in_words, shortened, tried
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
@@ -57,6 +58,10 @@ class Flight:
     work: dict[str, Array] = field(default_factory=dict)
     """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
     `springback.experiments.ledger` needs beside the columns.  No file keeps it."""
+    own: tuple[Own, ...] = ()
+    """Obstacles of the user's own that it was flown with; none of a flight that was read back."""
+    own_surfaces: tuple[Surface, ...] = ()
+    """Of a flight that was read back, the surfaces of those obstacles, to be drawn."""
 
     def __getattr__(self, name: str) -> float | None:
         measures: dict[str, float | None] = self.__dict__.get("measures", {})
@@ -155,7 +160,18 @@ class Flight:
             "measures": self.measures,
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
+            **self._own_obstacles(),
         }
+
+    def _own_obstacles(self) -> dict[str, Any]:
+        """Surfaces of the user's own obstacles near the flight, if there are any."""
+        found = self.own_surfaces
+        if self.own and self.columns:
+            place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
+            arms = range(1, self.scenario.vehicle.arm_count + 1)
+            touching = np.any([self.columns[f"fn{j}"] > 0.0 for j in arms], axis=0)
+            found = surfaces_of(self.own, place[touching] if touching.any() else place)
+        return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
 
 
 def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
@@ -270,16 +286,16 @@ def fly(
     """
     check_executor(executor)
     flown_by = chosen_pilot(pilot)
-    check_own(own)
     ready = as_scenario(scenario, overrides, flown_by is not None)
     model, start = ready.flight_model(own), ready.start_state()
     _check_start(model, start)
     if ready.reference is not None or flown_by is not None:
-        return _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        flight = _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        return replace(flight, own=tuple(own))
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    return Flight(ready, outcome, measures, columns, units, work=_work(flown))
+    return Flight(ready, outcome, measures, columns, units, work=_work(flown), own=tuple(own))
 
 
 def _guided(

@@ -74,6 +74,9 @@ def animate(
     check(out, wanted, fps)
     with _patience("reading", quiet):
         scenes = scenes_of([read_result(folder) for folder in results], results)
+    for scene in scenes:
+        for note in scene.notes:
+            _say(f"{scene.label}: {note}", quiet)
     draft = out.with_name(f".{out.stem}.draft{out.suffix}")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
