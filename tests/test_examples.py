@@ -129,23 +129,23 @@ class Typed(NamedTuple):
 def typed(page: Path) -> Iterator[Typed]:
     """Code of a page in its order; an indented block and one in fences without a language are for a shell."""
     lines = [*page.read_text().splitlines(), ""]
-    said, k = "", 0
+    said, last, k = "", "", 0
     while k < len(lines):
         fence = re.match(r"```(\S*)", lines[k])
         if fence:
             end = next(j for j in range(k + 1, len(lines)) if lines[j].startswith("```"))
             body = "\n".join(lines[k + 1 : end])
-            name = re.search(r"Save as `(.+?)`", said)
+            name = re.search(r"Save as `(.+?)`", last)
             if fence[1] in ("python", "toml", "sh", "text"):
                 kind = "shell" if fence[1] == "sh" else fence[1]
                 yield Typed(kind, body, name[1] if name else "", k + 1)
-            said, k = "", end + 1
+            said, last, k = "", "", end + 1
         elif lines[k].startswith("    ") and not said.strip():
             if lines[k].strip():
                 yield Typed("shell", lines[k].strip(), "", k + 1)
             k += 1
         else:
-            said = lines[k] if lines[k].strip() else ""
+            said, last = lines[k].strip() and lines[k], lines[k].strip() or last
             if lines[k].strip():
                 for command in re.findall(r"`(springback [a-z][^`]*)`", lines[k]):
                     yield Typed("words", command, "", k + 1)
