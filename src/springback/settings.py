@@ -81,7 +81,8 @@ class Settings(BaseModel, metaclass=_SettingsType):
         """A copy with some keys changed, which are checked as those of a file are.
 
         Args:
-            update: Keys and their new values: numbers in SI, text with a unit, or inner tables.
+            update: Keys and their new values: numbers in SI, text with a unit, or inner tables,
+                which change those keys of the inner table that they name.
             deep: Copy the inner tables, too.
 
         Raises:
@@ -90,7 +91,15 @@ class Settings(BaseModel, metaclass=_SettingsType):
         if not update:
             return super().model_copy(deep=deep)
         given = {name: getattr(self, name) for name in self.model_fields_set}
-        changed = type(self)(**{**given, **update})
+        for key, value in update.items():
+            inner = getattr(self, key, None)
+            if isinstance(value, Mapping) and isinstance(inner, Settings):
+                try:
+                    value = inner.model_copy(update=value)
+                except InputError as error:
+                    raise InputError(*(f"{key}.{line}" for line in error.problems)) from None
+            given[key] = value
+        changed = type(self)(**given)
         return changed.model_copy(deep=deep)
 
     def with_checked(self, **values: Any) -> Self:

@@ -383,6 +383,18 @@ CALLS = {
     "wall": (
         lambda: springback.Wall(type="wall", distance=1.0, surface=3), r"^surface: must be a table",
     ),
+    "override": (lambda: fly({"vehicle": "arq"}, 3), "3 is no override"),
+    "overrides": (lambda: read_scenario("s.toml", "start.pitch=3"), "must be a list of words"),
+    "file": (lambda: read_scenario(3), r"path of a TOML file \(got 3\)"),
+    "campaign": (lambda: springback.run_campaign(3, "x"), r"must be a springback.Plan \(got 3\)"),
+    "pilot to check": (lambda: springback.check_pilot(3), r"pilot must be a function .*\(got 3\)"),
+    "no pilot to check": (lambda: springback.check_pilot(None), "pilot must be given"),
+    "restitution": (lambda: springback.restitution(-1.0, 2.0), r"at least 0 s/m \(got -1 s/m\)"),
+    "restitution at speed": (lambda: springback.restitution(0.4, -2.0), "at least 0 m/s"),
+    "changed inside": (
+        lambda: springback.ARQ.vehicle.model_copy(update={"arms": {"length": "2 kg"}}),
+        r"^arms\.length: has the wrong unit \(got '2 kg'\)",
+    ),
     "changed wrongly": (
         lambda: springback.ARQ.vehicle.arms.model_copy(update={"stifness": 2e3}),
         r"^stifness: unknown key; did you mean stiffness\?$",
@@ -409,3 +421,20 @@ def test_changed_copies_are_read_as_files_are() -> None:
     softer = arms.model_copy(update={"stiffness": "2 N/mm"})
     assert softer.stiffness == 2000.0
     assert softer.model_copy(update={"stiffness": arms.stiffness}) == arms
+
+
+def test_a_copy_changes_the_keys_of_an_inner_table_that_are_named() -> None:
+    """As a file laid over a preset does: what is not named stays, and is not set to its default."""
+    arq = springback.ARQ.vehicle
+    softer = arq.model_copy(update={"arms": {"stiffness": "2 N/mm"}})
+    assert softer.arms.stiffness == 2000.0
+    assert softer == arq.model_copy(update={"arms": softer.arms})
+    assert softer.arms.model_copy(update={"stiffness": arq.arms.stiffness}) == arq.arms
+
+
+@pytest.mark.parametrize("ask", ["plot", "to_dataframe", "to_xarray"])
+def test_a_flight_without_its_trajectory_says_so(ask: str) -> None:
+    tables = {"vehicle": "arq", "simulation": {"duration": 2e-3}}
+    flight = fly(tables, trajectory=False, executor="python")
+    with pytest.raises(InputError, match="kept no trajectory: fly it with trajectory=True"):
+        getattr(flight, ask)()

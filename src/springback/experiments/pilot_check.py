@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.experiments.given import chosen_pilot
 from springback.experiments.guidance import OwnPilot, propulsion_of
-from springback.experiments.pilots import read_pilot
 from springback.experiments.result import Flight, as_scenario, fly
 from springback.experiments.scenario import Scenario
 from springback.kernels.trees import leaves, rebuilt
@@ -70,7 +70,9 @@ def check_pilot(
     Raises:
         InputError: If the scenario, or the file of the pilot, cannot be used.
     """
-    own = read_pilot(pilot) if isinstance(pilot, str) else pilot
+    own = chosen_pilot(pilot)
+    if own is None:
+        raise InputError("pilot must be given: a function, an OwnPilot, or 'file.py:name'")
     asked = _as_plain(own)
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
     calls: list[Call] = []

@@ -20,10 +20,8 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     if name in known:
         return known[name]
     near = meant(name, known)
-    hint = f"did you mean {near}?" if near else ""
-    raise InputError(
-        " ".join(f"unknown {kind} preset {name!r}; known: {', '.join(known)}. {hint}".split())
-    )
+    hint = f"did you mean {near}? " if near else ""
+    raise InputError(f"unknown {kind} preset {name!r}; {hint}known: {', '.join(known)}")
 
 
 def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:

@@ -103,12 +103,17 @@ class Flight:
             lines.append(f"  {name:<26} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}")
         return "\n".join(lines)
 
+    def _kept(self) -> None:
+        if not self.columns:
+            raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+
     def plot(self) -> Figure:
         """Figure of position, velocity, acceleration, arms and forces over time.
 
         Raises:
-            InputError: If matplotlib is not installed.
+            InputError: If matplotlib is not installed, or no trajectory was kept.
         """
+        self._kept()
         from springback.experiments.extras import needs
 
         needs("matplotlib", "plot")
@@ -121,7 +126,12 @@ class Flight:
         return figure
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``."""
+        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``.
+
+        Raises:
+            InputError: If pandas is not installed, or no trajectory was kept.
+        """
+        self._kept()
         from springback.experiments.extras import needs
 
         pd = needs("pandas", "dataframe")
@@ -130,7 +140,12 @@ class Flight:
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``."""
+        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
+
+        Raises:
+            InputError: If xarray is not installed, or no trajectory was kept.
+        """
+        self._kept()
         from springback.experiments.extras import needs
 
         xr = needs("xarray", "xarray")

@@ -35,6 +35,8 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
     """
     result: Any = given
     for word in overrides:
+        if not isinstance(word, str):
+            raise InputError(f"{word!r} is no override; write text such as 'start.pitch=15 deg'")
         key, sign, text = word.partition("=")
         parts = list(key_path(key.strip()))
         if not sign or not parts:
@@ -185,6 +187,10 @@ def read_scenario(
     Raises:
         InputError: One line for each problem: file and line or override, field, value, unit, range.
     """
+    if not isinstance(path, str | Path):
+        raise InputError(f"scenario must be the path of a TOML file (got {path!r})")
+    if isinstance(overrides, str):
+        raise InputError(f"overrides must be a list of words (got {overrides!r})")
     path = Path(path)
     try:
         text = path.read_text(encoding="utf-8")

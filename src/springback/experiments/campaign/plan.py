@@ -14,7 +14,7 @@ from pydantic import Field, ValidationError, ValidationInfo, model_validator
 from springback.errors import InputError
 from springback.experiments.scenario_file import overridden, place_of, read_scenario
 from springback.experiments.trials import Scatter
-from springback.problems import dotted, problem_paths
+from springback.problems import dotted, key_path, problem_paths
 from springback.quantities import quantity
 from springback.settings import Settings, problem
 
@@ -238,8 +238,17 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path}: is not TOML: {error}") from None
     source = Source(str(path), text, overrides)
+    if any(key_path(word.partition("=")[0])[:1] == ("scenario",) for word in overrides):
+        given = _with_tables(given, path.parent, source)
     plan = plan_from(overridden(given, overrides), source)
     return with_scenario(plan, path.parent, source), source
+
+
+def _with_tables(given: dict[str, Any], folder: Path, source: Source) -> dict[str, Any]:
+    """A raw plan with the tables of its scenario, of which some are to be overridden."""
+    if not isinstance(given.get("scenario"), str):
+        return given
+    return {**given, "scenario": _scenario_tables(folder, given["scenario"], source)}
 
 
 def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
@@ -273,9 +282,13 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
     """
     if not isinstance(plan.scenario, str):
         return plan
-    path = folder / plan.scenario
+    return plan.with_checked(scenario=_scenario_tables(folder, plan.scenario, source))
+
+
+def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
+    """The raw tables of a scenario file that a plan names."""
+    path = folder / name
     if not path.is_file():
         raise InputError(source.blamed(("scenario",), f"there is no file {path}"))
     read_scenario(path, pilot=False)  # for errors that name its lines
-    given = tomllib.loads(path.read_text(encoding="utf-8"))
-    return plan.with_checked(scenario=given)
+    return tomllib.loads(path.read_text(encoding="utf-8"))
