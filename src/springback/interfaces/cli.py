@@ -24,9 +24,8 @@ from springback.version import __version__
 OUT = click.Path(file_okay=True, path_type=Path)
 UNEASY = 1e-3
 """Share of the energy that the ledger may leave before the user is warned."""
-FIRST = (
-    "flying; the first flight of each kind is compiled, for half a minute, with a pilot for minutes"
-)
+FIRST = "flying; the first of a kind is compiled: some 15 s, with a pilot a minute or two"
+"""Said while one waits for a flight."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 FEW_CYCLES = 200_000

@@ -52,7 +52,7 @@ def view(
         needs("uvicorn", "web")
         needs("starlette", "web")
     with _patience(
-        "reading; what is flown is compiled first, for half a minute, with a pilot for minutes",
+        "reading; the first flight of a kind is compiled: some 15 s, with a pilot a minute or two",
         quiet,
     ):
         page = replay_of(flights_of(results, twin=twin), results)
