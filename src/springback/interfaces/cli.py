@@ -27,6 +27,8 @@ from springback.version import __version__
 OUT = click.Path(file_okay=True, path_type=Path)
 UNEASY = 1e-3
 """Share of the energy that the ledger may leave before the user is warned."""
+FIRST = "flying; the first of a kind is compiled: some 15 s, with a pilot a minute or two"
+"""Said while one waits for a flight."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 FEW_CYCLES = 200_000
@@ -91,7 +93,9 @@ def _have_figures(quiet: bool) -> bool:
 
     if find_spec("matplotlib") is not None:
         return True
-    _say("figures are left out: pip install 'springback[plot]'", quiet)
+    from springback.experiments.extras import install_line
+
+    _say(f"figures are left out, they need matplotlib: {install_line('plot')}", quiet)
     return False
 
 
@@ -148,7 +152,7 @@ def fly(
     for sentence in uneasy(ready, own=own is not None):
         _say(f"warning: {sentence}", False)
     with output_folder(out, force=force, replaces=FLIGHT_FILES) as folder:
-        with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+        with _patience(FIRST, quiet):
             flight = fly_scenario(ready, pilot=own)
             figures = not no_figures and _have_figures(quiet)
             written = write_flight(flight, folder, figures=figures)
@@ -365,6 +369,7 @@ def _table(rows: list[Any]) -> str:
 
 from springback.interfaces import (  # noqa: E402, F401
     cli_campaign,
+    cli_examples,
     cli_film,
     cli_lab,
     cli_map,
