@@ -134,23 +134,23 @@ class Typed(NamedTuple):
 def typed(page: Path) -> Iterator[Typed]:
     """Code of a page in its order; an indented block and one in fences without a language are for a shell."""
     lines = [*page.read_text().splitlines(), ""]
-    said, k = "", 0
+    said, last, k = "", "", 0
     while k < len(lines):
         fence = re.match(r"```(\S*)", lines[k])
         if fence:
             end = next(j for j in range(k + 1, len(lines)) if lines[j].startswith("```"))
             body = "\n".join(lines[k + 1 : end])
-            name = re.search(r"Save as `(.+?)`", said)
+            name = re.search(r"Save as `(.+?)`", last)
             if fence[1] in ("python", "toml", "sh", "text"):
                 kind = "shell" if fence[1] == "sh" else fence[1]
                 yield Typed(kind, body, name[1] if name else "", k + 1)
-            said, k = "", end + 1
+            said, last, k = "", "", end + 1
         elif lines[k].startswith("    ") and not said.strip():
             if lines[k].strip():
                 yield Typed("shell", lines[k].strip(), "", k + 1)
             k += 1
         else:
-            said = lines[k] if lines[k].strip() else ""
+            said, last = lines[k].strip() and lines[k], lines[k].strip() or last
             if lines[k].strip():
                 for command in re.findall(r"`(springback [a-z][^`]*)`", lines[k]):
                     yield Typed("words", command, "", k + 1)
@@ -160,7 +160,7 @@ def typed(page: Path) -> Iterator[Typed]:
 @pytest.mark.parametrize("page", ["README.md", "docs/howto/campaigns.md"])
 def test_the_row_to_be_flown_again_is_one_of_the_example(page: str) -> None:
     plan, _ = read_plan(ROOT / "examples/campaign.toml")
-    rows = re.findall(r"springback refly results (\d+)", (ROOT / page).read_text())
+    rows = re.findall(r"springback refly \w+ (\d+)", (ROOT / page).read_text())
     assert rows
     assert max(map(int, rows)) < plan.samples * plan.repeats * len(plan.robots)
 
@@ -248,6 +248,8 @@ class Reader:
         if words[0] in OTHERS:
             return
         assert words[0] == "springback", f"line {this.line}: {this.text}"
+        if words[1] == "examples":
+            words += ["--force"]  # they are here already
         if words[1] in LOOKED_AT:
             self.look_at(words[1:])
             return

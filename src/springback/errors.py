@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 import warnings
+from collections.abc import Iterator
 from typing import TextIO
 
 #: Characters of a given value that are shown in a message (chosen).
@@ -19,12 +21,28 @@ class LedgerWarning(UserWarning):
 class InputError(ValueError):
     """Something a user gave cannot be used.  Each problem is one line that says how to mend it."""
 
-    def __init__(self, *problems: str) -> None:
-        """One line for each problem."""
+    def __init__(self, *problems: str, path: tuple[str | int, ...] = ()) -> None:
+        """One line for each problem.
+
+        Args:
+            *problems: The lines.
+            path: Keys and indices of the value at fault, where it is known and the lines do not
+                name it yet.
+        """
         shown = tuple(shortened(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
         left = len(problems) - len(shown)
         self.problems = (*shown, f"and {left} more problems") if left else shown
+        self.path = path
         super().__init__("\n".join(self.problems))
+
+
+@contextlib.contextmanager
+def within(*keys: str | int) -> Iterator[None]:
+    """Put the keys of a table in front of the path of problems found inside it."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(*error.problems, path=(*keys, *error.path)) from None
 
 
 class CacheWarning(UserWarning):

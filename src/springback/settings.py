@@ -4,13 +4,38 @@ from __future__ import annotations
 
 import contextlib
 import difflib
-from collections.abc import Iterator
-from typing import Annotated, Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from springback.errors import shortened, shown_value
+from springback.errors import InputError, shortened, shown_value
+from springback.problems import dotted, problem_paths
+
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass
+else:
+    ModelMetaclass = type(BaseModel)
+
+
+#: How alike a word must be to one that was perhaps meant, from 0 to 1 (chosen: foo is not robot).
+LIKE = 0.6
+#: Letters of a name that are enough to tell it by its beginning (chosen).
+SHORTEST = 3
+
+
+def meant(word: str, known: Iterable[str]) -> str:
+    """The known name that a word stands for, as far as one can tell; else empty.
+
+    Args:
+        word: Misspelt, or the beginning of a name.
+        known: Names.
+    """
+    names = list(known)
+    near = difflib.get_close_matches(word.lower(), names, n=1, cutoff=LIKE)
+    begun = [name for name in names if len(word) >= SHORTEST and name.startswith(word.lower())]
+    return next(iter([*near, *begun]), "")
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
@@ -43,10 +68,59 @@ def _name(value: str) -> str:
 Name = Annotated[str, AfterValidator(_name)]
 
 
-class Settings(BaseModel):
+class _SettingsType(ModelMetaclass):
+    """Reports bad values given to a constructor as `InputError`, one line for each.
+
+    Only direct calls such as ``Plan(method="sobol")`` pass here.  Tables inside tables are made by
+    the validators, whose problems keep their path.
+    """
+
+    def __call__(cls: Any, *positional: Any, **given: Any) -> Any:
+        try:
+            return super().__call__(*positional, **given)
+        except ValidationError as error:
+            raise InputError(*cls.in_words(error)) from None
+
+
+class Settings(BaseModel, metaclass=_SettingsType):
     """A table of a scenario file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    @classmethod
+    def in_words(cls, error: ValidationError) -> list[str]:
+        """The problems of a table, one line each: the key, and what is wrong with its value."""
+        found = problem_paths(error)
+        return [f"{dotted(path)}: {what}" if path else what for path, what in found]
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy with some keys changed, which are checked as those of a file are.
+
+        Args:
+            update: Keys and their new values: numbers in SI, text with a unit, or inner tables,
+                which change those keys of the inner table that they name.
+            deep: Copy the inner tables, too.
+
+        Raises:
+            InputError: One line for each problem, if the changed table is not possible.
+        """
+        if not update:
+            return super().model_copy(deep=deep)
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        for key, value in update.items():
+            inner = getattr(self, key, None)
+            if isinstance(value, Mapping) and isinstance(inner, Settings):
+                try:
+                    value = inner.model_copy(update=value)
+                except InputError as error:
+                    raise InputError(*(f"{key}.{line}" for line in error.problems)) from None
+            given[key] = value
+        changed = type(self)(**given)
+        return changed.model_copy(deep=deep)
+
+    def with_checked(self, **values: Any) -> Self:
+        """A copy with some values changed that are known to be good: nothing is checked again."""
+        return super().model_copy(update=values)
 
     @model_validator(mode="before")
     @classmethod
@@ -54,8 +128,7 @@ class Settings(BaseModel):
         if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
                 if key not in fields:
-                    near = difflib.get_close_matches(str(key), fields, n=1, cutoff=0.5)
-                    known = "known keys: " + ", ".join(fields)
-                    hint = f"did you mean {near[0]}?" if near else known
+                    near = meant(str(key), fields)
+                    hint = f"did you mean {near}?" if near else f"known keys: {', '.join(fields)}"
                     raise problem(f"unknown key; {hint}", shortened(str(key)))
         return given

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pydantic import ValidationError
 from pydantic_core import PydanticCustomError
 
 from springback.control.linear import AXES, Axis, delay, loop_eigenvalues, warnings_for
 from springback.control.parameters import ControlSettings
+from springback.errors import InputError
 from springback.sensing.measurement import paced
 
 QUAD_MASS, ARQ_MASS, ROTOR_LAG = 1.22, 1.41, 0.03
@@ -177,5 +177,5 @@ def test_settings_take_units_and_refuse_what_cannot_be() -> None:
         ({"yaw_weight": 1.5}, "at most 1"),
         ({"atitude": "lee"}, "did you mean attitude"),
     ):
-        with pytest.raises(ValidationError, match=part):
+        with pytest.raises(InputError, match=part):
             ControlSettings(**bad)

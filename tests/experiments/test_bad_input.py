@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+import springback
 from springback.errors import InputError
 from springback.experiments.result import as_scenario, fly
 from springback.experiments.scenario_file import read_scenario
@@ -126,8 +128,12 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "unknown key": (STROKE, "stifness = 5e3", "vehicle.arms.stifness", ("did you mean stiffness?",)),
     "key like no other": (MASS, "xyzzy = 2", "vehicle.body.xyzzy", ("known keys: mass, inertia",)),
     "unknown table": ("[start]", "[strat]", "strat", ("did you mean start?",)),
-    "unknown vehicle": ('preset = "arq"', 'preset = "arqq"', "", ("arqq", "did you mean arq?")),
-    "unknown surface": (WALL, 'surface = "wal"', "", ("'wal'", "did you mean wall?")),
+    "unknown vehicle": (
+        'preset = "arq"', 'preset = "arqq"', "vehicle.preset", ("arqq", "did you mean arq?"),
+    ),
+    "unknown surface": (
+        WALL, 'surface = "wal"', "world.obstacles[0].surface", ("'wal'", "did you mean wall?"),
+    ),
     "unknown law": (
         WALL, 'surface = { preset = "wall", law = "hunt" }', "world.obstacles[0].surface.law",
         ("hunt-crossley", "'hunt'"),
@@ -230,8 +236,11 @@ OVERRIDES = {
     "vehicle.arms.stroke=0.3 m": ("vehicle.arms.stroke", "0.19 m"),
     "vehicle.arms.stiffness=5 N": ("vehicle.arms.stiffness", "N/m"),
     "vehicle.arms.stifness=3": ("vehicle.arms.stifness", "did you mean stiffness?"),
-    "vehicle=arqq": ("", "did you mean arq?"),
-    "world.obstacles[0].surface=wal": ("", "did you mean wall?"),
+    "vehicle=arqq": ("vehicle.preset", "did you mean arq?"),
+    "world.obstacles[0].surface=wal": (
+        "world.obstacles[0].surface",
+        "did you mean wall?",
+    ),
     "world.obstacles[0].surface.frction=1": ("world.obstacles[0].surface.frction", "friction"),
     "world.obstacles[0].type=pole": ("world.obstacles[0].type", "wall"),
     "world.obstacles=3": ("world.obstacles", "list"),
@@ -330,3 +339,144 @@ def test_a_ready_scenario_takes_no_overrides() -> None:
     """It has been checked; a changed copy would not be."""
     with pytest.raises(InputError, match="overrides"):
         fly(as_scenario({"vehicle": "arq"}), "vehicle.body.mass=2")
+
+
+# -- the right line and the right field --------------------------------------------------------------
+
+
+def test_an_unknown_preset_is_blamed_on_its_own_line(tmp_path: Path) -> None:
+    """Not on the first line that has the same word in it."""
+    path = tmp_path / "hexa.toml"
+    text = GOOD.replace('name = "test"', 'name = "hexa, concrete"').replace(
+        WALL, 'surface = "concrete"'
+    )
+    path.write_text(text)
+    line = text.splitlines().index('surface = "concrete"') + 1
+    said = problem_of(path)
+    assert said.startswith(f"{path}:{line}: world.obstacles[0].surface: unknown surface preset")
+
+
+def test_an_unknown_preset_in_tables_names_its_key() -> None:
+    """There is no file, so the path alone."""
+    wall = {"type": "wall", "distance": 1.0, "surface": {"preset": "concrete"}}
+    with pytest.raises(
+        InputError, match=r"^world\.obstacles\[0\]\.surface\.preset: unknown surface"
+    ):
+        as_scenario({"vehicle": "arq", "world": {"obstacles": [wall]}})
+
+
+def test_what_the_file_does_not_mention_has_no_line(tmp_path: Path) -> None:
+    """A line that says something else is worse than none."""
+    path = tmp_path / "scenario.toml"
+    path.write_text('name = "no vehicle"\n')
+    assert problem_of(path) == f"{path}: vehicle: is missing"
+
+
+def test_a_flight_too_long_is_blamed_on_its_duration(tmp_path: Path) -> None:
+    """The step is a default, which the user has never heard of."""
+    path = tmp_path / "scenario.toml"
+    path.write_text('vehicle = "arq"\n[simulation]\nduration = 1e9\n')
+    assert problem_of(path).startswith(f"{path}:3: simulation.duration: must be at most ")
+    assert "got 1e+09 s" in problem_of(path)
+    path.write_text('vehicle = "arq"\n')
+    word = "simulation.duration=1e9"
+    assert problem_of(path, word).startswith(f"override {word}: simulation.duration: ")
+    # With a pilot aboard, ticks are what is too many: here, too, nobody gave a clock.
+    said = problem_of(path, "reference.type=hold", "simulation.duration=1e4")
+    assert said.startswith("override simulation.duration=1e4: simulation.duration: must be at most")
+
+
+# -- entries of lists that are not given ------------------------------------------------------------
+
+
+def test_entries_of_defaults_can_be_overridden(tmp_path: Path) -> None:
+    """The file leaves the start and the arms to default and preset; one entry is changed."""
+    path = tmp_path / "scenario.toml"
+    path.write_text('vehicle = "arq"\n')
+    plain = read_scenario(path)
+    moved = read_scenario(path, ["start.position.2=3", "start.position[0]=1 m"])
+    assert moved.start.position == (1.0, 0.0, 3.0)
+    turned = read_scenario(path, ["vehicle.arms.directions.1=-60 deg"]).vehicle.arms.directions
+    before = plain.vehicle.arms.directions
+    assert turned[1] == pytest.approx(-1.0471975511965976)
+    assert (turned[0], *turned[2:]) == (before[0], *before[2:])
+
+
+def test_entries_that_are_not_there_are_counted(tmp_path: Path) -> None:
+    """How many there are."""
+    path = tmp_path / "scenario.toml"
+    path.write_text('vehicle = "arq"\n')
+    assert "there is no entry 3; entries are 0 to 2" in problem_of(path, "start.position.3=1")
+    word = "world.obstacles.0.distance=1"
+    assert "there is no entry 0; the list is empty" in problem_of(path, word)
+    assert "it is not a list" in problem_of(path, "vehicle.arms.length.0=0.2")
+
+
+# -- from Python ------------------------------------------------------------------------------------
+
+CALLS = {
+    "executor": (lambda: fly({"vehicle": "arq"}, executor="gpu"), "executor must be 'compiled'"),
+    "pilot": (lambda: fly({"vehicle": "arq"}, pilot=3), r"pilot must be a function .*\(got 3\)"),
+    "scenario": (lambda: fly(3), r"scenario must be .* \(got 3\)"),
+    "plan": (
+        lambda: springback.Plan(scenario={"vehicle": "arq"}, method="sobool"),
+        r"^method: must be .*'sobol'.*\(got 'sobool'\)$",
+    ),
+    "wall": (
+        lambda: springback.Wall(type="wall", distance=1.0, surface=3), r"^surface: must be a table",
+    ),
+    "override": (lambda: fly({"vehicle": "arq"}, 3), "3 is no override"),
+    "overrides": (lambda: read_scenario("s.toml", "start.pitch=3"), "must be a list of words"),
+    "file": (lambda: read_scenario(3), r"path of a TOML file \(got 3\)"),
+    "campaign": (lambda: springback.run_campaign(3, "x"), r"must be a springback.Plan \(got 3\)"),
+    "pilot to check": (lambda: springback.check_pilot(3), r"pilot must be a function .*\(got 3\)"),
+    "no pilot to check": (lambda: springback.check_pilot(None), "pilot must be given"),
+    "restitution": (lambda: springback.restitution(-1.0, 2.0), r"at least 0 s/m \(got -1 s/m\)"),
+    "restitution at speed": (lambda: springback.restitution(0.4, -2.0), "at least 0 m/s"),
+    "changed inside": (
+        lambda: springback.ARQ.vehicle.model_copy(update={"arms": {"length": "2 kg"}}),
+        r"^arms\.length: has the wrong unit \(got '2 kg'\)",
+    ),
+    "changed wrongly": (
+        lambda: springback.ARQ.vehicle.arms.model_copy(update={"stifness": 2e3}),
+        r"^stifness: unknown key; did you mean stiffness\?$",
+    ),
+    "changed too far": (
+        lambda: springback.ARQ.vehicle.body.model_copy(update={"mass": -1.0}),
+        r"^mass: must be more than 0 kg \(got -1 kg\)$",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("call", "said"), CALLS.values(), ids=CALLS.keys())
+def test_slips_in_python_are_told_in_one_line(call: Callable[[], object], said: str) -> None:
+    """As those in a file: an `InputError`, no traceback from inside, no address of a web page."""
+    with pytest.raises(InputError, match=said) as caught:
+        call()
+    assert len(str(caught.value).splitlines()) == 1
+    assert "http" not in str(caught.value)
+
+
+def test_changed_copies_are_read_as_files_are() -> None:
+    """Units are understood; the rest stays as it was."""
+    arms = springback.ARQ.vehicle.arms
+    softer = arms.model_copy(update={"stiffness": "2 N/mm"})
+    assert softer.stiffness == 2000.0
+    assert softer.model_copy(update={"stiffness": arms.stiffness}) == arms
+
+
+def test_a_copy_changes_the_keys_of_an_inner_table_that_are_named() -> None:
+    """As a file laid over a preset does: what is not named stays, and is not set to its default."""
+    arq = springback.ARQ.vehicle
+    softer = arq.model_copy(update={"arms": {"stiffness": "2 N/mm"}})
+    assert softer.arms.stiffness == 2000.0
+    assert softer == arq.model_copy(update={"arms": softer.arms})
+    assert softer.arms.model_copy(update={"stiffness": arq.arms.stiffness}) == arq.arms
+
+
+@pytest.mark.parametrize("ask", ["plot", "to_dataframe", "to_xarray"])
+def test_a_flight_without_its_trajectory_says_so(ask: str) -> None:
+    tables = {"vehicle": "arq", "simulation": {"duration": 2e-3}}
+    flight = fly(tables, trajectory=False, executor="python")
+    with pytest.raises(InputError, match="kept no trajectory: fly it with trajectory=True"):
+        getattr(flight, ask)()

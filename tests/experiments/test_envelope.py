@@ -75,6 +75,9 @@ def test_cells_that_cannot_be_flown_count_nowhere() -> None:
     [row] = [r for r in told.rows() if r["clock [1/s]"] == 1.0 and r["seed [-]"] == 0.0]
     assert (row["trials"], row["successes"], row["share"], row["low"]) == (0, None, None, None)
     assert row["cannot_be_flown"] == "too weak"
+    # The table says why, and where: a dash alone would read as the robot's failure.
+    assert "\n- not flown: 2 cells, such as " in told.table("arq")
+    assert told.table("arq").endswith(": too weak")
     assert told.table("arq").splitlines()[2].split() == ["10", "10", "-", "0"]
 
 

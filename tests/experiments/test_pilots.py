@@ -138,6 +138,18 @@ def law(pilot, time, measurement, memory):
 class Other(NamedTuple):
     share: float
 
+def no_arguments():
+    return (3.0,) * 4, None
+
+class Strange(NamedTuple):
+    share: float
+
+@springback.piloted.register(Strange)
+@springback.kernel
+def short_law(pilot):
+    return springback.Piloted((pilot.share,) * 4, 0.0)
+
+odd = springback.OwnPilot(Strange(3.0), 0.0)
 number = 3
 whole = springback.OwnPilot(Gains(3), 0.0)
 array = springback.OwnPilot(Gains(3.0), [1.0])
@@ -158,6 +170,8 @@ SLIPS = {
     "array": ("memory", "list"),
     "few": (":27: ", "commands 3 thrusts for 4 rotors"),
     "grows": (":27: ", "memory like the first, float", "(float, float)"),
+    "no_arguments": ("slips.py:39: ", "TypeError", "no_arguments()"),
+    "odd": ("slips.py:45: ", "TypeError", "short_law()"),
     "stranger": ("Other is no pilot yet", "register piloted"),
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import pytest
@@ -13,10 +14,11 @@ from springback.experiments.recovery_measures import (
     recovery_columns,
     recovery_outcomes,
 )
+from springback.experiments.result import Flight
 from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import Vec
 from springback.recovery.referee import referee_at_start
-from springback.simulation.measures import Outcome, told_of
+from springback.simulation.measures import MEASURES, Outcome, told_of
 from springback.simulation.reading import as_columns
 from springback.simulation.record import NOT_FINITE, blank_record
 
@@ -75,3 +77,15 @@ def test_outcomes_in_their_order() -> None:
     ]
     for one, judged, wanted in cases:
         assert recovery_outcomes(as_columns(one), as_columns(judged)) == [wanted]
+
+
+def test_a_flight_is_printed_in_degrees_and_measured_in_radians() -> None:
+    """As summary and lab print it; what is computed with stays in SI."""
+    told = read(*memories()) | {"nose_up": math.radians(-28.6), "nose_down": None}
+    measures = dict.fromkeys(MEASURES) | told
+    scenario = scenario_from({"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}})
+    flight = Flight(scenario, Outcome.RECOVERED, measures, {}, {})
+    assert re.search(r"^  nose_up +-28\.6 deg$", repr(flight), re.M)
+    assert re.search(r"^  nose_down +-$", repr(flight), re.M)
+    assert flight.nose_up == math.radians(-28.6)
+    assert flight.summary()["units"]["nose_up"] == "rad"

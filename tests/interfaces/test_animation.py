@@ -262,7 +262,7 @@ def test_what_cannot_be_gets_one_line_and_leaves_nothing(folder: Path, tmp_path:
 
 def test_a_missing_extra_is_named(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # fmt: skip
     monkeypatch.setitem(sys.modules, "av", None)
-    assert "pip install 'springback[video]'" in refused(folder, "--out", tmp_path / "a.mp4")
+    assert "[video]" in refused(folder, "--out", tmp_path / "a.mp4")
 
 
 def test_a_flight_without_its_trajectory_says_so(folder: Path, tmp_path: Path) -> None:

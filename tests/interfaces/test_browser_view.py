@@ -191,3 +191,102 @@ def test_it_fits_on_a_phone(driver: Any, page: Path) -> None:
     assert widths
     assert max(widths) <= 390
     assert complaints(driver) == []
+
+
+def drag(driver: Any, element: Any, start: tuple[float, float], end: tuple[float, float]) -> None:
+    """Press, move and let go, in shares of an element's width and height."""
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    width, height = element.size["width"], element.size["height"]
+    (a, b), (c, d) = start, end
+    chain = ActionChains(driver, duration=50)
+    chain.move_to_element_with_offset(element, (a - 0.5) * width, (b - 0.5) * height)
+    chain.click_and_hold()
+    for _ in range(2):
+        chain.move_by_offset((c - a) * 0.5 * width, (d - b) * 0.5 * height)
+    chain.release().perform()
+
+
+#: Of every plot: the time line, whether it is hidden, where it stands and where its time is [px].
+LINES = """
+const { player } = window.springback;
+return [...document.querySelectorAll('.plot-now')].map((line) => {
+  const over = line.parentElement, [from, to] = window.springback.plots.range ?? [NaN, NaN];
+  return [line.hidden, new DOMMatrix(getComputedStyle(line).transform).m41,
+          (player.time - from) / (to - from) * over.clientWidth];
+});
+"""
+
+
+def test_the_time_line_keeps_its_place_when_a_plot_is_zoomed(driver: Any, page: Path) -> None:
+    """A new range holds from the next drawing on; the line moves then, not before."""
+    opened(driver, page)
+    key(driver, "t")
+    plot = driver.find_element("css selector", ".u-over")
+    drag(driver, plot, (0.6, 0.5), (0.9, 0.5))
+    until(lambda: all(hidden for hidden, _, _ in driver.execute_script(LINES)), 3.0)
+    begin, end = driver.execute_script("return window.springback.plots.range")
+    middle = 0.5 * (begin + end)
+    driver.execute_script("window.springback.player.seek(arguments[0])", middle)
+    drag(driver, plot, (0.3, 0.5), (0.9, 0.5))
+
+    def in_place() -> bool:
+        lines = driver.execute_script(LINES)
+        return all(not hidden and abs(at - due) < 1.5 for hidden, at, due in lines)
+
+    until(in_place, 3.0)
+    assert complaints(driver) == []
+
+
+def test_a_zoom_by_hand_can_be_ended(driver: Any, page: Path) -> None:
+    """A double click shows all; the buttons say which range is shown, and none where it is another."""
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    def lit() -> list[str]:
+        found = driver.find_elements(
+            "css selector", "[aria-label='Plots show'] [aria-pressed=true]"
+        )
+        return [button.get_attribute("data-value") for button in found]
+
+    opened(driver, page)
+    assert lit() == ["impact"]
+    plot = driver.find_element("css selector", ".u-over")
+    drag(driver, plot, (0.2, 0.5), (0.7, 0.5))
+    assert lit() == []
+    ActionChains(driver).double_click(plot).perform()
+    until(lambda: driver.execute_script("return window.springback.plots.range") is None, 3.0)
+    assert lit() == ["all"]
+
+
+def test_a_view_turned_by_hand_is_no_longer_called_by_its_name(driver: Any, page: Path) -> None:
+    """Its button is the way back, so it must not look pressed; who follows still follows."""
+
+    def lit() -> list[str]:
+        found = driver.find_elements("css selector", "[aria-label=Camera] [aria-pressed=true]")
+        return [button.get_attribute("data-value") for button in found]
+
+    opened(driver, page, "#camera=impact")
+    assert lit() == ["impact"]
+    canvas = driver.find_element("css selector", ".stage canvas")
+    drag(driver, canvas, (0.4, 0.5), (0.6, 0.55))
+    assert lit() == []
+    driver.find_element("css selector", "button[data-value=impact]").click()
+    assert lit() == ["impact"]
+    driver.find_element("css selector", "button[data-value=follow]").click()
+    drag(driver, canvas, (0.4, 0.5), (0.6, 0.55))
+    assert lit() == ["follow"]
+    assert complaints(driver) == []
+
+
+def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page: Path) -> None:
+    """Arrows are of single cages with friction; the number beside them is their sum as vectors."""
+    opened(driver, page, "#camera=impact")
+    driver.execute_script("document.querySelector('.event.peak').click()")
+    assert "contact force on a cage" in driver.find_element("css selector", ".scene-legend").text
+    rows = driver.find_elements("css selector", ".readouts tbody tr")
+    [cells] = [row.text for row in rows if row.text.startswith("contact force, sum of all cages")]
+    forces = [c["force"] for c in pose(driver)["flights"][0]["contacts"] if c]
+    assert len(forces) == 2
+    whole, parts = np.linalg.norm(np.sum(forces, axis=0)), np.linalg.norm(forces, axis=1)
+    assert whole < 0.95 * parts.sum()  # friction of one cancels that of the other
+    assert f"{whole:.0f}" in cells

@@ -122,7 +122,7 @@ def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() 
         assert hatched.get_hatch()
         assert hatched.get_bbox().bounds == pytest.approx((4.5, 30.0, 1.0, 30.0))
     texts = {text.get_text() for text in figure.legends[0].get_texts()}
-    assert {"95 % succeed", "cannot be flown", "paper: all succeed"} <= texts
+    assert {"95 % succeed", "not flown", "paper: all succeed"} <= texts
     assert figure.axes[0].get_xlabel().endswith("[m/s]")
     assert "[deg]" in figure.axes[0].get_ylabel()
 

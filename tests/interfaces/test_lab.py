@@ -134,6 +134,7 @@ WRONG = {
     "pitch=__import__('os').getcwd()": "pitch: is not a number (got",
     "surface=../../etc/passwd": "surface: must be wall, mat or own (got '../../etc/passwd')",
     "speeed=2": "speeed: unknown key; did you mean speed?",
+    "foo=1": "foo: unknown key; known keys: mode, robot",
     "speed=1&speed=2": "speed: is given twice; give it once",
     "recovery=%3Cscript%3E": "recovery: must be none, ",
     "yaw=%00": "yaw: is not a number",
@@ -466,3 +467,41 @@ def test_where_it_cannot_be_served_is_told_in_one_line(
         capture_output=True, text=True, timeout=60, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stderr.strip()) == (2, line)
+
+
+@pytest.mark.parametrize(
+    ("typed", "kept", "query"),
+    [
+        ({"speed": "10 km/h"}, 2.77778, "speed=2.77778"),
+        ({"pitch": "0.5 rad"}, 28.6479, "pitch=28.6479"),
+        ({"speed": "2.7777777777777777"}, 2.7777777777777777, "speed=2.7777777777777777"),
+    ],
+)
+def test_numbers_from_other_units_are_as_short_as_the_field(
+    typed: dict[str, str], kept: float, query: str
+) -> None:
+    """Field, link, file and flight have the same number: the one that can be read."""
+    (name,) = typed
+    settings = settings_from(typed.items())
+    assert getattr(settings, name) == kept
+    assert query_of(settings) == query
+    assert settings_from([tuple(query.split("="))]) == settings  # type: ignore[list-item]
+
+
+def test_the_force_of_the_lab_is_the_sum_of_the_forces_that_it_draws() -> None:
+    """Not of the normal forces alone: with an oblique wall friction has a part in it."""
+    settings = settings_from({"yaw": "20", "guide": "free", "robot": "quad"}.items())
+    [told] = answer(settings)["flights"]
+    scene = told["scene"]
+    force, at = (numbers(scene["force"][part]) for part in ("of", "at"))
+    [curve] = [one for one in scene["series"] if one["panel"] == "Contact force"]
+    drawn = np.zeros(scene["t"]["shape"][0])
+    drawn[at.astype(int)] = np.linalg.norm(force.reshape(len(at), -1, 3).sum(axis=1), axis=1)
+    assert curve["name"] == "sum of all cages"
+    assert drawn.max() > 100.0
+    assert numbers(curve["values"]) == pytest.approx(drawn, rel=1e-5, abs=1e-3)
+
+
+def numbers(packed: dict[str, Any]) -> Any:
+    """The numbers of a packed array."""
+    return np.frombuffer(base64.b64decode(packed["data"]), np.dtype(f"<{packed['type']}"))

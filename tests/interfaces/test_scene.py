@@ -8,6 +8,7 @@ import json
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import duckdb
 import numpy as np
@@ -17,6 +18,7 @@ import springback
 from contact.own_obstacles import Ball
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
+from springback.experiments.own_surfaces import read_surfaces, surface_of
 from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import expanded
 from springback.experiments.sealed import file_digest, sealed
@@ -24,7 +26,7 @@ from springback.experiments.tables import WorldSettings
 from springback.interfaces import scene_instants
 from springback.interfaces.files import write_flight
 from springback.interfaces.scene import Scene, plain, read_result, scene_of
-from springback.interfaces.scene_geometry import drawn, mesh_of
+from springback.interfaces.scene_geometry import drawn
 from springback.interfaces.scene_instants import (
     ACCELERATION_BOUND,
     APART,
@@ -246,7 +248,7 @@ def test_walls_mats_and_ground_stand_where_they_are() -> None:
 def test_a_shape_of_ones_own_becomes_a_closed_mesh() -> None:
     """Its vertices lie on the shape, its triangles face outwards, every edge is shared by two."""
     ball = Ball(Vec(0.3, -0.2, 0.1), 0.4)
-    mesh = mesh_of(ball, np.full(3, -1.0), np.full(3, 1.0))
+    mesh = surface_of(ball, np.full(3, -1.0), np.full(3, 1.0))
     assert mesh is not None
     assert mesh.vertices is not None
     assert mesh.triangles is not None
@@ -262,8 +264,8 @@ def test_a_shape_of_ones_own_becomes_a_closed_mesh() -> None:
     assert volume == pytest.approx(4 / 3 * math.pi * 0.4**3, rel=0.02)
 
 
-def test_a_flight_into_a_shape_that_the_file_does_not_know_says_so(
-    monkeypatch: pytest.MonkeyPatch,
+def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """In plain Python: compiling for a test's own shape takes longer than flying."""
     monkeypatch.setattr(scene_instants, "own_executor", lambda function, *_, **__: function)
@@ -274,11 +276,29 @@ def test_a_flight_into_a_shape_that_the_file_does_not_know_says_so(
     }
     flight = fly(tables, own=own, executor="python")
     assert flight.contacts
-    known, unknown = scene_of(flight, own=own), scene_of(flight)
+    assert flight.own == tuple(own)
+    write_flight(flight, tmp_path, figures=False)
+    known, saved = scene_of(flight), scene_of(read_result(tmp_path))
     assert known.notes == ()
-    assert known.obstacles[0].name == "Ball"
     assert np.abs(known.force).max() > 10.0
-    assert "does not describe" in unknown.notes[0]
+    # Its law is code of the user's, which no file keeps; its surface is drawn all the same.
+    assert "come from obstacles of your own" in saved.notes[0]
+    for scene in (known, saved):
+        [ball] = scene.obstacles
+        assert (ball.kind, ball.name) == ("mesh", "Ball")
+        assert ball.vertices is not None
+        away = np.linalg.norm(ball.vertices - [2.9, 0.0, 1.0], axis=1)
+        assert away == pytest.approx(np.full(len(away), 0.2), abs=1e-4)
+    assert len(saved.obstacles[0].triangles) > 50
+    again = read_result(tmp_path).summary()  # what was read back says the same again
+    assert again["own_obstacles"] == flight.summary()["own_obstacles"]
+
+
+@pytest.mark.parametrize("torn", [3, [{}], [{"name": "x", "vertices": [[0, 0, 0]], "normals": [[0, 0, 1]],
+                                             "triangles": [[0, 1, 2]]}]])  # fmt: skip
+def test_torn_surfaces_are_refused_in_one_line(torn: Any) -> None:
+    with pytest.raises(InputError, match=r"^s\.json: must be a list of surfaces"):
+        read_surfaces(torn, "s.json")
 
 
 # -- as JSON --------------------------------------------------------------------------------------

@@ -26,8 +26,9 @@ from springback.experiments.result import Flight, fly
 from springback.interfaces.files import write_flight
 from springback.interfaces.page import in_script, page_of, part
 from springback.interfaces.saved import read_result
+from springback.interfaces.scene_labels import difference, labels_of, scenes_of
 from springback.interfaces.serving import bound, is_welcome
-from springback.interfaces.viewer import flights_of, labels_of, replay_of, twin_words
+from springback.interfaces.viewer import flights_of, replay_of, twin_words
 
 ROOT = Path(__file__).parents[2]
 TABLES = {
@@ -150,6 +151,28 @@ def test_flights_are_told_apart(flight: Flight) -> None:
     assert labels_of([flight, flight]) == ["ARQ 1", "ARQ 2"]
     other = replace(flight, scenario=flight.scenario.model_copy(update={"name": "softer"}))
     assert labels_of([flight, other]) == ["flight", "softer"]
+
+
+def test_flights_of_one_robot_go_by_their_folders(flight: Flight) -> None:
+    assert labels_of([flight, flight], ["out/plain", "out/softer"]) == [
+        "ARQ (plain)",
+        "ARQ (softer)",
+    ]
+    assert labels_of([flight, flight], ["a/out", "b/out"]) == ["ARQ (a/out)", "ARQ (b/out)"]
+    assert labels_of([flight, flight], ["out", "out"]) == ["ARQ 1", "ARQ 2"]
+
+
+def test_the_second_of_two_flights_says_in_what_it_differs(flight: Flight) -> None:
+    """The settings that were overridden, in SI, with the value of the first flight."""
+    arms = flight.scenario.vehicle.arms.model_copy(update={"stiffness": "2 N/mm"})
+    vehicle = flight.scenario.vehicle.model_copy(update={"arms": arms})
+    softer = replace(flight, scenario=flight.scenario.model_copy(update={"vehicle": vehicle}))
+    said = "vehicle.arms.stiffness (2000 instead of 5000)"
+    assert difference(flight, softer) == said
+    assert difference(flight, flight) == ""
+    first, second = scenes_of([flight, softer], ["plain", "softer"])
+    assert not any("differs" in note for note in first.notes)
+    assert second.notes[-1] == f"differs from ARQ (plain) in {said}"
 
 
 def test_a_scenario_is_flown_with_its_twin(tmp_path: Path, folder: Path) -> None:

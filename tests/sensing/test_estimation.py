@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from pydantic import ValidationError
 
 from oracles.estimating import NOTHING, ZERO
+from springback.errors import InputError
 from springback.kernels.layout import Like, got
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
@@ -222,7 +222,7 @@ def test_noise_is_inflated_and_clipping_distrusted_as_told():
     ],
 )
 def test_bad_input_is_named(given, words):
-    with pytest.raises(ValidationError, match=words):
+    with pytest.raises(InputError, match=words):
         EstimatorSettings(**given)
 
 

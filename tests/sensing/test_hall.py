@@ -7,9 +7,9 @@ import math
 
 import numpy as np
 import pytest
-from pydantic import ValidationError
 from scipy.integrate import quad
 
+from springback.errors import InputError
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.hall import (
     ArmsRead,
@@ -200,7 +200,7 @@ def test_perfect_lengths_are_exact() -> None:
 
 
 def test_a_magnet_too_close_is_refused() -> None:
-    with pytest.raises(ValidationError, match=r"saturates the sensor: 5.69 V .* ends at 4.7 V"):
+    with pytest.raises(InputError, match=r"saturates the sensor: 5.69 V .* ends at 4.7 V"):
         HallSettings(distance=4e-3)
-    with pytest.raises(ValidationError, match="more than the overrun"):
+    with pytest.raises(InputError, match="more than the overrun"):
         HallSettings(distance=1e-3)

@@ -7,9 +7,9 @@ from typing import Any
 import numba
 import numpy as np
 import pytest
-from pydantic import ValidationError
 from pydantic_core import PydanticCustomError
 
+from springback.errors import InputError
 from springback.frames import attitude_from_euler
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
@@ -209,9 +209,9 @@ def test_units_are_read_and_checked() -> None:
     device = built(settings)
     assert device.inertial.accelerometer.full_scale == pytest.approx(30 * 9.80665)
     assert (device.motion_capture.every.ticks, device.motion_capture.delay) == (10.0, 20.0)
-    with pytest.raises(ValidationError, match=r"must be at most 1 \(got 1.5\)"):
+    with pytest.raises(InputError, match=r"must be at most 1 \(got 1.5\)"):
         SensorSettings(motion_capture={"loss_probability": 1.5})
-    with pytest.raises(ValidationError, match="did you mean remanence"):
+    with pytest.raises(InputError, match="did you mean remanence"):
         HallSettings(remanance=1.3)
 
 

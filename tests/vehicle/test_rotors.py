@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numba import njit
-from pydantic import ValidationError
 from scipy.integrate import solve_ivp
 
+from springback.errors import InputError
 from springback.kernels.trees import leaves
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.rotors import (
@@ -162,7 +162,7 @@ def test_settings_become_the_kernels_numbers() -> None:
     ],
 )
 def test_wrong_settings_say_what_is_allowed(wrong: dict[str, Any], said: str) -> None:
-    with pytest.raises(ValidationError, match=said):
+    with pytest.raises(InputError, match=said):
         Propulsion(**wrong)
 
 

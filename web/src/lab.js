@@ -62,7 +62,7 @@ export function startLab(element, data) {
     drawer,
   );
 
-  const scene = createScene(stage);
+  const scene = createScene(stage, { onCamera: (mode) => cameras.mark(mode) });
   const plots = createLabPlots(plotBox, { onSeek: (t) => (player.pause(), player.seek(t)) });
   const player = createPlayer({ scene, plots: { show: plots.show, replace: () => drawPlots() }, bar });
   const table = createLabTable(tableBox);

@@ -158,6 +158,8 @@ export function createLabPlots(element, { onSeek }) {
       series: [{}, ...curves.map((curve) => ({
         stroke: curve.colour, width: curve.fill ? 1 : curve.behind ? 1.4 : 1.8, dash: curve.dash ?? [], fill: curve.fill, spanGaps: true, points: { show: false },
       }))],
+      // A new range or size holds from the next drawing on, so that is when the mark moves.
+      hooks: { draw: [() => mark(one)] },
       bands: panel.stacked ? curves.slice(1).map((_, k) => ({ series: [k + 1, k + 2], fill: curves[k].fill })) : [],
     }, dataOf(panel), canvas);
     one.marker = made("div", { class: "plot-now" });
@@ -167,14 +169,18 @@ export function createLabPlots(element, { onSeek }) {
     return one;
   }
 
+  /** Put the line of a plot where the time is, or away if that is not shown. */
+  function mark({ plot, marker }) {
+    if (!marker) return;
+    const { min, max } = plot.scales.x;
+    marker.hidden = !(now >= min && now <= max);
+    marker.style.transform = `translateX(${plot.valToPos(now, "x")}px)`;
+  }
+
   /** Mark a time [s]. */
   function show(t) {
     now = t;
-    for (const { plot, marker } of plots.values()) {
-      const { min, max } = plot.scales.x;
-      marker.hidden = !(t >= min && t <= max);
-      marker.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
-    }
+    plots.forEach(mark);
   }
 
   function resize() {

@@ -188,7 +188,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
   function prepareReadouts() {
     if (!readouts) return;
-    const rows = ["speed", "acceleration", "compression, largest", "contact force, all cages", "thrust, all rotors"];
+    const rows = ["speed", "acceleration", "compression, largest", "contact force, sum of all cages", "thrust, all rotors"];
     const units = ["m/s", "m/s²", "mm", "N", "N"];
     const table = made("table", { class: "numbers" });
     if (state.flights.length > 1) {
@@ -296,7 +296,8 @@ export function startReplay(element, data) {
   const bar = made("div");
   const readouts = made("div", { class: "readouts" });
   const plotBox = made("div");
-  const scene = createScene(stage, { flights: data.flights });
+  let cameras = null;
+  const scene = createScene(stage, { flights: data.flights, onCamera: (mode) => cameras?.mark(mode) });
   const flights = scene.flights;
 
   const outcomes = flights.map((flight) => {
@@ -306,7 +307,7 @@ export function startReplay(element, data) {
     return line;
   });
   const name = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
-  const cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
+  cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
   const compare = choice("Two flights", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
   const bends = flights.some((flight) => flight.arms.some((arm) => arm.compliant));
   const arms = choice("Arm travel", [["1", "arms to scale"], ["10", "arm travel × 10"]], "1", (times) => scene.setMagnified(Number(times)));
@@ -320,7 +321,7 @@ export function startReplay(element, data) {
   const plots = createPlots(plotBox, { onSeek: (t) => {
     player.pause();
     player.seek(t);
-  } });
+  }, onZoom: (part) => zooms.mark(part ? "" : "all") });
   const touch = touchOf(flights[0]);
   const impact = () => {
     const [begin, end] = flights[0].impacts[0].map((t) => t + flights[0].shift);
@@ -331,8 +332,8 @@ export function startReplay(element, data) {
     which === "all" ? plots.zoom() : plots.zoom(...impact()));
   const about = made("details", { class: "about" }, made("summary", {}, "About this picture"),
     ...notes.map((note) => made("p", {}, note)),
-    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are contact forces on the cages, blue bars the thrust of the rotors; dark discs are shadows straight down."),
-    made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. Drag in a plot to look closer."));
+    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on the cages, friction included; their sum as vectors, in which friction on two cages may cancel, stands among the numbers. Blue bars are the thrust of the rotors; dark discs are shadows straight down."),
+    made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. A click in a plot jumps there, a drag looks closer, a double click shows all again."));
 
   element.replaceChildren(
     made("header", { class: "top" }, made("div", {}, made("h1", {}, name), ...outcomes), made("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []))),

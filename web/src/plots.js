@@ -36,7 +36,7 @@ export function panelsOf(flights) {
 function summed(panel, series, flight, k) {
   if (!series.length) return [];
   if (panel === "Contact force") {
-    return [{ name: `${flight.label}, all cages`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
+    return [{ name: `${flight.label}, sum of all cages`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
   }
   const [word, rule] = OF_ALL[panel] ?? ["", (values) => values[0]];
   const values = Float32Array.from(series[0].values, (_, i) => rule(series.map((one) => one.values[i])));
@@ -76,8 +76,9 @@ export const told = (value) => {
  * Plots of flights inside an element.
  *
  * @param options.onSeek gets the time that was clicked [s]
+ * @param options.onZoom is called when the user has chosen the range: true for a part, false for all
  */
-export function createPlots(element, { onSeek = () => {} } = {}) {
+export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = {}) {
   let plots = [];
   let range = null;
   let now = 0;
@@ -123,6 +124,7 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
       one.marker = document.createElement("div");
       one.marker.className = "plot-now";
       one.plot.over.append(one.marker);
+      mark(one);
     });
     if (range) zoom(...range);
     show(now);
@@ -140,7 +142,7 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
       padding: [6, 20, 0, 0],
       legend: { show: false },
       scales: { x: { time: false }, y: { range: (_, low, high) => roomy(low, high) } },
-      cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => null } },
+      cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => (zoom(), onZoom(false)) } },
       axes: [
         { ...axis, size: 22, gap: 2, space: 56, values: (_, ticks) => ticks.map((t) => seconds(t, ticks)) },
         { ...axis, size: 46, gap: 4, space: 22 },
@@ -162,8 +164,11 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
             if (u.select.width < 6) return;
             zoom(u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x"));
             u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+            onZoom(true);
           },
         ],
+        // A new range or size holds from the next drawing on, so that is when the mark moves.
+        draw: [(u) => plots.filter((one) => one.plot === u).forEach(mark)],
       },
     };
     const plot = new uPlot(options, data, canvas);
@@ -188,15 +193,20 @@ export function createPlots(element, { onSeek = () => {} } = {}) {
     show(now);
   }
 
+  /** Put the line of a plot where the time is, or away if that is not shown. */
+  function mark({ plot, marker }) {
+    if (!marker) return;
+    const { min, max } = plot.scales.x;
+    marker.hidden = !(now >= min && now <= max);
+    marker.style.transform = `translateX(${plot.valToPos(now, "x")}px)`;
+  }
+
   /** Mark a time [s] and tell all values there. */
   function show(t) {
     now = t;
-    for (const { panel, values, plot, marker } of plots) {
-      const { min, max } = plot.scales.x;
-      if (marker) {
-        marker.hidden = t < min || t > max;
-        marker.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
-      }
+    for (const one of plots) {
+      const { panel, values } = one;
+      mark(one);
       panel.curves.forEach((curve, k) => (values[k].textContent = told(valueAt(curve.flight, curve.values, t))));
     }
   }

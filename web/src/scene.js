@@ -40,8 +40,9 @@ export function together(scenes, colours, align = true) {
  * @param options.flights scenes as springback.interfaces.scene.plain gives them, or flights
  * @param options.compare "side" or "ghost"
  * @param options.align whether flights that touch at different times are shown as touching together
+ * @param options.onCamera gets the view, one of CAMERAS, when it is taken, and "" when the user has turned away from it
  */
-export function createScene(element, { flights = [], compare = "side", align = true } = {}) {
+export function createScene(element, { flights = [], compare = "side", align = true, onCamera = () => {} } = {}) {
   const state = { compare, align, magnified: 1, camera: "follow", t: 0, flights: [], lost: false };
   let colours = palette();
   element.classList.add("picture");
@@ -84,6 +85,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls.minDistance = 0.15;
     controls.maxDistance = 30;
     controls.addEventListener("change", draw);
+    let held = false;
+    controls.addEventListener("start", () => (held = true));
+    controls.addEventListener("end", () => (held = false));
+    controls.addEventListener("change", () => {
+      if (held && state.camera !== "follow") onCamera(""); // who follows still does, from elsewhere
+    });
   }
 
   /** Draw soon, once. */
@@ -215,7 +222,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     }
     if (most > 0) {
       const round = roundBelow(most);
-      entry("force", `contact force, ${round} N is ${100 * ROUND_ARROW} cm`);
+      entry("force", `contact force on a cage, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
@@ -301,6 +308,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   function setCamera(mode) {
     state.camera = CAMERAS.includes(mode) ? mode : "follow";
     followed = null;
+    onCamera(state.camera);
     if (!renderer || !actors.length) return;
     const reach = Math.max(...state.flights.map(reachOf));
     const places = actors.map((actor) => actor.group.position);

@@ -37,7 +37,15 @@ def _root(function: Callable[[float], float], lowest: float, highest: float) -> 
 
 
 def restitution(dissipation: float, speed: float) -> float:
-    """Restitution e of a contact with c_a [s/m] touched at some speed [m/s]."""
+    """Restitution e of a contact with c_a [s/m] touched at some speed [m/s].
+
+    Raises:
+        InputError: If one of them is negative or no number.
+    """
+    if not dissipation >= 0.0:
+        raise InputError(f"dissipation must be at least 0 s/m (got {dissipation:g} s/m)")
+    if not speed >= 0.0:
+        raise InputError(f"speed must be at least 0 m/s (got {speed:g} m/s)")
     h = 1.5 * dissipation * speed
     if h < 1e-8:
         return 1.0 - h / 1.5

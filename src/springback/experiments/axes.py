@@ -7,7 +7,6 @@ scenario, such as ``control.time_constant``, ``world.obstacles.0.surface.frictio
 
 from __future__ import annotations
 
-import difflib
 import functools
 import inspect
 import math
@@ -21,13 +20,13 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
-from springback.experiments.problems import dotted, key_path
 from springback.experiments.run_ups import run_up_scenario
 from springback.experiments.scenario import Scenario, preset, scenario_from
 from springback.experiments.scenario_file import overridden
 from springback.experiments.trials import DURATION, NO_SCATTER, Condition, trial_tables
+from springback.problems import dotted, key_path
 from springback.quantities import checked, number_in
-from springback.settings import Settings
+from springback.settings import Settings, meant
 from springback.vehicle.library import VEHICLES
 
 Path = tuple[str | int, ...]
@@ -285,9 +284,9 @@ def _walked(path: Path, name: str, scenario: Scenario) -> tuple[FieldInfo | None
         elif not issubclass(kind, Settings):
             raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
         elif key not in kind.model_fields:
-            near = difflib.get_close_matches(key, [*kind.model_fields, *SHORT], n=1, cutoff=0.5)
+            near = meant(key, [*kind.model_fields, *SHORT])
             known = "known here: " + ", ".join(kind.model_fields)
-            hint = f"did you mean {near[0]}?" if near else known
+            hint = f"did you mean {near}?" if near else known
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         else:
             field, parent = kind.model_fields[key], None

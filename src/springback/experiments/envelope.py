@@ -161,13 +161,29 @@ class Envelope:
             lines.append([f"{self.y.shown[row]:g}", *entries])
         width = max(len(word) for line in [head, *lines] for word in line) + 2
         left = max(len(self.y.label), width)
-        title = f"{robot}: successes of {self.trials} trials; - cannot be flown"
+        title = f"{robot}: successes of {self.trials} trials"
         top = f"{self.y.label:>{left}}" + "".join(f"{word:>{width}}" for word in head)
         body = [
             f"{line[0]:>{left}}" + "".join(f"{word:>{width}}" for word in line[1:])
             for line in lines
         ]
-        return "\n".join([title, f"{top}  {self.x.label}", *body])
+        return "\n".join([title, f"{top}  {self.x.label}", *body, *self.reasons(robot)])
+
+    def reasons(self, robot: str) -> list[str]:
+        """Why cells of a robot were not flown: a line for each reason, with a cell it holds for."""
+        found: dict[str, list[Place]] = {}
+        for place, cell in self.cells.items():
+            if place.robot == robot and not cell.trials:
+                found.setdefault(cell.reason, []).append(place)
+        lines = []
+        for reason, places in found.items():
+            at = ", ".join(
+                _value(axis, axis.shown[k])
+                for axis, k in ((self.x, places[0].column), (self.y, places[0].row))
+            )
+            where = at if len(places) == 1 else f"{len(places)} cells, such as {at}"
+            lines.append(f"- not flown: {where}: {reason}")
+        return lines
 
     def rows(self) -> list[dict[str, Any]]:
         """One row of a table for each cell."""

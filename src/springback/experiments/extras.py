@@ -1,11 +1,23 @@
-"""Optional packages, asked for when first needed."""
+"""Optional packages: what each extra brings, and how it is installed from where springback is."""
 
 from __future__ import annotations
 
 import importlib
+import json
+import re
+import shlex
+import sys
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
+from urllib.parse import unquote, urlsplit
 
 from springback.errors import InputError
+
+#: Extras for work on springback itself, and the one that holds those of users.
+OF_DEVELOPERS = ("bench", "docs", "dev")
+EVERYTHING = "all"
 
 
 def needs(module: str, extra: str) -> Any:
@@ -18,5 +30,44 @@ def needs(module: str, extra: str) -> Any:
         return importlib.import_module(module)
     except ImportError:
         raise InputError(
-            f"this needs {module}, which is not installed: pip install 'springback[{extra}]'"
+            f"this needs {module}, which is not installed: {install_line(extra)}"
         ) from None
+
+
+def install_line(extra: str) -> str:
+    """What to type to add an extra to this installation.
+
+    springback is on no package registry, so the line names the checkout that it was installed from,
+    as pip and uv note it (PEP 610), or the repository.
+    """
+    name, python = "springback", shlex.quote(sys.executable)
+    pip = f"{python} -m pip install" if find_spec("pip") else f"uv pip install --python {python}"
+    try:
+        noted = metadata.distribution(name).read_text("direct_url.json")
+        origin = json.loads(noted) if noted else {}
+    except (metadata.PackageNotFoundError, json.JSONDecodeError):
+        origin = {}
+    url = str(origin.get("url", ""))
+    if "vcs_info" in origin:
+        kind = origin["vcs_info"].get("vcs", "git")
+        return f"{pip} {shlex.quote(f'{name}[{extra}] @ {kind}+{url}')}"
+    folder = Path(unquote(urlsplit(url).path)) if url.startswith("file://") else None
+    if folder is None or not (folder / "pyproject.toml").is_file():
+        return f"{pip} '.[{extra}]' in the checkout of springback"
+    edited = "-e " if origin.get("dir_info", {}).get("editable") else ""
+    return f"{pip} {edited}{shlex.quote(f'{folder}[{extra}]')}"
+
+
+def packages() -> dict[str, tuple[str, ...]]:
+    """Packages that the installed springback asks for, by extra; the core's under ``""``.
+
+    Extras for work on springback itself are left out, and so is the one that holds all others.
+    """
+    found: dict[str, list[str]] = {"": []}
+    for line in metadata.requires("springback") or ():
+        name = re.match(r"[A-Za-z0-9._-]+", line)
+        extra = re.search(r"extra\s*==\s*['\"]([\w-]+)['\"]", line)
+        if name is not None:
+            found.setdefault(extra[1] if extra else "", []).append(name[0])
+    left_out = (*OF_DEVELOPERS, EVERYTHING)
+    return {extra: tuple(names) for extra, names in found.items() if extra not in left_out}

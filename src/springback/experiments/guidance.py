@@ -203,7 +203,7 @@ def devices_of(
     """
     told = sensors
     if estimator.type == "perfect":
-        told = sensors.model_copy(update={"reveal": True})
+        told = sensors.with_checked(reveal=True)
     with _in_table("sensors"):
         devices = told.devices(tick, vehicle)
     return Devices(told, devices, draws_of(devices, vehicle.arm_count))
@@ -242,8 +242,8 @@ def _estimator_settings(given: EstimatorSettings, sensors: SensorSettings) -> Es
     """Settings of the estimator; where it stands on the robot it knows from the sensors."""
     if "offset" in given.kalman.model_fields_set:
         return given
-    kalman = given.kalman.model_copy(update={"offset": sensors.imu.offset})
-    return given.model_copy(update={"kalman": kalman})
+    kalman = given.kalman.with_checked(offset=sensors.imu.offset)
+    return given.with_checked(kalman=kalman)
 
 
 def _estimator(
@@ -259,7 +259,7 @@ def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings
     """Settings of the controller; unless told, it feeds forward where the reference is a run-up."""
     if given.feed_forward is not None:
         return given
-    return given.model_copy(update={"feed_forward": isinstance(reference, RunUpSettings)})
+    return given.with_checked(feed_forward=isinstance(reference, RunUpSettings))
 
 
 def _schedule(control: ControlSettings, clock: float) -> Schedule:

@@ -24,7 +24,6 @@ from springback.experiments.axes import (
     read_fixed,
 )
 from springback.experiments.envelope import Cell, Envelope, Place
-from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import scenario_from
 from springback.experiments.trials import (
     DURATION,
@@ -36,6 +35,7 @@ from springback.experiments.trials import (
     made_ready,
     trial_tables,
 )
+from springback.problems import dotted, problem_paths
 
 ROBOTS = ("arq", "quad")
 AXES = ("speed=1:5:9", "pitch=-60deg:60deg:9")

@@ -150,9 +150,7 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
     body = true_body(vehicle, error, load)
     if body is None:
         return vehicle
-    return vehicle.model_copy(
-        update={"body": vehicle.body.model_copy(update=body._asdict())},
-    )
+    return vehicle.with_checked(body=vehicle.body.with_checked(**body._asdict()))
 
 
 def true_airframe(

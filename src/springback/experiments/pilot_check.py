@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.experiments.given import chosen_pilot
 from springback.experiments.guidance import OwnPilot, propulsion_of
-from springback.experiments.pilots import read_pilot
 from springback.experiments.result import Flight, as_scenario, fly
 from springback.experiments.scenario import Scenario
 from springback.kernels.trees import leaves, rebuilt
@@ -70,7 +70,9 @@ def check_pilot(
     Raises:
         InputError: If the scenario, or the file of the pilot, cannot be used.
     """
-    own = read_pilot(pilot) if isinstance(pilot, str) else pilot
+    own = chosen_pilot(pilot)
+    if own is None:
+        raise InputError("pilot must be given: a function, an OwnPilot, or 'file.py:name'")
     asked = _as_plain(own)
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
     calls: list[Call] = []
@@ -110,12 +112,10 @@ def _as_plain(pilot: PlainPilot | OwnPilot) -> PlainPilot:
 
 def _at_rest(scenario: Scenario) -> Scenario:
     """The scenario as the properties are tried in it."""
-    start = scenario.start.model_copy(
-        update={"velocity": (0.0, 0.0, 0.0), "angular_velocity": (0.0, 0.0, 0.0)}
-    )
-    simulation = scenario.simulation.model_copy(update={"duration": DURATION})
+    start = scenario.start.with_checked(velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+    simulation = scenario.simulation.with_checked(duration=DURATION)
     changes = {"reference": None, "thrust": "hover", "start": start, "simulation": simulation}
-    return scenario.model_copy(update=changes)
+    return scenario.with_checked(**changes)
 
 
 # -- in flight ------------------------------------------------------------------------------------
@@ -169,8 +169,8 @@ def _marked(function: Any, pilot: Any) -> Any:
 
 def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
     half = math.acos(math.sqrt(math.cos(TILT)))  # roll and pitch that make the tilt together
-    start = scenario.start.model_copy(update={"roll": half, "pitch": half})
-    tilted = scenario.model_copy(update={"start": start})
+    start = scenario.start.with_checked(roll=half, pitch=half)
+    tilted = scenario.with_checked(start=start)
 
     def judge() -> tuple[bool, str]:
         flight = fly(tilted, pilot=pilot)

@@ -104,12 +104,20 @@ def _words(error: BaseException) -> str:
     return " ".join(f"{type(error).__name__}: {error}".split())
 
 
-def _place(error: BaseException, file: str) -> str:
-    """File and line of an error: the last that is in a file, else the last of the user's."""
+def _place(error: BaseException, file: str, line: int = 1) -> str:
+    """File and line of an error: the last that is in a file, else the last of the user's.
+
+    Args:
+        error: That was raised.
+        file: Of the user.
+        line: Where what was called begins, for an error that was raised before it was entered.
+    """
     frames = traceback.extract_tb(error.__traceback__)
     mine = [frame for frame in frames if frame.filename == file]
     others = [frame for frame in frames if not frame.filename.startswith((PACKAGE, "<"))]
-    last = (mine or others or list(frames))[-1]
+    if not mine and not others:  # it was not even entered: its signature is at fault
+        return f"{file}:{line}"
+    last = (mine or others)[-1]
     return f"{last.filename}:{last.lineno}"
 
 
@@ -143,7 +151,7 @@ def careful(pilot: PlainPilot, rotors: int) -> PlainPilot:
         try:
             said: Any = pilot(time, measurement, memory)
         except (Exception, SystemExit) as error:
-            place = _place(error, file)
+            place = _place(error, file, line)
             raise InputError(f"{place}: {_words(error)}, at {time:.6g} s") from error
         problem = wrong(said, rotors)
         if problem:
@@ -156,18 +164,18 @@ def careful(pilot: PlainPilot, rotors: int) -> PlainPilot:
 def wrong(said: Any, rotors: int) -> str:
     """What is wrong with the word of a pilot, a sentence without its subject; empty if nothing."""
     if not isinstance(said, tuple) or len(said) != 2:
-        return f"must return (thrusts, memory) (got {_short(said)})"
+        return f"must return (thrusts, memory) (got {as_written(said)})"
     commanded = said[0]
     if isinstance(commanded, str | bytes | Mapping | Set) or not isinstance(commanded, Iterable):
-        return f"must command a list or tuple of numbers in N (got {_short(commanded)})"
+        return f"must command a list or tuple of numbers in N (got {as_written(commanded)})"
     if isinstance(commanded, Iterator):  # it could be read only once
-        return f"must command a list or tuple of numbers in N (got {_short(commanded)})"
+        return f"must command a list or tuple of numbers in N (got {as_written(commanded)})"
     try:
         if any(isinstance(thrust, str | bytes | bool | np.bool_) for thrust in commanded):
-            return f"must command numbers in N (got {_short(commanded)})"
+            return f"must command numbers in N (got {as_written(commanded)})"
         thrusts = [float(thrust) for thrust in commanded]
     except (TypeError, ValueError, OverflowError):
-        return f"must command numbers in N (got {_short(commanded)})"
+        return f"must command numbers in N (got {as_written(commanded)})"
     if len(thrusts) != rotors:
         return f"commands {len(thrusts)} thrusts for {rotors} rotors"
     for k, thrust in enumerate(thrusts, start=1):
@@ -176,7 +184,8 @@ def wrong(said: Any, rotors: int) -> str:
     return ""
 
 
-def _short(value: Any) -> str:
+def as_written(value: Any) -> str:
+    """A value as Python writes it, on one line and not too long, for messages."""
     try:
         text = " ".join(repr(value).split())
     except Exception:  # of the user's own class
@@ -206,10 +215,10 @@ def tried(pilot: OwnPilot, measurement: Any, rotors: int) -> None:
     try:
         said = law(pilot.settings, 0.0, measurement, pilot.memory)
     except (Exception, SystemExit) as error:
-        raise InputError(f"{_place(error, file)}: {_words(error)}, at 0 s") from error
+        raise InputError(f"{_place(error, file, line)}: {_words(error)}, at 0 s") from error
     where = f"{file}:{line}: the pilot"
     if not isinstance(said, Piloted):
-        raise InputError(f"{where} must return Piloted(thrusts, memory) (got {_short(said)})")
+        raise InputError(f"{where} must return Piloted(thrusts, memory) (got {as_written(said)})")
     if problem := wrong(said, rotors):
         raise InputError(f"{where} {problem}")
     _check_floats(said.thrust, f"{where}: thrusts")
@@ -230,7 +239,7 @@ def _check_floats(tree: Any, stem: str) -> None:
         hint = f"; write {float(tree)!r}" if isinstance(tree, int) else ""
         raise InputError(
             f"{stem} must be a float, or a NamedTuple or tuple of floats, to be compiled "
-            f"(got {_short(tree)}, {kind}){hint}"
+            f"(got {as_written(tree)}, {kind}){hint}"
         )
 
 

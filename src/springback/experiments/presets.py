@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from typing import Any
 
 from springback.contact.library import SURFACES
-from springback.errors import InputError, shown_value
+from springback.errors import InputError, shown_value, within
 from springback.sensing.library import ESTIMATORS
+from springback.settings import meant
 from springback.vehicle.library import VEHICLES
 
 
@@ -20,13 +20,9 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     """
     if name in known:
         return known[name]
-    near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
-    hint = f"did you mean {near[0]}?" if near else ""
-    raise InputError(
-        " ".join(
-            f"unknown {kind} preset {shown_value(name)}; known: {', '.join(known)}. {hint}".split()
-        )
-    )
+    near = meant(name, known)
+    hint = f"did you mean {near}? " if near else ""
+    raise InputError(f"unknown {kind} preset {shown_value(name)}; {hint}known: {', '.join(known)}")
 
 
 def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
@@ -46,9 +42,16 @@ def vehicle_table(given: Any) -> Any:
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
-    base = preset("vehicle", str(table["preset"]), {k: v.vehicle for k, v in VEHICLES.items()})
+    known = {name: entry.vehicle for name, entry in VEHICLES.items()}
+    with within(*_key_of_preset(given)):
+        base = preset("vehicle", str(table["preset"]), known)
     own = {key: value for key, value in table.items() if key != "preset"}
     return merged(base.model_dump(), own)
+
+
+def _key_of_preset(given: Any) -> tuple[str, ...]:
+    """Where the name of a preset stands: in a table, or in the table's place."""
+    return () if isinstance(given, str) else ("preset",)
 
 
 def surface_table(given: Any) -> Any:
@@ -56,7 +59,8 @@ def surface_table(given: Any) -> Any:
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
-    base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
+    with within(*_key_of_preset(given)):
+        base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
     own = {key: value for key, value in table.items() if key != "preset"}
     if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
         base.pop("restitution", None)
@@ -79,7 +83,11 @@ def obstacle_table(entry: Any) -> Any:
     """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
     if not isinstance(entry, Mapping):
         return entry
-    own = {key: surface_table(entry[key]) for key in ("surface", "backing") if key in entry}
+    own = {}
+    for key in ("surface", "backing"):
+        if key in entry:
+            with within(key):
+                own[key] = surface_table(entry[key])
     return {**entry, **own}
 
 
@@ -87,11 +95,16 @@ def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario with every preset replaced by what it stands for."""
     result = dict(given)
     if "vehicle" in result:
-        result["vehicle"] = vehicle_table(result["vehicle"])
+        with within("vehicle"):
+            result["vehicle"] = vehicle_table(result["vehicle"])
     if "estimator" in result:
-        result["estimator"] = estimator_table(result["estimator"])
+        with within("estimator"):
+            result["estimator"] = estimator_table(result["estimator"])
     world = result.get("world")
     if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
-        entries = [obstacle_table(entry) for entry in world["obstacles"]]
+        entries = []
+        for k, entry in enumerate(world["obstacles"]):
+            with within("world", "obstacles", k):
+                entries.append(obstacle_table(entry))
         result["world"] = {**world, "obstacles": entries}
     return result

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,9 +16,11 @@ from pydantic_core import PydanticCustomError
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import InputError, LedgerWarning
+from springback.experiments.given import check_executor, chosen_pilot
 from springback.experiments.guidance import OwnPilot, board_of
 from springback.experiments.own_obstacles import check_own_obstacles
-from springback.experiments.pilots import careful, in_words, read_pilot, tried
+from springback.experiments.own_surfaces import Surface, surfaces_of
+from springback.experiments.pilots import as_written, careful, in_words, tried
 from springback.experiments.recovery_measures import (
     RECOVERY_MEASURES,
     judged,
@@ -64,6 +67,10 @@ class Flight:
     work: dict[str, Array] = field(default_factory=dict)
     """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
     `springback.experiments.ledger` needs beside the columns.  No file keeps it."""
+    own: tuple[Own, ...] = ()
+    """Obstacles of the user's own that it was flown with; none of a flight that was read back."""
+    own_surfaces: tuple[Surface, ...] = ()
+    """Of a flight that was read back, the surfaces of those obstacles, to be drawn."""
 
     def __getattr__(self, name: str) -> float | None:
         measures: dict[str, float | None] = self.__dict__.get("measures", {})
@@ -115,23 +122,30 @@ class Flight:
         if "runs" in self.measures:
             shown += [
                 ("detection_delay", "s"), ("recovery_time", "s"), ("height_loss", "m"),
-                ("nose_up", "rad"), ("nose_down", "rad"), ("runs", ""), ("recovered_runs", ""),
+                ("nose_up", "deg"), ("nose_down", "deg"), ("runs", ""), ("recovered_runs", ""),
             ]  # fmt: skip
         lines = [f"Flight {self.scenario.name!r}: {self.message}"]
         width = max(len(name) for name, _ in shown)
         for name, unit in shown:
             value = self.measures[name]
+            if unit == "deg" and value is not None:  # people read degrees, the measure is in rad
+                value = math.degrees(value)
             lines.append(
                 f"  {name:<{width}} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}"
             )
         return "\n".join(lines)
 
+    def _kept(self) -> None:
+        if not self.columns:
+            raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+
     def plot(self) -> Figure:
         """Figure of position, velocity, acceleration, arms and forces over time.
 
         Raises:
-            InputError: If matplotlib is not installed.
+            InputError: If matplotlib is not installed, or no trajectory was kept.
         """
+        self._kept()
         from springback.experiments.extras import needs
 
         needs("matplotlib", "plot")
@@ -144,7 +158,12 @@ class Flight:
         return figure
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``."""
+        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``.
+
+        Raises:
+            InputError: If pandas is not installed, or no trajectory was kept.
+        """
+        self._kept()
         from springback.experiments.extras import needs
 
         pd = needs("pandas", "dataframe")
@@ -153,7 +172,12 @@ class Flight:
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``."""
+        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
+
+        Raises:
+            InputError: If xarray is not installed, or no trajectory was kept.
+        """
+        self._kept()
         from springback.experiments.extras import needs
 
         xr = needs("xarray", "xarray")
@@ -183,7 +207,18 @@ class Flight:
             "measures": self.measures,
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
+            **self._own_obstacles(),
         }
+
+    def _own_obstacles(self) -> dict[str, Any]:
+        """Surfaces of the user's own obstacles near the flight, if there are any."""
+        found = self.own_surfaces
+        if self.own and self.columns:
+            place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
+            arms = range(1, self.scenario.vehicle.arm_count + 1)
+            touching = np.any([self.columns[f"fn{j}"] > 0.0 for j in arms], axis=0)
+            found = surfaces_of(self.own, place[touching] if touching.any() else place)
+        return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
 
 
 def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
@@ -302,7 +337,8 @@ def fly(
             pilot of one's own fails, in one line with its file and line; what it raised is the
             cause.
     """
-    flown_by = read_pilot(pilot) if isinstance(pilot, str) else pilot
+    check_executor(executor)
+    flown_by = chosen_pilot(pilot)
     ready = as_scenario(scenario, overrides, flown_by is not None)
     check_own_obstacles(own, Vec(*ready.start.position))
     model, start = ready.flight_model(own), ready.start_state()
@@ -312,11 +348,13 @@ def fly(
         foreseen = until * ready.clock if guided else until / model.timing.free_step
         check_instants(int(foreseen), until, until)
     if ready.reference is not None or flown_by is not None:
-        return _wary(_guided(ready, model, start, flown_by, trajectory, executor, progress))
+        flight = _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        return _wary(replace(flight, own=tuple(own)))
     flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    return _wary(Flight(ready, outcome, measures, columns, units, work=_work(flown)))
+    flight = Flight(ready, outcome, measures, columns, units, work=_work(flown), own=tuple(own))
+    return _wary(flight)
 
 
 def _wary(flight: Flight) -> Flight:
@@ -393,10 +431,15 @@ def as_scenario(
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
         overrides: Words such as ``"vehicle.arms.stiffness=6000"``.
         pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+
+    Raises:
+        InputError: If it is none of these, or cannot be flown; one line for each problem.
     """
     if isinstance(scenario, Scenario):
         if overrides:
-            raise InputError("overrides need a file or tables; a ready Scenario has .model_copy")
+            raise InputError(
+                "overrides need a file or tables; change a Scenario by scenario.model_copy(update=)"
+            )
         if pilot is False:
             with _as_input():
                 scenario.check_without_pilot()
@@ -406,4 +449,9 @@ def as_scenario(
             return scenario_from(scenario, pilot)
         given = overridden(dict(scenario), overrides)
         return checked_scenario(given, "scenario", "", overrides, pilot)
+    if not isinstance(scenario, str | Path):
+        raise InputError(
+            "scenario must be a Scenario, tables, or the path of a TOML file "
+            f"(got {as_written(scenario)})"
+        )
     return read_scenario(scenario, overrides, pilot=pilot)

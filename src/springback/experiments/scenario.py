@@ -29,7 +29,6 @@ from springback.experiments.numbers import (
 from springback.experiments.presets import expanded as expanded
 from springback.experiments.presets import merged as merged
 from springback.experiments.presets import preset as preset
-from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.tables import (
     ModelError,
     ModelSettings,
@@ -38,6 +37,7 @@ from springback.experiments.tables import (
     WorldSettings,
 )
 from springback.experiments.tables import SimulationSettings as SimulationSettings
+from springback.problems import dotted
 from springback.quantities import quantity
 from springback.recovery.parameters import RecoverySettings
 from springback.sensing.estimation import EstimatorSettings
@@ -135,6 +135,8 @@ def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenar
     """
     try:
         return Scenario.model_validate(expanded(given), context={"pilot": pilot})
+    except InputError as error:
+        where = f"{dotted(error.path)}: " if error.path else ""
+        raise InputError(*(where + line for line in error.problems)) from None
     except ValidationError as error:
-        lines = [f"{dotted(path)}: {what}" if path else what for path, what in problem_paths(error)]
-        raise InputError(*lines) from None
+        raise InputError(*Scenario.in_words(error)) from None

@@ -11,7 +11,6 @@ from typing import Any
 from pydantic import ValidationError
 
 from springback.errors import InputError, shortened, shown_value
-from springback.experiments.problems import dotted, key_path, problem_paths
 from springback.experiments.scenario import Scenario, expanded
 from springback.experiments.source_text import (
     MOST_DEPTH,
@@ -19,6 +18,8 @@ from springback.experiments.source_text import (
     source_text,
     toml_tables,
 )
+from springback.problems import dotted, key_path, problem_paths
+from springback.settings import Settings
 
 Key = str | int
 #: Lines of a file, and characters of a line, that are searched for the one at fault (chosen).
@@ -43,6 +44,8 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
     result: Any = given
     check_depth(given, "scenario")
     for word in overrides:
+        if not isinstance(word, str):
+            raise InputError(f"{word!r} is no override; write text such as 'start.pitch=15 deg'")
         key, sign, text = word.partition("=")
         parts = list(key_path(key.strip()))
         if not sign or not parts:
@@ -55,9 +58,54 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
                 f"{shown_value(word)} is no override; its key has {len(parts)} parts, "
                 f"and at most {MOST_DEPTH} are read"
             )
-        result = replaced(result, parts, _value(text.strip()), word)
+        result = replaced(_spelled_out(result, parts, word), parts, _value(text.strip()), word)
         check_depth(result, f"override {shown_value(word)}")
     return dict(result)
+
+
+def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
+    """Raw tables in which the list whose entry ``parts`` name is spelled out.
+
+    An entry such as ``start.position.2`` can be overridden although the list is not given, but
+    stands in a preset or is a default: the other entries stay as they are.
+    """
+    lists = [parts[:k] for k, part in enumerate(parts) if isinstance(part, int) and k]
+    if not lists or (found := default_at(given, lists[0])) is None:
+        return given
+    return replaced(given, lists[0], found, word)
+
+
+def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
+    """The list at a path that raw tables leave out; None where there is none, or one is given.
+
+    Args:
+        given: Raw tables of a scenario.
+        path: Keys of the list.
+    """
+    if not isinstance(given, dict) or _at(given, path) is not None:
+        return None
+    try:
+        found = _at(expanded(given), path)
+    except InputError:  # of another part, to be reported when the whole is read
+        return None
+    table: Any = Scenario
+    for key in path if found is None else ():
+        field = table.model_fields.get(key) if issubclass(table, Settings) else None
+        found = field.default if field is not None else None
+        table = type(found)
+    return list(found) if isinstance(found, list | tuple) else None
+
+
+def _at(tables: Any, path: Sequence[Key]) -> Any:
+    """What stands at a path of raw tables; None if nothing does."""
+    for key in path:
+        if isinstance(tables, dict):
+            tables = tables.get(key)
+        elif isinstance(tables, list | tuple) and isinstance(key, int) and key < len(tables):
+            tables = tables[key]
+        else:
+            return None
+    return tables
 
 
 def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
@@ -74,7 +122,7 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
-            raise InputError(f"{shown_value(word)}: there is no entry {head}")
+            raise InputError(f"{shown_value(word)}: there is no entry {head}{_counted(node)}")
         entry = replaced(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
@@ -84,15 +132,25 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
     return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
 
 
-def line_of(text: str, path: Sequence[Key]) -> int:
-    """Line of the most exact mention of a key path in a TOML text; 1 if there is none.
+def _counted(node: Any) -> str:
+    """How many entries there are, in words."""
+    if not isinstance(node, list):
+        return "; it is not a list"
+    last = len(node) - 1
+    if last < 0:
+        return "; the list is empty"
+    return f"; entries are 0 to {last}" if last else "; the only entry is 0"
+
+
+def line_of(text: str, path: Sequence[Key]) -> int | None:
+    """Line of the most exact mention of a key path in a TOML text; None if there is none.
 
     TOML parsers keep no positions, so this follows table headers and keys; inline tables and dotted
     keys count as their first line.
     """
     counts: dict[str, int] = {}
     table: list[Key] = []
-    best, best_length = 1, 0
+    best, best_length = None, 0
     for number, line in enumerate(text.splitlines()[:MOST_LINES], start=1):
         if len(line) > LONGEST_LINE:
             continue
@@ -125,7 +183,13 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
         parts = key_path(word.partition("=")[0])
         if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
             return f"override {shortened(word)}"
-    return f"{name}:{line_of(text, path)}"
+    return place_of(name, text, path)
+
+
+def place_of(name: str, text: str, path: Sequence[Key]) -> str:
+    """File and line of a key path, or the file alone where its text does not mention the path."""
+    line = line_of(text, path)
+    return name if line is None else f"{name}:{line}"
 
 
 def read_scenario(
@@ -141,6 +205,10 @@ def read_scenario(
     Raises:
         InputError: One line for each problem: file and line or override, field, value, unit, range.
     """
+    if not isinstance(path, str | Path):
+        raise InputError(f"scenario must be the path of a TOML file (got {path!r})")
+    if isinstance(overrides, str):
+        raise InputError(f"overrides must be a list of words (got {overrides!r})")
     path = Path(path)
     text = source_text(path)
     given = toml_tables(text, str(path))
@@ -155,19 +223,15 @@ def checked_scenario(
     pilot: bool | None = None,
 ) -> Scenario:
     """A scenario from raw tables; problems are blamed on lines of ``text`` or on overrides."""
+    found: list[tuple[tuple[Key, ...], str]]
     try:
         return Scenario.model_validate(expanded(given), context={"pilot": pilot})
     except InputError as error:
-        quoted = re.search(r"'([^']+)'", str(error))
-        value = f"""[=\\s{{\\[]["']?{re.escape(quoted[1])}["']?\\s*([,}}#]|$)""" if quoted else "$^"
-        lines = [n for n, line in enumerate(text.splitlines(), 1) if re.search(value, line)]
-        where = next(
-            (f"override {shortened(w)}" for w in overrides if quoted and quoted[1] in w), None
-        )
-        raise InputError(f"{where or f'{name}:{lines[0] if lines else 1}'}: {error}") from None
+        found = [(error.path, line) for line in error.problems]
     except ValidationError as error:
-        problems = []
-        for path, what in problem_paths(error):
-            where = _blame(path, name, text, overrides)
-            problems.append(f"{where}: {dotted(path)}: {what}" if path else f"{where}: {what}")
-        raise InputError(*problems) from None
+        found = problem_paths(error)
+    problems = []
+    for path, what in found:
+        where = _blame(path, name, text, overrides)
+        problems.append(f"{where}: {dotted(path)}: {what}" if path else f"{where}: {what}")
+    raise InputError(*problems)

@@ -106,7 +106,7 @@ def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
 
 def scenario_with(settings: Mapping[str, Any]) -> Scenario:
     """A scenario of settings that were checked, by the name of their table."""
-    return _bare().model_copy(update=settings)
+    return _bare().with_checked(**settings)
 
 
 def settings_of(

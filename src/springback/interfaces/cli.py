@@ -26,6 +26,8 @@ from springback.interfaces.plain_text import plain_text
 from springback.version import __version__
 
 OUT = click.Path(file_okay=True, path_type=Path)
+FIRST = "flying; the first of a kind is compiled: some 15 s, with a pilot a minute or two"
+"""Said while one waits for a flight."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 FEW_CYCLES = 200_000
@@ -90,7 +92,9 @@ def _have_figures(quiet: bool) -> bool:
 
     if find_spec("matplotlib") is not None:
         return True
-    _say("figures are left out: pip install 'springback[plot]'", quiet)
+    from springback.experiments.extras import install_line
+
+    _say(f"figures are left out, they need matplotlib: {install_line('plot')}", quiet)
     return False
 
 
@@ -147,7 +151,7 @@ def fly(
     for sentence in uneasy(ready, own=own is not None):
         _say(f"warning: {sentence}", False)
     with output_folder(out, force=force, replaces=FLIGHT_FILES) as folder:
-        with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+        with _patience(FIRST, quiet):
             with warnings.catch_warnings():  # said below, in this program's own way
                 warnings.simplefilter("ignore", LedgerWarning)
                 flight = fly_scenario(ready, pilot=own)
@@ -365,6 +369,7 @@ def _table(rows: list[Any]) -> str:
 
 from springback.interfaces import (  # noqa: E402, F401
     cli_campaign,
+    cli_examples,
     cli_film,
     cli_lab,
     cli_map,

@@ -14,6 +14,7 @@ import click
 from springback.errors import InputError
 from springback.interfaces import last_words
 from springback.interfaces.cli import (
+    FIRST,
     OUT,
     _have_figures,
     _patience,
@@ -312,7 +313,7 @@ def refly(
     from springback.interfaces.files import FLIGHT_FILES, output_folder, write_flight
 
     known = Campaign(folder)
-    with _patience("flying; the first flight of its kind is compiled, 10 to 30 s", quiet):
+    with _patience(FIRST, quiet):
         again = known.refly(row)
     if out is not None:
         with (

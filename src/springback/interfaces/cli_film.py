@@ -67,11 +67,15 @@ def animate(
         raise InputError(f"--out {out}: {ending}")
     wanted = _size(size)
     from springback.interfaces.animation import check, write_film
-    from springback.interfaces.scene import read_result, scene_of
+    from springback.interfaces.saved import read_result
+    from springback.interfaces.scene_labels import scenes_of
 
     check(out, wanted, fps)
     with _patience("reading", quiet):
-        scenes = [scene_of(read_result(folder)) for folder in results]
+        scenes = scenes_of([read_result(folder) for folder in results], results)
+    for scene in scenes:
+        for note in scene.notes:
+            _say(f"{scene.label}: {note}", quiet)
     from springback.experiments.drafts import drafted
 
     try:

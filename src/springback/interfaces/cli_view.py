@@ -51,8 +51,11 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with _patience("reading, and compiling once; the first time takes 10 to 30 s", quiet):
-        page = replay_of(flights_of(results, twin=twin))
+    with _patience(
+        "reading; the first flight of a kind is compiled: some 15 s, with a pilot a minute or two",
+        quiet,
+    ):
+        page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
         exported(page, export, force=force)
         _say(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)

@@ -7,29 +7,33 @@ import sys
 from importlib import metadata
 from typing import Any
 
-CORE = (
-    "numpy",
-    "scipy",
-    "numba",
-    "llvmlite",
-    "pydantic",
-    "duckdb",
-    "click",
-    "rich",
-    "platformdirs",
-)
-EXTRAS = {"matplotlib": "plot", "jinja2": "plot", "pandas": "dataframe", "xarray": "xarray"}
+#: What stands in place of the version of a package that is not installed.
+MISSING = "missing"
 
 
-def _version(name: str) -> str | None:
+def _version(name: str) -> str:
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
-        return None
+        return MISSING
+
+
+def extras_found() -> dict[str, dict[str, str]]:
+    """Every extra with the versions of its packages, and, if one is missing, how to install it."""
+    from springback.experiments.extras import install_line, packages
+
+    found = {}
+    for extra, names in packages().items():
+        if extra:
+            found[extra] = {name: _version(name) for name in names}
+            if MISSING in found[extra].values():
+                found[extra]["to install"] = install_line(extra)
+    return found
 
 
 def diagnosis() -> dict[str, Any]:
     """Versions, the folder of compiled kernels, and a compiled flight against plain Python."""
+    from springback.experiments.extras import packages
     from springback.experiments.result import as_scenario
     from springback.kernels.compiler import cache_folder, is_writable
     from springback.simulation.flight import fly_one
@@ -51,10 +55,8 @@ def diagnosis() -> dict[str, Any]:
         "python": platform.python_version(),
         "platform": f"{platform.system()} {platform.machine()}",
         "executable": sys.executable,
-        "core": {name: _version(name) for name in CORE},
-        "extras": {
-            name: {"version": _version(name), "extra": extra} for name, extra in EXTRAS.items()
-        },
+        "core": {name: _version(name) for name in packages()[""]},
+        "extras": extras_found(),
         "kernels": {"folder": str(folder), "writable": is_writable(folder)},
         "compiled_equals_python": compiled.motion == plain.motion
         and compiled.record == plain.record,

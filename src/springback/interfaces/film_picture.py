@@ -165,8 +165,8 @@ def _shown(scene: Scene, begin: float, end: float) -> Any:
 
 
 def _told(scene: Scene, now: Pose) -> str:
-    """Contact force, and how far the arms give."""
-    lines = [f"contact {float(_size(now.force.sum(axis=0))):.0f} N"]
+    """Sum of the contact forces on all cages, and how far the arms give."""
+    lines = [f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"]
     if any(arm.compliant for arm in scene.arms):
         pressed = [arm.length - v for arm, v in zip(scene.arms, now.lengths, strict=True)]
         lines.append(f"arms give {1e3 * max(*pressed, 0.0):.1f} mm")

@@ -15,7 +15,7 @@ from springback.experiments.result import Flight, fly
 from springback.interfaces.lab_measures import measure_rows, printed_for, sentence, went_well
 from springback.interfaces.lab_scenarios import NAMES, file_name, lab_scenario, robots_of
 from springback.interfaces.lab_settings import LabSettings, query_of
-from springback.interfaces.scene import Series, plain, scene_of
+from springback.interfaces.scene import Scene, Series, plain, scene_of
 from springback.interfaces.scene_geometry import Drawable
 
 #: Heading of the ledger among a scene's series; a series is held, or lost for good.
@@ -76,7 +76,7 @@ def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
     coarse = coarsened(flight)
     scene = scene_of(coarse, label=NAMES[robot])
     books = ledger(flight)
-    series = (*curves(coarse, scene.t), *energy_series(books, np.searchsorted(books["t"], scene.t)))
+    series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
     return {
         "robot": robot,
         "label": NAMES[robot],
@@ -124,19 +124,24 @@ def coarsened(flight: Flight) -> Flight:
     return replace(flight, columns={name: values[keep] for name, values in c.items()})
 
 
-def curves(flight: Flight, t: Array) -> Iterable[Series]:
-    """One curve a panel for each robot, so that robots can be laid over one another."""
-    places = np.searchsorted(flight.columns["t"], t)
+def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
+    """One curve a panel for each robot, so that robots can be laid over one another.
+
+    Args:
+        flight: Any.
+        scene: Of it; the contact force is the sum, as vectors, of the forces drawn on its cages.
+    """
+    places = np.searchsorted(flight.columns["t"], scene.t)
     c = {name: values[places] for name, values in flight.columns.items()}
     arms = range(1, flight.scenario.vehicle.arm_count + 1)
     lengths = flight.scenario.vehicle.arms
     pressed = np.max([lengths.at("length", j - 1) - c[f"l{j}"] for j in arms], axis=0)
-    pushed = np.sum([c[f"fn{j}"] for j in arms], axis=0)
+    pushed = np.linalg.norm(scene.force.sum(axis=1), axis=1)
     felt = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
     yield Series("Acceleration", "main body", "m/s²", felt)
     yield Series("Arm compression", "most pressed arm", "mm", 1e3 * pressed)
     yield Series("Velocity", "along X", "m/s", c["vx"])
-    yield Series("Contact force", "all cages", "N", pushed)
+    yield Series("Contact force", "sum of all cages", "N", pushed)
 
 
 def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:

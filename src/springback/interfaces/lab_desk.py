@@ -57,11 +57,11 @@ def example_of(settings: LabSettings) -> LabSettings:
     """A flight of the same kind that can be flown, whatever the numbers are."""
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
-    return DEFAULTS.model_copy(update={"robot": "arq", "surface": surface, **words})
+    return DEFAULTS.with_checked(**{"robot": "arq", "surface": surface, **words})
 
 
 def _default_with(**words: str) -> LabSettings:
-    return DEFAULTS.model_copy(update=words)
+    return DEFAULTS.with_checked(**words)
 
 
 #: Prepared from the start, in this order: the collision alone, and the paper's flight.

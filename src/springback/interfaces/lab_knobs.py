@@ -13,6 +13,8 @@ from springback.settings import problem
 
 #: Letters of a value that are looked at at all (chosen).
 LONGEST_VALUE = 32
+#: Digits that are kept of a number that was given in another unit (chosen: they fit the field).
+DIGITS = 6
 #: Of a setting that has an effect under all others.
 EVERYWHERE: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
@@ -61,7 +63,12 @@ def knob(how: Knob) -> Any:
 
     def validate(value: Any) -> float:
         if isinstance(value, str):
+            unit = value.strip().lstrip("+-.0123456789eE").strip()
             value = number_in(value, how.unit, bare=True)
+            # 10 km/h is 2.77778 m/s, in field, link, file and flight alike; what is typed in the
+            # knob's own unit stays as it is.
+            if unit not in ("", how.unit):
+                value = float(f"{value:.{DIGITS}g}")
         return checked(value, how.unit, least=how.least, most=how.most)
 
     return Annotated[float, BeforeValidator(validate), how]

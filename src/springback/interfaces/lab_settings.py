@@ -17,9 +17,9 @@ from pydantic.fields import FieldInfo
 from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.experiments.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
-from springback.experiments.problems import problem_paths
 from springback.experiments.run_ups import CONDITIONS
 from springback.interfaces.lab_knobs import Choice, Knob, Mark, choice, knob, shortened
+from springback.problems import problem_paths
 from springback.recovery.parameters import Answering
 from springback.settings import Settings
 from springback.vehicle.library import ARQ

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from springback.errors import InputError
 from springback.experiments.result import Flight
 from springback.interfaces.canvas import (
     BLUE,
@@ -50,10 +51,10 @@ def flight_figure(flight: Flight) -> Figure:
         flight: With a trajectory.
 
     Raises:
-        ValueError: If the flight kept no trajectory.
+        InputError: If the flight kept no trajectory.
     """
     if not flight.columns:
-        raise ValueError("this flight kept no trajectory: fly it with trajectory=True")
+        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
     if flight.diary:
         shades = contacts(flight.columns)
         return stacked(guided_panels(flight), "Time [s]", shades, height=1.15)

@@ -28,6 +28,8 @@ OTHERS: tuple[dict[str, Any], ...] = (
 ABREAST, PANEL = 3, (2.5, 2.0)
 #: Labels of levels longer than this in all are written at a slant (chosen).
 LONG = 22
+#: Ticks along a logarithmic axis: so many are enough, and at most so many are written (chosen).
+ENOUGH, MOST_TICKS = 3, 5
 
 
 def looks(robots: Sequence[str]) -> dict[str, dict[str, Any]]:
@@ -120,11 +122,39 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.set_xticks(shown(scale, scale.edges))
 
 
+def round_ticks(low: float, high: float) -> list[float]:
+    """A few round numbers between two of the same sign, for a logarithmic axis.
+
+    They are powers of ten where there are enough, else 1, 2 and 5 times these; if a range holds
+    fewer than two of those, its ends.
+    """
+    if high < 0.0:
+        return [-tick for tick in reversed(round_ticks(-high, -low))]
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    found: list[float] = []
+    for digits in ((1,), (1, 2, 5)):
+        found = [d * 10.0**p for p in powers for d in digits if low <= d * 10.0**p <= high]
+        if len(found) >= ENOUGH:
+            break
+    if len(found) < 2:
+        return [low, high]
+    return found[:: math.ceil(len(found) / MOST_TICKS)]
+
+
+def written(tick: float) -> str:
+    """A tick in plain digits, or as a power of ten where those would be many."""
+    if 1e-3 <= abs(tick) < 1e5:
+        return f"{tick:.3g}" if abs(tick) < 1e3 else f"{tick:.0f}"
+    power = math.floor(math.log10(abs(tick)))
+    digits = f"{tick / 10.0**power:.3g}"
+    return f"$10^{{{power}}}$" if digits == "1" else f"${digits} \\cdot 10^{{{power}}}$"
+
+
 def _log_ticks(axis: Any, scale: Scale) -> None:
-    """Three labels along a logarithmic field: its ends and the middle."""
+    """Round numbers along a logarithmic field."""
     low, *_, high = (float(edge) for edge in shown(scale, scale.edges))
-    ticks = [low, math.sqrt(low * high), high]
-    axis.set_ticks(ticks, [f"{tick:.2g}" for tick in ticks])
+    ticks = round_ticks(*sorted((low, high)))
+    axis.set_ticks(ticks, [written(tick) for tick in ticks])
     axis.set_minor_locator(NullLocator())
 
 

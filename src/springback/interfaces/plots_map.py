@@ -136,7 +136,7 @@ def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]
 
 
 def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
-    """Cells that cannot be flown, hatched."""
+    """Cells that were not flown, hatched."""
     missing = np.argwhere(np.isnan(envelope.shares(robot)))
     if not len(missing):
         return {}
@@ -147,7 +147,7 @@ def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Pa
     for row, column in missing:
         size = (x[column + 1] - x[column], y[row + 1] - y[row])
         ax.add_patch(Rectangle((x[column], y[row]), *size, zorder=0.5, **look))
-    return {"cannot be flown": Patch(**look)}
+    return {"not flown": Patch(**look)}
 
 
 def _tests(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:

@@ -32,8 +32,9 @@ def summary_text(found: Summary) -> str:
         f"success: {found.campaign.design.success}",
         "",
         as_text(*outcome_table(found.robots)),
+        *([found.refusal] * bool(found.refusal)),
         "",
-        "10 %, 50 %, 90 % of flights lie below; with the 95 % interval of the median",
+        "10 %, 50 %, 90 % of flights lie below",
         as_text(*quantile_table(found.robots)),
     ]
     return "\n".join(
@@ -69,7 +70,7 @@ def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tupl
                 interval = " to ".join("?" if b is None else f"{b:.4g}" for b in bounds)
                 shown = [None if n is None else float(f"{n:.4g}") for n in numbers]
                 rows.append((f"{name} [{unit or '-'}]", robot.robot, count, *shown, interval))
-    return ["measure", "robot", "flights", "10 %", "50 %", "90 %", "interval"], rows
+    return ["measure", "robot", "flights", "10 %", "50 %", "90 %", "median, 95 %"], rows
 
 
 def _scaled(value: float | None, factor: float) -> float | None:
@@ -122,7 +123,7 @@ def write_summary(
         pictures["marginals"] = (plots_campaign.marginals_figure(marginals), words)
     for x, y in pairs or combinations(fields_of(campaign)[:MOST_PAIRED], 2):
         figure = plots_campaign.field_map_figure(field_map(campaign, x, y, cells))
-        pictures[f"map-{x}-{y}"] = (figure, f"Share of flights that succeed over {x} and {y}.")
+        pictures[f"map-{x}-{y}"] = (figure, words_of_map(x, y))
     for name, (figure, _) in pictures.items():
         written += canvas.save(figure, folder / name)
     shown = [report_page.Picture(name, text, fig) for name, (fig, text) in pictures.items()]
@@ -130,6 +131,11 @@ def write_summary(
     page = report_page.page(str(campaign.about["name"]), sections, lead=_lead(found))
     (folder / "summary.html").write_text(page, encoding="utf-8")
     return [*written, folder / "summary.html"]
+
+
+def words_of_map(x: str, y: str) -> str:
+    """Caption of a map over two fields."""
+    return f"Share of flights that succeed over {_said(x)} and {_said(y)}."
 
 
 def _lead(found: Summary) -> str:
@@ -159,7 +165,8 @@ def _sections(found: Summary, pictures: Sequence[Any]) -> list[Any]:
     outcomes = table("Robots and outcomes", *outcome_table(found.robots))
     quantiles = table("Quantiles of measures", *quantile_table(found.robots))
     rule = found.campaign.design.success
-    said = f"Success is: {rule}. Flights that could not be flown count nowhere."
+    said = f"Success is: {rule}. Flights that could not be flown count nowhere"
+    said += f": {found.refusal}." if found.refusal else "."
     note = (
         "Intervals are at 95 %: of shares Wilson's, of quantiles by order statistics, of "
         "differences between robots those of Agresti and Min."

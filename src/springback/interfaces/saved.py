@@ -12,6 +12,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.experiments.database import in_database, locked, parquet, pattern
+from springback.experiments.own_surfaces import read_surfaces
 from springback.experiments.result import Flight
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.sealed import file_digest, is_sealed, read_object
@@ -51,7 +52,9 @@ def read_result(folder: str | Path) -> Flight:
         _check(path, diary, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
-    return Flight(scenario, outcome, measures, columns, units, diary)
+    told = f"{folder / 'summary.json'}: own_obstacles"
+    surfaces = read_surfaces(summary.get("own_obstacles", ()), told)
+    return Flight(scenario, outcome, measures, columns, units, diary, own_surfaces=surfaces)
 
 
 def _summary(path: Path) -> Mapping[str, Any]:

@@ -118,20 +118,23 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     Args:
         flight: With its trajectory.
         label: What it is called beside another one; by default the robot's name.
-        own: The obstacles of the user's own that it was flown with; a saved flight knows none.
+        own: The obstacles of the user's own that it was flown with, if the flight does not know
+            them; a saved flight knows their surfaces only.
 
     Raises:
         InputError: If the flight kept no trajectory.
     """
     if not flight.columns:
         raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+    own = own or flight.own
     model = flight.scenario.flight_model(own)
     c, count = flight.columns, len(model.airframe.arms)
     places = kept(c, count)
     feels = felt(model, c, places)
     touches = feels.point[np.isfinite(feels.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
-    things = drawn(flight.scenario.world.obstacles, own, place, touches)
+    world = flight.scenario.world
+    things = drawn(world.obstacles, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
@@ -232,8 +235,8 @@ def _doubts(flight: Flight, feels: Felt, places: Any) -> tuple[str, ...]:
     if off <= AGREES * peak:
         return ()
     return (
-        f"some contact forces, up to {off:.3g} N, come from obstacles that the file does not "
-        "describe, and are not drawn as arrows",
+        f"some contact forces, up to {off:.3g} N, come from obstacles of your own, whose contact "
+        "laws no file keeps, and are not drawn as arrows",
     )
 
 

@@ -7,9 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.parameters import Ground, Mat, Own, Wall
-from springback.kernels.vectors import Vec
+from springback.experiments.own_surfaces import Surface, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -19,12 +18,6 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 ROOM, LEAST_SIDE, LARGEST_SIDE = 0.6, 1.6, 20.0
 #: Normals with a vertical part beyond this lie rather than stand.
 LYING = 0.9
-#: A shape of one's own is searched this far around where something touched, or else flew [m] ...
-SEARCHED = 1.2
-#: ... in cells that are halved so often; chosen: the last are 4 cm wide.
-HALVINGS, FIRST_CELLS = 3, 8
-
-_CORNERS = np.array([[(k >> a) & 1 for a in range(3)] for k in range(8)])
 
 
 class Drawable(NamedTuple):
@@ -55,7 +48,11 @@ class Drawn(NamedTuple):
 
 
 def drawn(
-    obstacles: Sequence[Wall | Ground | Mat], own: Sequence[Own], flown: Array, near: Array
+    obstacles: Sequence[Wall | Ground | Mat],
+    own: Sequence[Own],
+    flown: Array,
+    near: Array,
+    kept: Sequence[Surface] = (),
 ) -> Drawn:
     """Everything that can be hit, as things to draw.
 
@@ -64,19 +61,18 @@ def drawn(
         own: Shapes of the user's own, with their surfaces.
         flown: Where the vehicle was, world [m], shape (instants, 3).
         near: Where something touched, world [m], shape (touches, 3), possibly none.
+        kept: Surfaces of shapes of the user's own as a file keeps them, in place of the shapes.
     """
     levels = [entry.height for entry in obstacles if isinstance(entry, Ground)]
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
     things = [_face(entry, flown, floor) for entry in obstacles]
     notes = []
-    middle = near if len(near) else flown
-    for shape, _ in own:
-        name = type(shape).__name__
-        mesh = mesh_of(shape, middle.min(axis=0) - SEARCHED, middle.max(axis=0) + SEARCHED)
-        if mesh is None:
-            notes.append(f"{name} is not drawn: none of its surface was found near the flight")
+    for one in surfaces_of(own, near if len(near) else flown) if own else kept:
+        if len(one.triangles):
+            things.append(Drawable("mesh", one.name, vertices=one.vertices,
+                                   triangles=one.triangles, normals=one.normals))  # fmt: skip
         else:
-            things.append(mesh)
+            notes.append(f"{one.name} is not drawn: none of its surface was found near the flight")
     return Drawn(tuple(things), tuple(notes))
 
 
@@ -117,81 +113,3 @@ def _axes(n: Array) -> tuple[Array, Array]:
     across = np.cross(up, n)
     across /= np.linalg.norm(across)
     return across, np.cross(n, across)
-
-
-# -- shapes of one's own --------------------------------------------------------------------------
-
-
-def mesh_of(shape: Any, low: Array, high: Array) -> Drawable | None:
-    """A shape's surface inside a box, as triangles; None if there is none.
-
-    Cells that the surface cannot reach, by their distance, are dropped before those that are left
-    are halved.  Each of the last cells that the surface passes through has one vertex, laid onto
-    the surface along the normal, and every edge that it crosses becomes a face ("surface nets",
-    S. F. F. Gibson, 1998).
-
-    Args:
-        shape: Registered with `signed_distance` and `outward_normal`.
-        low: Corner of the box, world [m].
-        high: The other corner.
-    """
-    size = float((high - low).max()) / FIRST_CELLS
-    counts = np.maximum(1, np.ceil((high - low) / size - 1e-9)).astype(int)
-    cells = np.stack(np.meshgrid(*map(np.arange, counts), indexing="ij"), -1).reshape(-1, 3)
-    for level in range(HALVINGS + 1):
-        here = _distances(shape, low + size * (cells + 0.5))
-        cells = cells[np.abs(here) <= size]  # half a diagonal is 0.87 of a side
-        if level < HALVINGS:
-            cells = (2 * cells[:, None, :] + _CORNERS).reshape(-1, 3)
-            size *= 0.5
-    if not len(cells):
-        return None
-    return _netted(shape, low, size, cells)
-
-
-def _distances(shape: Any, points: Array) -> Array:
-    return np.array([signed_distance(shape, Vec(*p)) for p in points.tolist()], dtype=float)
-
-
-def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Drawable | None:
-    corners = (cells[:, None, :] + _CORNERS).reshape(-1, 3)
-    unique, back = np.unique(corners, axis=0, return_inverse=True)
-    inside = (_distances(shape, low + size * unique) < 0.0)[back.reshape(-1, 8)]
-    crossed = inside.any(axis=1) & ~inside.all(axis=1)
-    cells, inside = cells[crossed], inside[crossed]
-    triangles = _faces(cells, inside)
-    if not len(triangles):
-        return None
-    vertices, normals = _laid(shape, low + size * (cells + 0.5))
-    return Drawable("mesh", type(shape).__name__, vertices=vertices, triangles=triangles,
-                    normals=normals)  # fmt: skip
-
-
-def _laid(shape: Any, points: Array) -> tuple[Array, Array]:
-    """Points moved onto the surface along the normal, and the normals there."""
-    n = np.zeros_like(points)
-    for _ in range(2):
-        n = np.array([outward_normal(shape, Vec(*p)) for p in points.tolist()], dtype=float)
-        points = points - _distances(shape, points)[:, None] * n
-    return points, n
-
-
-def _faces(cells: Cells, inside: Any) -> Cells:
-    """Two triangles for each edge of the grid with ends on either side of the surface."""
-    number = {tuple(cell): k for k, cell in enumerate(cells.tolist())}
-    found: list[tuple[int, int, int]] = []
-    for axis in range(3):
-        b, c = (axis + 1) % 3, (axis + 2) % 3
-        # The edge from corner 0 along the axis is shared with the cells below in b and c.
-        first, second = inside[:, 0], inside[:, 1 << axis]
-        for k in np.flatnonzero(first != second).tolist():
-            around = []
-            for db, dc in ((0, 0), (-1, 0), (-1, -1), (0, -1)):
-                neighbour = cells[k].copy()
-                neighbour[b] += db
-                neighbour[c] += dc
-                around.append(number.get(tuple(neighbour.tolist()), -1))
-            if min(around) >= 0:
-                p, q, r, s = around if first[k] else around[::-1]
-                found += [(p, q, r), (p, r, s)]
-    return np.array(found, dtype=np.intp).reshape(-1, 3)

@@ -12,7 +12,8 @@ from springback.experiments.result import Flight, fly
 from springback.experiments.scenario_file import read_scenario
 from springback.interfaces.page import Page, page_of
 from springback.interfaces.saved import read_result
-from springback.interfaces.scene import NAMES, Scene, plain, scene_of
+from springback.interfaces.scene import Scene, plain
+from springback.interfaces.scene_labels import scenes_of
 from springback.interfaces.serving import App
 
 #: Flights on one page.
@@ -58,22 +59,14 @@ def twin_words(flight: Flight) -> list[str]:
     return [f"vehicle.arms.compliant={free}", f"vehicle.name={vehicle.name} twin"[:60]]
 
 
-def labels_of(flights: Sequence[Flight]) -> list[str]:
-    """Names that tell flights apart: robots, else scenarios, else numbers."""
-    robots = [NAMES.get(f.scenario.vehicle.name, f.scenario.vehicle.name) for f in flights]
-    scenarios = [flight.scenario.name for flight in flights]
-    for names in (robots, scenarios):
-        if len(set(names)) == len(names):
-            return names
-    return [f"{name} {k}" for k, name in enumerate(robots, start=1)]
+def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> Page:
+    """The page of some flights.
 
-
-def replay_of(flights: Sequence[Flight]) -> Page:
-    """The page of some flights."""
-    scenes = [
-        scene_of(f, label=label) for f, label in zip(flights, labels_of(flights), strict=True)
-    ]
-    return replay_page(scenes)
+    Args:
+        flights: One or two.
+        origins: Of each the folder or file that it was read from, where there is one.
+    """
+    return replay_page(scenes_of(flights, origins))
 
 
 def replay_page(scenes: Sequence[Scene]) -> Page:

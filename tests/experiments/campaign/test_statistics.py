@@ -9,15 +9,23 @@ import numpy as np
 import pytest
 import scipy.stats
 
+import springback
 from experiments.campaign.made_up import filled
-from experiments.campaign.plans import PITCH, SPEED, SURFACE
+from experiments.campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.errors import InputError
+from springback.experiments.campaign.design import laid_out
 from springback.experiments.campaign.intervals import paired_difference, quantile, ranks, share
 from springback.experiments.campaign.marginals import field_map, fields_of, marginal, scale
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.campaign.statistics import summary
 from springback.interfaces import canvas
-from springback.interfaces.plots_campaign import field_map_figure, marginals_figure
+from springback.interfaces.plots_campaign import (
+    field_map_figure,
+    marginals_figure,
+    round_ticks,
+    written,
+)
+from springback.interfaces.report_campaign import summary_text, words_of_map
 
 
 @pytest.fixture(scope="module")
@@ -142,3 +150,59 @@ def test_figures_show_every_robot_and_are_the_same_again(campaign: Campaign) -> 
     over = field_map_figure(field_map(campaign, "pitch", "surface", 6))
     assert [axes.get_title(loc="left") or axes.get_title() for axes in over.axes[:2]] == ["ARQ", "Quad"]  # fmt: skip
     assert [t.get_text() for t in over.axes[0].get_yticklabels()] == ["wall", "mat"]
+
+
+def test_differences_of_shares_are_percentage_points(campaign: Campaign) -> None:
+    """Of 80 % and 60 % the difference is 20 percentage points, not 20 % of anything."""
+    [pair] = summary(campaign).pairs
+    value = pair.difference.value
+    assert value is not None
+    assert f": {100.0 * value:+.2f} percentage points (" in pair.sentence()
+    assert "%" not in pair.sentence()
+
+
+def test_a_summary_says_why_flights_were_refused(campaign: Campaign) -> None:
+    found = summary(campaign)
+    refused = sum(one.refused for one in found.robots)
+    assert refused > 0
+    assert found.refusal == f"{refused} refused, such as flight 9 (quad): too weak"
+    assert found.refusal in summary_text(found)
+    assert found.as_dict()["refusal"] == found.refusal
+
+
+def test_captions_call_fields_by_words() -> None:
+    said = words_of_map("wall_angle", "start.position[2]")
+    assert said == "Share of flights that succeed over wall angle and start.position[2]."
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "ticks"),
+    [
+        (300.0, 3000.0, [500.0, 1000.0, 2000.0]),  # not 3e+02 and 3e+03
+        (2.0, 99.0, [2.0, 5.0, 10.0, 20.0, 50.0]),  # not 2, 14 and 99
+        (1e-3, 1e3, [1e-3, 1e-1, 1e1, 1e3]),
+        (11.0, 14.0, [11.0, 14.0]),
+        (-99.0, -2.0, [-50.0, -20.0, -10.0, -5.0, -2.0]),
+    ],
+)
+def test_logarithmic_axes_have_round_ticks(low: float, high: float, ticks: list[float]) -> None:
+    assert round_ticks(low, high) == pytest.approx(ticks, rel=1e-12)
+
+
+def test_ticks_are_written_out() -> None:
+    values = [0.002, 0.5, 20.0, 300.0, 3000.0, 20000.0, 1e6, 2e6]
+    words = ["0.002", "0.5", "20", "300", "3000", "20000", "$10^{6}$", r"$2 \cdot 10^{6}$"]
+    assert [written(value) for value in values] == words
+
+
+def test_a_vehicle_of_ones_own_goes_by_its_name(tmp_path: Path) -> None:
+    """In rows and summaries, as in the replay; without a name it is "own"."""
+    arq = springback.ARQ.vehicle.model_dump(mode="json")
+    for named, shown in (("hexa", "hexa"), ("", "own")):
+        mine = {**arq, "name": named} if named else {k: v for k, v in arq.items() if k != "name"}
+        design = laid_out(plan(scenario={**THROW, "vehicle": mine}, robots=[]))
+        assert design.robots == (shown,)
+    preset = {"preset": "arq", "name": "softer"}
+    assert laid_out(plan(scenario={**THROW, "vehicle": preset}, robots=[])).robots == ("softer",)
+    filled(tmp_path / "rows", scenario={**THROW, "vehicle": preset}, robots=[])
+    assert summary(Campaign(tmp_path / "rows")).robots[0].robot == "softer"

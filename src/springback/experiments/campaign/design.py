@@ -39,9 +39,9 @@ from springback.experiments.campaign.sampling import (
     seeds,
     uniform_rows,
 )
-from springback.experiments.problems import dotted, problem_paths
 from springback.experiments.scenario import Scenario, preset, scenario_from
 from springback.experiments.sealed import digest_of
+from springback.problems import dotted, problem_paths
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
 from springback.vehicle.library import VEHICLES
@@ -269,8 +269,9 @@ def _named(plan: Plan) -> tuple[str, ...]:
         return plan.robots
     assert isinstance(plan.scenario, dict)
     vehicle = plan.scenario.get("vehicle")
-    given = vehicle.get("preset") if isinstance(vehicle, Mapping) else vehicle
-    return (given if isinstance(given, str) else "own",)
+    if isinstance(vehicle, Mapping):  # one's own name for it goes before that of the preset
+        vehicle = vehicle.get("name") or vehicle.get("preset")
+    return (vehicle if isinstance(vehicle, str) else "own",)
 
 
 def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:

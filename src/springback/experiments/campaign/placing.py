@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 from springback.errors import InputError
 from springback.experiments.axes import SHORT, Parameter, Path, number_at
-from springback.experiments.problems import dotted, key_path
 from springback.experiments.scenario import Scenario
 from springback.experiments.scenario_file import replaced
+from springback.problems import dotted, key_path
 
 Place = Callable[[Any, Any], Any]
 """A table of the scenario and a value to the table with the value."""

@@ -11,10 +11,10 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from springback.errors import InputError, shortened, shown_value
-from springback.experiments.problems import dotted, problem_paths
-from springback.experiments.scenario_file import line_of, overridden, read_scenario
+from springback.experiments.scenario_file import overridden, place_of, read_scenario
 from springback.experiments.source_text import json_tables, source_text, toml_tables
 from springback.experiments.trials import Scatter
+from springback.problems import dotted, key_path, problem_paths
 from springback.quantities import quantity
 from springback.settings import Name, Settings, problem
 
@@ -185,6 +185,11 @@ class Plan(Settings):
             raise problem(f"names one twice (got {list(self.robots)})", "robots")
         return self
 
+    @classmethod
+    def in_words(cls, error: ValidationError) -> list[str]:
+        """The problems of a plan made in Python, one line each."""
+        return [Source().blamed(*_named(*found)) for found in problem_paths(error)]
+
     def canonical(self) -> str:
         """The plan as JSON, the same text for the same plan."""
         return json.dumps(
@@ -214,7 +219,7 @@ class Source:
         for word in reversed(self.overrides):
             if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
                 return f"override {shortened(word)}: {said}"
-        return f"{self.name}:{line_of(self.text, keys)}: {said}"
+        return f"{place_of(self.name, self.text, keys)}: {said}"
 
 
 def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, Source]:
@@ -232,8 +237,17 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
     tables = json_tables if path.suffix == ".json" else toml_tables
     given = tables(text, str(path))
     source = Source(str(path), text, overrides)
+    if any(key_path(word.partition("=")[0])[:1] == ("scenario",) for word in overrides):
+        given = _with_tables(given, path.parent, source)
     plan = plan_from(overridden(given, overrides), source)
     return with_scenario(plan, path.parent, source), source
+
+
+def _with_tables(given: dict[str, Any], folder: Path, source: Source) -> dict[str, Any]:
+    """A raw plan with the tables of its scenario, of which some are to be overridden."""
+    if not isinstance(given.get("scenario"), str):
+        return given
+    return {**given, "scenario": _scenario_tables(folder, given["scenario"], source)}
 
 
 def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
@@ -267,7 +281,12 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
     """
     if not isinstance(plan.scenario, str):
         return plan
-    path = folder / plan.scenario
+    return plan.with_checked(scenario=_scenario_tables(folder, plan.scenario, source))
+
+
+def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
+    """The raw tables of a scenario file that a plan names."""
+    path = folder / name
     try:
         there = path.is_file()
     except (OSError, ValueError):  # a name that no file can have
@@ -276,5 +295,4 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         what = f"there is no file {shown_value(str(path))}"
         raise InputError(source.blamed(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
-    given = toml_tables(source_text(path), str(path))
-    return plan.model_copy(update={"scenario": given})
+    return toml_tables(source_text(path), str(path))

@@ -20,6 +20,7 @@ from springback.experiments.campaign.reading import Campaign, check_conditions
 from springback.experiments.campaign.stopped import Stopped
 from springback.experiments.campaign.store import Store, changed_versions, opened
 from springback.experiments.campaign.workers import GivenUp, Remark, fly_locally
+from springback.experiments.pilots import as_written
 
 if TYPE_CHECKING:
     from springback.experiments.campaign.cluster import Tls
@@ -144,6 +145,8 @@ def run_campaign(
         Stopped: If the disk is full, workers keep dying, the cluster is lost; all parts that were
             kept stay, and ``resume`` goes on from them.
     """
+    if not isinstance(plan, Plan | Design):
+        raise InputError(f"plan must be a springback.Plan (got {as_written(plan)})")
     design = plan if isinstance(plan, Design) else laid_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"

@@ -100,7 +100,8 @@ class PairSummary:
             return f"{first} and {second}: no pair was flown"
         return (
             f"{first} less {second}, over {self.pairs} pairs of the same luck: "
-            f"{100.0 * d.value:+.2f} % ({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f} %); "
+            f"{100.0 * d.value:+.2f} percentage points "
+            f"({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f}); "
             f"{first} alone succeeds in {self.first_only}, {second} alone in {self.second_only}"
         )
 
@@ -112,6 +113,8 @@ class Summary:
     campaign: Campaign = field(repr=False)
     robots: tuple[RobotSummary, ...]
     pairs: tuple[PairSummary, ...]
+    refusal: str = ""
+    """How many flights could not be flown, with one of them and the reason; empty if none."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
@@ -124,7 +127,7 @@ class Summary:
             "confidence": CONFIDENCE,
             "intervals": "shares: Wilson; quantiles: order statistics; pairs: Agresti and Min",
             "robots": [robot.as_dict() for robot in self.robots],
-            "pairs": [pair.as_dict() for pair in self.pairs],
+            "pairs": [pair.as_dict() for pair in self.pairs], "refusal": self.refusal,
         }  # fmt: skip
 
 
@@ -143,7 +146,15 @@ def summary(campaign: Campaign) -> Summary:
         for k, first in enumerate(names)
         for second in names[k + 1 :]
     )
-    return Summary(campaign, robots, pairs)
+    return Summary(campaign, robots, pairs, _refusal(campaign, sum(one.refused for one in robots)))
+
+
+def _refusal(campaign: Campaign, refused: int) -> str:
+    if not refused:
+        return ""
+    sql = "SELECT flight, robot, problem FROM flights WHERE outcome = 'refused' ORDER BY flight"
+    [(flight, robot, why)] = campaign.query(f"{sql} LIMIT 1").rows
+    return f"{refused} refused, such as flight {flight} ({robot}): {why}"
 
 
 def _robot(campaign: Campaign, robot: str) -> RobotSummary:

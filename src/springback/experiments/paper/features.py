@@ -113,10 +113,10 @@ def with_battery(vehicle: Vehicle, mass: float, figure_of_merit: float) -> Vehic
         mass: Of the battery [kg].
         figure_of_merit: Of its rotors; above 1 none exist, but the arithmetic holds.
     """
-    body = vehicle.body.model_copy(update={"mass": vehicle.body.mass + mass - BATTERY})
+    body = vehicle.body.with_checked(mass=vehicle.body.mass + mass - BATTERY)
     own = {"battery_energy": mass * SPECIFIC_ENERGY, "figure_of_merit": figure_of_merit}
-    propulsion = PROPULSION.model_copy(update=own)
-    return vehicle.model_copy(update={"body": body, "propulsion": propulsion})
+    propulsion = PROPULSION.with_checked(**own)
+    return vehicle.with_checked(body=body, propulsion=propulsion)
 
 
 def predicted_hover_time(battery: float) -> float:
