@@ -98,8 +98,10 @@ class Flight:
         """What to be wary of, in a sentence; empty if there is nothing."""
         if not self.measures.get("ledger_open"):
             return ""
+        left = self.measures["ledger_residual"]  # None where it is beyond all numbers
+        share = "more than all" if left is None else f"{left:.1e}"
         return (
-            f"the energy ledger leaves {self.measures['ledger_residual']:.1e} of the energy: the "
+            f"the energy ledger leaves {share} of the energy: the "
             "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
         )
 

@@ -353,6 +353,7 @@ def advance(
         Number of flights that are still flying and not there yet.
     """
     w, groups = len(lanes), last - first
+    several = w > 1  # a lane alone that steers has no neighbours to be put aside
     # It is 1, which the compiler does not know: loops of known length it would unroll, not pack.
     once = logged.shape[0]
     if w > 1:
@@ -378,7 +379,7 @@ def advance(
                 if cruising:
                     cruised_on(shape, b, w, log, logged)
                 else:
-                    if now.cruising + now.waiting > 0:
+                    if several and now.cruising + now.waiting > 0:
                         put_aside(shape, b, w)
                     begun(shape, b, w)
                     log_steered(shape, b, w, log, logged)
@@ -386,7 +387,7 @@ def advance(
                         staged(shape, b, w, REACH[stage], WEIGHT[stage])
                     for i in range(w * once):
                         taken(shape, b, w, i)
-                    if now.cruising + now.waiting > 0:
+                    if several and now.cruising + now.waiting > 0:
                         put_back(shape, b, w)
                     attended(shape, b, w)
                 budget -= 1

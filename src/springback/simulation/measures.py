@@ -59,6 +59,8 @@ def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list
 
 #: An energy ledger that leaves no more than this share of the largest energy closes.
 CLOSED = 1e-4
+#: Less than this is the rounding of heights and speeds of what stands still [J].
+ROUNDING = 1e-9
 #: Outcomes of a flight without a recovery that are no success.
 FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
@@ -128,7 +130,7 @@ MEASURES = {
     "loss_settling": ("J", "lost when settled arms are locked again"),
     "loss_air": ("J", "taken by the air; negative where wind gives"),
     "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
-    "ledger_open": ("", "1 where that is more than 1e-4: the numbers are not to be trusted"),
+    "ledger_open": ("", "1 where that is more than 1e-4, and 1e-9 J: do not trust the numbers"),
 }  # fmt: skip
 
 
@@ -176,7 +178,9 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     touched = m.touch_time >= 0.0
     left, back = m.separation_time >= 0.0, m.return_time >= 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        residual = np.where(scale > 0.0, (end - start - w.thrust + losses) / scale, 0.0)
+        left_over = end - start - w.thrust + losses
+        residual = np.where(scale > 0.0, left_over / scale, 0.0)
+        closes = (np.abs(residual) <= CLOSED) | (np.abs(left_over) <= ROUNDING)
     values: dict[str, Any] = {
         "restitution_at_separation": _ratio(m.separation_speed, m.touch_speed, left),
         "restitution_at_return": _ratio(m.return_speed, m.touch_speed, back),
@@ -231,7 +235,7 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "loss_settling": w.settling,
         "loss_air": w.air,
         "ledger_residual": residual,
-        "ledger_open": np.where(np.abs(residual) <= CLOSED, 0.0, 1.0),
+        "ledger_open": np.where(closes, 0.0, 1.0),
     }
     return {name: where(np.isfinite(value), value) for name, value in values.items()}
 
