@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import contextlib
 import json
+import re
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -415,7 +416,7 @@ HOSTILE = {
     "no diary": (lambda f: (f / "diary.parquet").unlink(), "diary.parquet"),
     "an edited number": (
         lambda f: (f / "summary.json").write_text(
-            (f / "summary.json").read_text().replace('"peak_acceleration": ', '"peak_acceleration": 1')
+            re.sub(r'("touch_\w+": )([0-9])', r"\g<1>1\g<2>", (f / "summary.json").read_text())
         ),
         "damaged or was edited",
     ),
