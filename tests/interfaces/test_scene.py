@@ -5,8 +5,8 @@ from __future__ import annotations
 import base64
 import contextlib
 import json
-import re
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
