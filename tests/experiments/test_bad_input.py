@@ -396,9 +396,9 @@ def test_entries_of_defaults_can_be_overridden(tmp_path: Path) -> None:
     plain = read_scenario(path)
     moved = read_scenario(path, ["start.position.2=3", "start.position[0]=1 m"])
     assert moved.start.position == (1.0, 0.0, 3.0)
-    turned = read_scenario(path, ["vehicle.arms.directions.1=-60 deg"]).vehicle.arms.directions
+    turned = read_scenario(path, ["vehicle.arms.directions.1=-48 deg"]).vehicle.arms.directions
     before = plain.vehicle.arms.directions
-    assert turned[1] == pytest.approx(-1.0471975511965976)
+    assert turned[1] == pytest.approx(-0.8377580409572782)
     assert (turned[0], *turned[2:]) == (before[0], *before[2:])
 
 

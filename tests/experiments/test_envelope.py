@@ -163,7 +163,7 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         (("speed=1kg:5kg:3",), "wrong unit"),
         (("speed=nan:5:3",), "finite"),
         (("speed=-1:5:3",), "speed: must be more than 0 m/s"),
-        (("pitch=-60:60:9",), "at most 1.4 rad"),
+        (("pitch=-60:60:9",), "within a full turn"),
         (("speed=1:2:2", "speed=1:2:2"), "both axes"),
         (("recovery.runs=1:2:3",), "whole numbers"),
         (("recovery.response.way=0:1:2",), "no single number"),

@@ -193,8 +193,10 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
-    long = ("simulation.duration=9e4 s", "world.gravity=0", "thrust=0")
-    words = ["fly", "s.toml", *long, "--out", "out", "--no-figures"]
+    slow = "import time\n\ndef slow(now, seen, memory):\n    time.sleep(0.01)\n    return [3.0] * 4, memory\n"
+    (folder / "p.py").write_text(slow)
+    words = ["fly", "s.toml", "--pilot", "p.py:slow", "simulation.duration=60 s", "--out", "out"]
+    words += ["--no-figures"]
     with subprocess.Popen(
         [sys.executable, "-m", "springback", *words],
         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -208,7 +210,8 @@ def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
             process.kill()
     assert process.returncode == 130, errors
     assert "Traceback" not in errors
-    assert sorted(path.name for path in folder.iterdir()) == ["s.toml"]
+    left = sorted(path.name for path in folder.iterdir() if path.name != "__pycache__")
+    assert left == ["p.py", "s.toml"]
 
 
 def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:

@@ -247,7 +247,7 @@ def test_any_number_of_readings_with_any_names() -> None:
         assert canvas.png(figure)
     legend = plots_slider.readings_figure(results).legends[0]
     words = [text.get_text() for text in legend.get_texts()]
-    assert "reading $\\frac$" in words
+    assert "reading \\$\\frac\\$" in words  # drawn as it is
     assert "reading _hidden" in words
     assert all(len(word) <= 24 for word in words)
 

@@ -6,6 +6,7 @@ import base64
 import contextlib
 import json
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -391,7 +392,7 @@ HOSTILE = {
     "other outcome": (lambda f: edited(f, outcome="exploded"), "exploded"),
     "outcome of another kind": (lambda f: edited(f, outcome=["recovered"]), "outcome"),
     "a measure in words": (lambda f: edited(f, measures={"touch_time": "soon"}), "touch_time"),
-    "a measure without end": (lambda f: edited(f, measures={"touch_time": 1e999}), "touch_time"),
+    "a measure without end": (lambda f: edited(f, measures={"touch_time": 1e999}), "damaged or was edited"),
     "no trajectory": (lambda f: (f / "trajectory.parquet").unlink(), "trajectory.parquet"),
     "torn trajectory": (
         lambda f: replaced(
@@ -415,7 +416,7 @@ HOSTILE = {
     "no diary": (lambda f: (f / "diary.parquet").unlink(), "diary.parquet"),
     "an edited number": (
         lambda f: (f / "summary.json").write_text(
-            (f / "summary.json").read_text().replace('"touch_speed": ', '"touch_speed": 1')
+            re.sub(r'("touch_\w+": )([0-9])', r"\g<1>1\g<2>", (f / "summary.json").read_text())
         ),
         "damaged or was edited",
     ),

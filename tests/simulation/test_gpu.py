@@ -21,14 +21,14 @@ from springback.experiments.result import as_scenario
 from springback.kernels import cuda
 from springback.kernels.compiler import rebound
 from springback.kernels.layout import Like, rows
+from springback.kernels.nvptx import device_function
+from springback.kernels.private_memory import reached_over
 from springback.kernels.ptx import (
     Constants,
     PtxError,
-    device_function,
     kernel_of,
     parameter,
     program,
-    reached_over,
 )
 from springback.kernels.trees import leaves, rebuilt
 from springback.simulation import gpu, threads

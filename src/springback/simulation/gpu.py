@@ -15,9 +15,9 @@ import numpy as np
 from springback.kernels.compiler import Origin
 from springback.kernels.cuda import Loaded, Memory
 from springback.kernels.layout import Buffer, Like, rows, structure
+from springback.kernels.nvptx import device_function
 from springback.kernels.ptx import (
     Constants,
-    device_function,
     kernel_of,
     one_at_a_time,
     parameter,

@@ -11,7 +11,7 @@ from typing import Any
 
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, Parted, read, rows, write
-from springback.kernels.ptx import (
+from springback.kernels.private_memory import (
     private,
     private_counters,
     private_floats,

@@ -118,7 +118,7 @@ def test_success_is_what_the_plan_says(tmp_path: Path) -> None:
 # -- workers that die -----------------------------------------------------------------------------
 
 
-def killed(text: str, chunk: Chunk) -> Flown:
+def killed(text: str, chunk: Chunk, device: Any = "cpu") -> Flown:
     """Fly, but be killed over flight 10: once, or always if the plan is called poison."""
     once = Path(os.environ["KILLED_ONCE"])
     if chunk[0] <= 10 < chunk[1] and ('"poison"' in text or not once.exists()):

@@ -292,7 +292,7 @@ def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
     except (OSError, ValueError):  # a name that no file can have
         there = False
     if not there:
-        what = f"there is no file {shown_value(str(path))}"
+        what = f"there is no file {shortened(str(path))}"
         raise InputError(source.blamed(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
     return toml_tables(source_text(path), str(path))
