@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.experiments.receiver import Array, Judged, Point, Quiet, curve, quiet
-from springback.experiments.run_ups import PAPER_WALL
 from springback.experiments.trials import Scatter, made_ready, trial_tables
 from springback.recovery.characterisation import Collision
 from springback.recovery.journey import LOOK
@@ -93,13 +92,7 @@ def approach_tables(
     run = RUN if speed > SLOW else SHORT_RUN
     begin, lasting = CONTACT_X - run, PEAK_OVER_MEAN * 2.0 * run / speed
     x, y, z = luck.position
-    walls = [
-        {**one, "surface": "wall"} if one.get("surface") == PAPER_WALL else one
-        for one in given["world"]["obstacles"]
-    ]
     return given | {
-        # Friction along both tangents: it turns the force, which makes directions hard to tell.
-        "world": {**given["world"], "obstacles": walls},
         "name": f"{robot}, {speed:g} m/s, wall {wall_yaw:g} deg, robot {robot_yaw:g} deg",
         "reference": {
             "type": "waypoints",
