@@ -173,8 +173,8 @@ def test_as_it_opens_it_is_the_papers_slider_test(robot: str, reading: Any, surf
 def test_an_impact_arrives_as_asked(guide: str, words: dict[str, Any]) -> None:
     asked = setting(guide=guide, **words)
     m = fly(lab_scenario(asked, "arq"), trajectory=False).measures
-    # Touch is located on its crossing; the lab lays the start back without the thrust's share of
-    # the last step, which is 2.5 µs in the slowest case (it was within 2 when touch was found late).
+    # 2e-6 until steps followed contacts and stops; since then the slowest case is 2.5 µs early, of
+    # which the cause has not been traced.
     assert m["touch_time"] == pytest.approx(BEFORE, abs=4e-6)
     assert m["touch_speed"] == pytest.approx(asked.speed, rel=1e-4)
 
