@@ -54,6 +54,7 @@ INPUT = [
     *(f"state.{name}" for name in _STATE),
 ]  # fmt: skip
 
+_SAMPLE = ("acceleration", "specific_force", "normal_force")
 #: Rows of C's Motion and Record.
 OUTPUT = [
     *(f"motion.state.{name}" for name in _STATE),
@@ -74,6 +75,8 @@ OUTPUT = [
     "impact_peak_acceleration", "impact_peak_acceleration_time", "impact_peak_specific_force",
     "impact_peak_angular_rate", "impact_peak_normal_force", "impact_penetration",
     "impact_arm_stroke", "impact_arm_extension", "travel", "bottomed_time", "ground_time",
+    "recent.step",
+    *(f"recent.{one}.{name}" for one in ("earlier", "latest") for name in _SAMPLE),
 ]  # fmt: skip
 
 #: Measures that must agree, each with the size of a value that counts as small.

@@ -107,6 +107,7 @@ typedef struct {
     V impact_peak_angular_rate, impact_peak_normal_force, impact_penetration, impact_arm_stroke;
     V impact_arm_extension, travel;
     V bottomed_time, ground_time;
+    V recent_step, earlier[3], latest[3];
 } Record;
 
 /* What the measures need of one instant. */
@@ -127,7 +128,7 @@ typedef struct {
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
 static const double FRICTION_SHARE = 2, TINY = 1e-9, AT_TOUCH = 1e-30;
-static const double CONTACT_SHARE = 0.12, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
+static const double CONTACT_SHARE = 0.25, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
 
 INLINE V crossing_time(V value, V rate)
 {
@@ -400,6 +401,7 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const State *s = &x->state;
     const V zero = all(0), one = all(1);
     V touching = zero, unsettled = zero, reach = zero, quickest = zero;
+    M jumped = zero != zero;
 #pragma GCC unroll 4
     for (int j = 0; j < ARMS; j++) {
         touching = larger(touching, v->touching[j]);
@@ -409,6 +411,7 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
         const M busy = (away * away > m->arm_tolerance * m->arm_tolerance)
                      | (rate * rate > m->rate_tolerance * m->rate_tolerance);
         unsettled = larger(unsettled, sel(busy, m->arm[j].compliance, zero));
+        jumped |= v->touching[j] != k->arm_touching[j];
         k->arm_contacts[j] += one_if(v->touching[j] > k->arm_touching[j]);
         k->arm_touching[j] = v->touching[j];
     }
@@ -455,24 +458,42 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const M halted = finished | (phase != k->phase) | (k->status != zero);
     step = sel(halted, zero, smaller(step, left));
 
-    const V a = norm(v->acceleration);
-    const V felt = norm(v->specific_force), spin = norm(s->omega);
+    /* Peaks between instants: vertices of parabolas through the last three. */
+    const V samples[3] = {norm(v->acceleration), norm(v->specific_force), v->largest_normal};
+    const M smooth = (k->step > zero) & ~jumped, usable = smooth & (k->recent_step > zero);
+    const V before = sel(usable, k->recent_step, one), after = sel(usable, k->step, one);
+    const V per_before = one / before, per_after = one / after, per_both = one / (before + after);
+    V peak[3], when = k->time;
+#pragma GCC unroll 3
+    for (int i = 2; i >= 0; i--) {
+        const V middle = k->latest[i];
+        const V rise = (middle - k->earlier[i]) * per_before, fall = (samples[i] - middle) * per_after;
+        const V slope = (rise * after + fall * before) * per_both;
+        const M summit = usable & (rise > zero) & (fall <= zero);
+        const V offset = all(-0.5) * slope / sel(summit, (fall - rise) * per_both, -one);
+        peak[i] = sel(summit, middle + all(0.5) * slope * offset, samples[i]);
+        when = k->time + sel(summit, offset - after, zero);
+        k->earlier[i] = middle;
+        k->latest[i] = samples[i];
+    }
+    k->recent_step = sel(smooth, k->step, zero);
+    const V a = peak[0], felt = peak[1], normal = peak[2], spin = norm(s->omega);
     const M harder = within & (a > k->impact_peak_acceleration);
-    k->impact_peak_acceleration_time = sel(harder, k->time, k->impact_peak_acceleration_time);
+    k->impact_peak_acceleration_time = sel(harder, when, k->impact_peak_acceleration_time);
     k->impact_peak_acceleration = sel(harder, a, k->impact_peak_acceleration);
 #define GROWN(field, counts, value) k->field = sel((counts) & ((value) > k->field), (value), k->field)
     GROWN(impact_peak_specific_force, within, felt);
     GROWN(impact_peak_angular_rate, within, spin);
-    GROWN(impact_peak_normal_force, within, v->largest_normal);
+    GROWN(impact_peak_normal_force, within, normal);
     GROWN(impact_penetration, within, v->deepest);
     GROWN(impact_arm_stroke, within, v->most_compressed);
     GROWN(impact_arm_extension, within, -v->least_compressed);
     GROWN(travel, of_first & (in_touch | ended), past);
-    k->peak_acceleration_time = sel(a > k->peak_acceleration, k->time, k->peak_acceleration_time);
+    k->peak_acceleration_time = sel(a > k->peak_acceleration, when, k->peak_acceleration_time);
     k->peak_acceleration = larger(a, k->peak_acceleration);
     k->peak_specific_force = larger(felt, k->peak_specific_force);
     k->peak_angular_rate = larger(spin, k->peak_angular_rate);
-    k->peak_normal_force = larger(v->largest_normal, k->peak_normal_force);
+    k->peak_normal_force = larger(normal, k->peak_normal_force);
     k->peak_penetration = larger(v->deepest, k->peak_penetration);
     k->peak_compression = larger(v->most_compressed, k->peak_compression);
     k->peak_extension = larger(-v->least_compressed, k->peak_extension);

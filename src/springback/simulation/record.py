@@ -15,6 +15,7 @@ from springback.dynamics.rigid import Flight, FlightRates
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, largest, least, pick, total
 from springback.kernels.vectors import Vec, norm
+from springback.simulation.peaks import NOTHING_YET, Recent, Sample, peak_of, spacing
 from springback.vehicle.state import Airframe, Arm, State
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
@@ -28,7 +29,7 @@ STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
 #: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
-CONTACT_SHARE = 0.12
+CONTACT_SHARE = 0.25
 #: ... and of that in which a slip changes, as it does when friction turns round (both chosen:
 #: studies/families.py).
 SLIP_SHARE = 0.25
@@ -126,6 +127,7 @@ class Record(NamedTuple):
     travel: float  # n · p past its value at first touch, until the last separation [m]
     bottomed_time: float  # an arm reached the end of its stroke [s]
     ground_time: float  # a cage touched the ground [s]
+    recent: Recent  # the last two instants, for peaks between instants
 
 
 def blank_record(arm_count: int, obstacle_count: int = 1) -> Record:
@@ -147,7 +149,7 @@ def blank_record(arm_count: int, obstacle_count: int = 1) -> Record:
         impact_peak_specific_force=0.0, impact_peak_angular_rate=0.0,
         impact_peak_normal_force=0.0, impact_penetration=0.0, impact_arm_stroke=0.0,
         impact_arm_extension=0.0, travel=0.0,
-        bottomed_time=never, ground_time=never,
+        bottomed_time=never, ground_time=never, recent=NOTHING_YET,
     )  # fmt: skip
 
 
@@ -159,6 +161,16 @@ def _extension(arm: ArmView) -> float:
 @kernel
 def _touched_normal(arm: ArmView, touching: float) -> Vec:
     return arm.inward * touching
+
+
+@kernel
+def _change(now: float, before: float) -> float:
+    return (now - before) * (now - before)
+
+
+@kernel
+def _largest_change(now: tuple[float, ...], before: tuple[float, ...]) -> float:
+    return largest(each(_change, (now, before), ()))
 
 
 @kernel
@@ -243,7 +255,8 @@ def cruised_past(
         good: Whether the step leads to finite numbers.
         step: Taken [s].
     """
-    a, spin = norm(known.flight.velocity), norm(flight.angular_velocity)
+    a, felt = norm(known.flight.velocity), norm(known.specific_force)
+    spin = norm(flight.angular_velocity)
     fastest = fastest_cage(model.airframe, flight.velocity, flight.angular_velocity)
     room = m.room - HASTE * fastest * step
     return Record(
@@ -256,12 +269,13 @@ def cruised_past(
         m.return_time, m.return_speed,
         larger(a, m.peak_acceleration),
         pick(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
-        larger(norm(known.specific_force), m.peak_specific_force),
+        larger(felt, m.peak_specific_force),
         larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
         m.peak_compression, m.peak_extension,
         m.impact_peak_acceleration, m.impact_peak_acceleration_time, m.impact_peak_specific_force,
         m.impact_peak_angular_rate, m.impact_peak_normal_force, m.impact_penetration,
         m.impact_arm_stroke, m.impact_arm_extension, m.travel, m.bottomed_time, m.ground_time,
+        Recent(m.step, m.recent.latest, Sample(a, felt, 0.0)),
     )  # fmt: skip
 
 
@@ -375,9 +389,20 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     quiet = is_quiet(timing, touching, phase, impact_open, ahead) & (step > 0.0)
     cruising = pick(quiet & has_room(timing, near, fastest), CRUISING, STEERED)
 
-    a, felt, spin = norm(view.acceleration), norm(view.specific_force), norm(state.angular_velocity)
+    now = Sample(
+        norm(view.acceleration),
+        norm(view.specific_force),
+        largest(column(view.arms, "normal")),
+    )
+    jumped = largest(each(_largest_change, (engaged, m.engaged), ())) > 0.0
+    smooth = (m.step > 0.0) & (not jumped)
+    apart, earlier, latest = spacing(m.recent, m.step, smooth), m.recent.earlier, m.recent.latest
+    hardest = peak_of(earlier.acceleration, latest.acceleration, now.acceleration, apart)
+    felt = peak_of(earlier.specific_force, latest.specific_force, now.specific_force, apart).value
+    normal = peak_of(earlier.normal_force, latest.normal_force, now.normal_force, apart).value
+    a, hardest_time = hardest.value, m.time + hardest.time
     grew, hit_harder = a > m.peak_acceleration, within & (a > m.impact_peak_acceleration)
-    normal, depth_in = largest(column(view.arms, "normal")), largest(column(view.arms, "depth"))
+    spin, depth_in = norm(state.angular_velocity), largest(column(view.arms, "depth"))
     stroke = largest(column(view.arms, "compression"))
     extension = largest(each(_extension, (view.arms,), ()))
     bottomed = largest(column(view.arms, "bottomed")) > 0.0
@@ -411,7 +436,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         return_time=pick(returns, m.time, m.return_time),
         return_speed=pick(returns, speed, m.return_speed),
         peak_acceleration=larger(a, m.peak_acceleration),
-        peak_acceleration_time=pick(grew, m.time, m.peak_acceleration_time),
+        peak_acceleration_time=pick(grew, hardest_time, m.peak_acceleration_time),
         peak_specific_force=larger(felt, m.peak_specific_force),
         peak_angular_rate=larger(spin, m.peak_angular_rate),
         peak_normal_force=larger(normal, m.peak_normal_force),
@@ -419,7 +444,9 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         peak_compression=larger(stroke, m.peak_compression),
         peak_extension=larger(extension, m.peak_extension),
         impact_peak_acceleration=pick(hit_harder, a, m.impact_peak_acceleration),
-        impact_peak_acceleration_time=pick(hit_harder, m.time, m.impact_peak_acceleration_time),
+        impact_peak_acceleration_time=pick(
+            hit_harder, hardest_time, m.impact_peak_acceleration_time
+        ),
         impact_peak_specific_force=_grown(within, felt, m.impact_peak_specific_force),
         impact_peak_angular_rate=_grown(within, spin, m.impact_peak_angular_rate),
         impact_peak_normal_force=_grown(within, normal, m.impact_peak_normal_force),
@@ -429,4 +456,5 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         travel=_grown(of_first & ((touching > 0.0) | ended), depth - touch_depth, m.travel),
         bottomed_time=pick(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
         ground_time=pick((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
+        recent=Recent(pick(smooth, m.step, 0.0), latest, now),
     )

@@ -1,0 +1,87 @@
+"""Peaks between two instants: the vertex of a parabola through three of them.
+
+Accelerations and forces in contact rise and fall within a few steps, so that the largest of their
+samples falls short of the peak by an error of second order in the step; the vertex, by one of third
+order.  It is taken only where the three instants belong to one smooth stretch: contacts that begin
+or end, arms that are locked and impulses make a new one.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import pick
+
+
+class Sample(NamedTuple):
+    """What peaks sharply in contact, at one instant."""
+
+    acceleration: float  # ‖v̇‖ of the main body [m/s²]
+    specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
+    normal_force: float  # largest f_n of one cage [N]
+
+
+class Recent(NamedTuple):
+    """The last two instants."""
+
+    step: float  # from one to the other [s]; 0 where they are not of one smooth stretch
+    earlier: Sample
+    latest: Sample
+
+
+class Peak(NamedTuple):
+    """Of one quantity."""
+
+    value: float
+    time: float  # against the present instant [s]
+
+
+#: Before the first instant.
+NOTHING_YET = Recent(0.0, Sample(0.0, 0.0, 0.0), Sample(0.0, 0.0, 0.0))
+
+
+class Spacing(NamedTuple):
+    """Of three instants."""
+
+    smooth: bool  # whether they are of one smooth stretch
+    before: float  # from the first to the second [s]
+    after: float  # from the second to the third [s]
+    per_before: float  # [1/s]
+    per_after: float  # [1/s]
+    per_both: float  # [1/s]
+
+
+@kernel
+def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
+    """Of the last two instants and the present one.
+
+    Args:
+        recent: The last two instants.
+        step: From the later of them to the present [s].
+        smooth: Whether nothing jumps in between.
+    """
+    usable = smooth & (recent.step > 0.0)
+    before, after = pick(usable, recent.step, 1.0), pick(usable, step, 1.0)
+    return Spacing(usable, before, after, 1.0 / before, 1.0 / after, 1.0 / (before + after))
+
+
+@kernel
+def peak_of(first: float, second: float, third: float, t: Spacing) -> Peak:
+    """The vertex where the second of three values is the largest, otherwise the third value.
+
+    Args:
+        first: At the earliest instant.
+        second: At the next.
+        third: At the present one.
+        t: When they were.
+    """
+    rise, fall = (second - first) * t.per_before, (third - second) * t.per_after
+    slope = (rise * t.after + fall * t.before) * t.per_both
+    summit = t.smooth & (rise > 0.0) & (fall <= 0.0)
+    bend = pick(summit, (fall - rise) * t.per_both, -1.0)
+    offset = -0.5 * slope / bend
+    return Peak(
+        pick(summit, second + 0.5 * slope * offset, third),
+        pick(summit, offset - t.after, 0.0),
+    )
