@@ -184,7 +184,7 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
     V grip_all = thrust, grip_z = thrust, grip_xx = thrust, grip_yy = thrust, grip_xy = thrust;
     V lean_all = thrust, lean_z = thrust, grip_arm = thrust, lean_arm = thrust;
     /* Contacts and stops as springs and dampers: of the vehicle, of its turns, of the worst arm. */
-    V press_k = thrust, press_c = thrust, turn_k = thrust, turn_c = thrust, arm_k = thrust, arm_c = thrust;
+    V press_k = thrust, press_c = thrust, arm_k = thrust, arm_c = thrust;
     V rub_x[ARMS], rub_y[ARMS], per_speed[ARMS];
 
     if (view) {
@@ -291,17 +291,15 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             grip_arm = larger(grip_arm, grip * (all(1) - along * along) * give);
             lean_arm = larger(lean_arm, grip * out * give);
             const V on = positive(approach), ahead = depth + all(AHEAD) * on;
-            const V then = m->stiffness * (ahead * root(ahead)), slope = all(1.5) * then / (ahead + all(1e-12));
+            const V steep = root(ahead), then = m->stiffness * (ahead * steep);
+            const V slope = m->stiffness * (all(1.5) * steep);
             const V spring = sel(depth > all(0), slope * (all(1) + m->dissipation * on), all(0));
             const V dashpot = sel(depth > all(0), m->dissipation * then + m->viscosity, all(0));
-            const Vec lever = cross(vec(px, py, all(0)), n);
-            const V turned = dot(lever, lever), out_ = all(AHEAD) * dl;
+            const V out_ = all(AHEAD) * dl;
             const M soon = (-compression + out_ > all(GRAZED)) | (a->shortest - l - out_ > all(GRAZED));
             const V stopping = sel((stored > all(0)) | soon, a->stop_stiffness, all(0));
             press_k += spring;
             press_c += dashpot;
-            turn_k += spring * turned;
-            turn_c += dashpot * turned;
             arm_k = larger(arm_k, (spring * (along * along) + stopping) * give);
             arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * stored) * give);
             view->stopped = larger(view->stopped, one_if(u * stopping > all(0)));
@@ -379,8 +377,12 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         const V across = (grip_all - lean_all) * nzz + tumbling, half = all(0.5) * (in_plane - across);
         view->friction_rate = all(0.5) * (in_plane + across) + root(half * half + lean * across);
         const V per_inertia = all(1) / smaller(smaller(jxx, jyy), jzz);
-        view->contact_rate = root(press_k * nzz + turn_k * per_inertia + arm_k)
-                           + (press_c * nzz + turn_c * per_inertia + arm_c);
+        V farthest = all(0);
+#pragma GCC unroll 4
+        for (int j = 0; j < ARMS; j++)
+            farthest = larger(farthest, m->arm[j].length + m->arm[j].cage_radius);
+        const V as_one_body = nzz + farthest * farthest * per_inertia;
+        view->contact_rate = root(press_k * as_one_body + arm_k) + (press_c * as_one_body + arm_c);
         const Vec falling = minus(felt, vec(r.z.x * m->gravity, r.z.y * m->gravity, r.z.z * m->gravity));
 #pragma GCC unroll 4
         for (int j = 0; j < ARMS; j++) {
@@ -390,8 +392,9 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             Vec change = vec(falling.x + a->cosine * ddl - alpha.z * py, falling.y + a->sine * ddl + alpha.z * px,
                              falling.z + alpha.x * py - alpha.y * px);
             change = minus(change, times(n, dot(change, n)));
-            view->slip_rate = larger(view->slip_rate, norm(change) * per_speed[j]);
+            view->slip_rate = larger(view->slip_rate, dot(change, change) * (per_speed[j] * per_speed[j]));
         }
+        view->slip_rate = root(view->slip_rate);
     }
 }
 
@@ -450,9 +453,9 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     /* No point moves faster than this, so no cage can touch unnoticed within the step. */
     const V fastest = norm(s->velocity) + reach * norm(s->omega);
     step = smaller(step, larger(v->nearest / larger(fastest + quickest, all(TINY)), m->impact_step));
-    const V calm = all(FRICTION_SHARE) / larger(v->friction_rate, one);
-    const V stiff = larger(v->contact_rate / all(CONTACT_SHARE), v->slip_rate / all(SLIP_SHARE));
-    step = smaller(step, larger(smaller(calm, one / larger(stiff, one)), shortest));
+    V stiff = larger(v->contact_rate / all(CONTACT_SHARE), v->slip_rate / all(SLIP_SHARE));
+    stiff = larger(stiff, v->friction_rate / all(FRICTION_SHARE));
+    step = smaller(step, larger(one / larger(stiff, one), shortest));
     const V left = m->until - k->time;
     const M finished = left <= all(1e-12), flies = k->status == zero;
     const M halted = finished | (phase != k->phase) | (k->status != zero);
@@ -462,16 +465,16 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const V samples[3] = {norm(v->acceleration), norm(v->specific_force), v->largest_normal};
     const M smooth = (k->step > zero) & ~jumped, usable = smooth & (k->recent_step > zero);
     const V before = sel(usable, k->recent_step, one), after = sel(usable, k->step, one);
-    const V per_before = one / before, per_after = one / after, per_both = one / (before + after);
+    const V shared = one / (after * before * (after + before));
     V peak[3], when = k->time;
 #pragma GCC unroll 3
     for (int i = 2; i >= 0; i--) {
         const V middle = k->latest[i];
-        const V rise = (middle - k->earlier[i]) * per_before, fall = (samples[i] - middle) * per_after;
-        const V slope = (rise * after + fall * before) * per_both;
+        const V rise = middle - k->earlier[i], fall = samples[i] - middle;
+        const V slope = rise * (after * after) + fall * (before * before);
         const M summit = usable & (rise > zero) & (fall <= zero);
-        const V offset = all(-0.5) * slope / sel(summit, (fall - rise) * per_both, -one);
-        peak[i] = sel(summit, middle + all(0.5) * slope * offset, samples[i]);
+        const V offset = all(-0.5) * slope / sel(summit, fall * before - rise * after, -one);
+        peak[i] = sel(summit, middle + all(0.5) * slope * shared * offset, samples[i]);
         when = k->time + sel(summit, offset - after, zero);
         k->earlier[i] = middle;
         k->latest[i] = samples[i];

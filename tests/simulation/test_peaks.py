@@ -29,7 +29,8 @@ def test_the_vertex_of_a_parabola_is_found_exactly() -> None:
             assert peak.value == pytest.approx(a, abs=1e-12)
             assert peak.time == pytest.approx(c - after, abs=1e-12)
         else:
-            assert peak.value == third and peak.time == 0.0
+            assert peak.value == third
+            assert peak.time == 0.0
     assert 50 < found < 150
 
 
@@ -37,7 +38,8 @@ def test_without_a_smooth_stretch_of_three_instants_the_present_value_counts() -
     """A jump before the present instant or before the one before it."""
     for recent, smooth in ((Recent(0.0, NONE, NONE), True), (Recent(0.1, NONE, NONE), False)):
         peak = peak_of(0.0, 1.0, 0.9, spacing(recent, 0.1, smooth))
-        assert peak.value == 0.9 and peak.time == 0.0
+        assert peak.value == 0.9
+        assert peak.time == 0.0
 
 
 @pytest.mark.parametrize("step", [2e-4, 1e-4, 5e-5])
@@ -66,4 +68,5 @@ def test_a_smooth_peak_is_found_far_within_the_error_of_its_samples() -> None:
 
     limit = peak(2e-5, 1e-3)
     coarse, fine = worst(4e-4), worst(2e-4)
-    assert coarse < 5e-6 and fine < coarse / 4
+    assert coarse < 5e-6
+    assert fine < coarse / 4

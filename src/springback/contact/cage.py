@@ -349,7 +349,7 @@ def meeting(
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
     """
-    return meeting_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical)
+    return meeting_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical, 0.0)
 
 
 @kernel
@@ -361,6 +361,7 @@ def meeting_while(
     arm: ArmPose,
     omega: Vec,
     vertical: Vec,
+    ahead: float,
 ) -> Meeting:
     """`meeting`, without forces where the cage is not engaged.
 
@@ -375,6 +376,7 @@ def meeting_while(
         arm: As for `meeting`.
         omega: As for `meeting`.
         vertical: As for `meeting`.
+        ahead: How the contact resists is for depths up to so much farther [m].
     """
     surface, end = obstacle.surface, arm.lever
     gap, n, at = facing(obstacle, contact_point, radius, arm)
@@ -383,7 +385,7 @@ def meeting_while(
     # A step lands on the face to within rounding; a law that jumps there must see it at once.
     least_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
     depth = -gap if gap < -AT_TOUCH else least_depth
-    pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate)
+    pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate, ahead)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 
@@ -392,7 +394,7 @@ def meeting_while(
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
     grip = grip_of(rubbed.grip, n, rubbing_at, arm.direction)
-    press = press_of(pressed.stiffness, pressed.damper, n, pressing, arm.direction)
+    press = press_of(pressed.stiffness, pressed.damper, n, arm.direction)
     touch = Touch(
         force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
     )

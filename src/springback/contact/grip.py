@@ -15,7 +15,7 @@ blocks, and only the part n_z of a normal that leans out of the plane couples th
 The normal force is a spring of stiffness K and a damper C at p along n.  The square of its angular
 frequency, and its damping rate, are at most the sums over contacts of K and C times what a unit
 impulse there does to its own point as one body, 1/m + (p × n)² / J, and the largest of what it does
-to an arm, (e·n)² / m_a.
+to an arm, (e·n)² / m_a.  Of p × n only the length of p is taken, for speed.
 """
 
 from __future__ import annotations
@@ -64,29 +64,23 @@ class Press(NamedTuple):
 
     stiffness: float  # K [N/m]
     damper: float  # C [N s/m]
-    turning_stiffness: float  # K (p × n)² [N m]
-    turning_damper: float  # C (p × n)² [N m s]
     arm_stiffness: float  # K (e·n)², along the arm [N/m]
     arm_damper: float  # C (e·n)², along the arm [N s/m]
 
 
 @kernel
-def press_of(stiffness: float, damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Press:
+def press_of(stiffness: float, damper: float, normal: Vec, arm_direction: Vec) -> Press:
     """Normal force of one contact.
 
     Args:
         stiffness: K [N/m].
         damper: C [N s/m].
         normal: Unit normal n.
-        point: p, of contact, in the plane of the arms [m].
         arm_direction: e.
     """
-    lever, along = point ^ normal, arm_direction @ normal
-    turning, sliding = lever @ lever, along * along
-    return Press(
-        stiffness, damper, stiffness * turning, damper * turning, stiffness * sliding,
-        damper * sliding,
-    )  # fmt: skip
+    along = arm_direction @ normal
+    sliding = along * along
+    return Press(stiffness, damper, stiffness * sliding, damper * sliding)
 
 
 class Stiffness(NamedTuple):
@@ -97,7 +91,9 @@ class Stiffness(NamedTuple):
 
 
 @kernel
-def contact_rate(press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat) -> float:
+def contact_rate(
+    press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat, reach: float
+) -> float:
     """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
 
     Args:
@@ -105,14 +101,14 @@ def contact_rate(press: Press, slides: tuple[Stiffness, ...], mass: float, inert
         slides: Of every arm, what acts along its slide.
         mass: m [kg].
         inertia: J about the main body, body axes [kg m²].
+        reach: No contact is farther from the main body [m].
     """
     j = inertia
     upright = j.x.x if j.x.x < j.y.y else j.y.y
-    per_mass, per_inertia = 1.0 / mass, 1.0 / (upright if upright < j.z.z else j.z.z)
-    spring = press.stiffness * per_mass + press.turning_stiffness * per_inertia
-    damper = press.damper * per_mass + press.turning_damper * per_inertia
-    spring = spring + largest(column(slides, "spring"))
-    damper = damper + largest(column(slides, "damper"))
+    per_inertia = 1.0 / (upright if upright < j.z.z else j.z.z)
+    as_one_body = 1.0 / mass + reach * reach * per_inertia
+    spring = press.stiffness * as_one_body + largest(column(slides, "spring"))
+    damper = press.damper * as_one_body + largest(column(slides, "damper"))
     return math.sqrt(spring) + damper
 
 
@@ -147,8 +143,9 @@ def rest_rate(
         inertia: J about the main body, body axes [kg m²].
     """
     j, per_mass = inertia, 1.0 / mass
-    in_plane = grip.damper * per_mass + grip.about_z / j.z.z + largest(whole)
-    lean_part = grip.lean * per_mass + grip.lean_about_z / j.z.z + largest(lean)
+    per_turn = 1.0 / j.z.z
+    in_plane = grip.damper * per_mass + grip.about_z * per_turn + largest(whole)
+    lean_part = grip.lean * per_mass + grip.lean_about_z * per_turn + largest(lean)
     across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, j)
     half = 0.5 * (in_plane - across)
     return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)

@@ -63,6 +63,10 @@ class Surface(NamedTuple):
     restitution: float  # e of the impulse law; negative for a law of force
 
 
+#: Against division by zero [m].
+TINY = 1e-12
+
+
 @generic
 def power(exponent: Exponent, depth: float) -> float:
     """δⁿ for δ ≥ 0."""
@@ -82,10 +86,31 @@ def _linear(exponent: Linear, depth: float) -> float:
     return depth
 
 
-#: Against division by zero [m].
-TINY = 1e-12
-#: Steps look so far ahead in a contact that is being pressed in: it stiffens within them [s].
-AHEAD = 1e-4
+@generic
+def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
+    """The derivative n xⁿ⁻¹, or a bound on it, for depths x from δ to a little farther.
+
+    Args:
+        exponent: n.
+        depth: δ ≥ 0 [m].
+        ahead: How much farther, the same for all contacts of a vehicle [m].
+    """
+    deepest = depth + ahead
+    derivative: float = exponent.value * power(exponent, deepest) / (deepest + TINY)
+    return derivative
+
+
+@steepest.register(ThreeHalves)
+@kernel
+def _steepest_three_halves(exponent: ThreeHalves, depth: float, ahead: float) -> float:
+    # √(δ + Δ) ≤ √δ + √Δ, where the force takes the first root anyway and all cages share the other.
+    return 1.5 * (math.sqrt(depth) + math.sqrt(ahead))
+
+
+@steepest.register(Linear)
+@kernel
+def _steepest_linear(exponent: Linear, depth: float, ahead: float) -> float:
+    return 1.0
 
 
 class NormalForce(NamedTuple):
@@ -98,7 +123,7 @@ class NormalForce(NamedTuple):
 
 
 @kernel
-def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
+def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> NormalForce:
     """Hunt–Crossley, Hertz or Kelvin–Voigt force, never adhesive [N].
 
     Eq. (15) with the sign of Hunt & Crossley (1975): with δ̇ > 0 going in, the printed minus would
@@ -109,16 +134,15 @@ def normal_force(surface: Surface, depth: float, rate: float) -> NormalForce:
         surface: Stiffness k [N/mⁿ], dissipation d [s/m], viscosity b [N s/m], exponent n.
         depth: Penetration δ [m]; not negative.
         rate: δ̇ [m/s]; positive while pressing in.
+        ahead: Stiffness and damper hold for depths up to so much farther [m].
     """
     k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
     elastic = k * power(surface.exponent, depth)
     pressed = positive_part(elastic + (d * elastic + b) * rate)
     force = pressed if depth > 0.0 else 0.0
-    ahead = depth + AHEAD * positive_part(rate)
-    then = k * power(surface.exponent, ahead)
-    slope = surface.exponent.value * then / (ahead + TINY)
-    stiffness = slope * (1.0 + d * positive_part(rate)) if depth > 0.0 else 0.0
-    damper = d * then + b if depth > 0.0 else 0.0
+    steep = k * steepest(surface.exponent, depth, ahead)
+    stiffness = steep * (1.0 + d * positive_part(rate)) if depth > 0.0 else 0.0
+    damper = d * (elastic + steep * ahead) + b if depth > 0.0 else 0.0
     return NormalForce(force, (force - elastic) * rate, stiffness, damper)
 
 

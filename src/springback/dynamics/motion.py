@@ -31,10 +31,12 @@ from springback.contact.cage import Meeting, meeting_while, slip_velocity
 from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
+from springback.dynamics.crossing import Crossing, crossing, sooner, soonest
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
 from springback.dynamics.solution import solve as solve
+from springback.dynamics.stops import AHEAD, next_stop
 from springback.dynamics.stops import end_stop as end_stop
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, each_summed, largest, least, total
@@ -45,10 +47,16 @@ from springback.kernels.vectors import (
     quaternion_rate,
     rotation,
 )
-from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
+from springback.vehicle.state import (
+    Airframe,
+    Arm,
+    State,
+    arm_pose,
+    arms_inertia,
+    fastest_cage,
+    reach,
+)
 
-#: Time to the next crossing when none is ahead [s].
-NEVER = 1e9
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
@@ -82,8 +90,8 @@ class ArmView(NamedTuple):
     normal: float  # f_n [N]
     friction: Vec  # f_f, world [N]
     compression: float  # L − l [m]
-    unbalance: float  # how far from where it would come to rest, m_j l̈ + b_l l̇ over k_l [m]
-    landing: float  # time to the next crossing of a gap or a stop through zero [s]
+    unbalance: float  # m_j l̈ + b_l l̇, the force that keeps it from rest where it is [N]
+    crossing: Crossing  # the next of a gap or a stop through zero
     engaged: tuple[float, ...]  # 1 while the cage touches, obstacle by obstacle
     impulsive: float  # 1 where it closes in on a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
@@ -154,15 +162,8 @@ class ArmState(NamedTuple):
 
 
 @kernel
-def crossing_time(value: float, rate: float) -> float:
-    """Time until a value reaches zero at its rate [s]; NEVER where it does not, or is there."""
-    ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
-    return -value / rate if ahead else NEVER
-
-
-@kernel
-def _landing(met: Meeting) -> float:
-    return crossing_time(met.gap, met.rate)
+def _crossing(met: Meeting) -> Crossing:
+    return crossing(met.gap, met.rate)
 
 
 @kernel
@@ -221,6 +222,7 @@ def arm_state(
     r: Mat,
     velocity: Vec,
     released: float,
+    ahead: float,
 ) -> ArmState:
     """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
 
@@ -236,6 +238,7 @@ def arm_state(
         r: Body axes to world axes.
         velocity: Rᵀ v, of the main body, body axes [m/s].
         released: 1 lets compliant arms slide, 0 locks them.
+        ahead: How contacts resist is for depths up to so much farther [m].
     """
     m, u, omega = arm.mass, arm.compliance * released, state.angular_velocity
     pose = arm_pose(arm, length, rate, velocity)
@@ -245,7 +248,7 @@ def arm_state(
     met = each(
         meeting_while,
         (obstacles, engaged),
-        (contact_point, arm.cage_radius, pose, omega, vertical),
+        (contact_point, arm.cage_radius, pose, omega, vertical, ahead),
     )
     touch = total(column(met, "touch"))
     gap = least(column(met, "gap"))
@@ -283,13 +286,7 @@ def arm_state(
         (touch.press.arm_damper + stop.damper) * per_mass,
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
-    landing = least(
-        (
-            least(each(_landing, (met,), ())),
-            crossing_time(length - arm.length, rate) if has_stops else NEVER,
-            crossing_time(length - arm.shortest, rate) if has_stops else NEVER,
-        )
-    )
+    stops_at = next_stop(arm, length, rate if has_stops else 0.0)
     inward = total(each(_nearest_normal, (met,), (gap,)))
     view = ArmView(
         gap=gap,
@@ -298,7 +295,7 @@ def arm_state(
         friction=r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
-        landing=landing,
+        crossing=sooner(soonest(each(_crossing, (met,), ())), stops_at),
         engaged=each(_touching, (met,), ()),
         impulsive=largest(each(_impulsive, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
@@ -317,19 +314,19 @@ def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
 @kernel
 def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
     """The view of an arm whose acceleration is known."""
-    away = (arm.mass * sliding + arm.damping * rate) / arm.stiffness
+    away = arm.mass * sliding + arm.damping * rate
     return ArmView(
-        view.gap, view.depth, view.normal, view.friction, view.compression, away, view.landing,
+        view.gap, view.depth, view.normal, view.friction, view.compression, away, view.crossing,
         view.engaged, view.impulsive, view.bottomed, view.stopped, view.inward,
     )  # fmt: skip
 
 
 @kernel
 def _slip_rate(obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec) -> float:
-    """How fast one slip changes: |v̇| / √(v² + v_s²), of the accelerations of main body and arm."""
+    """Square of how fast one slip changes: |v̇| / √(v² + v_s²), of main body and arm."""
     change = end + (angular ^ rub.point)
     along = slip_velocity(obstacle.surface, change, rub.inward, vertical)
-    return math.sqrt(along @ along) * rub.per_speed
+    return (along @ along) * (rub.per_speed * rub.per_speed)
 
 
 @kernel
@@ -418,11 +415,12 @@ def rates_while(
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    haste = fastest_cage(airframe, state)
     arms, a = each_summed(
         arm_state,
         "share",
         (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged),
-        (obstacles, contact_point, state, r, velocity, released),
+        (obstacles, contact_point, state, r, velocity, released, AHEAD * haste),
     )
 
     blown = aerodynamics(air, velocity, r, a.thrust)
@@ -478,7 +476,7 @@ def rates_while(
         views,
         a.on_ground,
         friction_rate,
-        contact_rate(a.press, column(arms, "slide"), airframe.mass, inertia),
-        largest(slips),
+        contact_rate(a.press, column(arms, "slide"), airframe.mass, inertia, reach(airframe)),
+        math.sqrt(largest(slips)),
     )
     return Rates(Motion(state_rate, work_rate), view)

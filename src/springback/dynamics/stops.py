@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.surfaces import AHEAD
+from springback.contact.cage import LANDED
+from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import positive_part
 from springback.vehicle.state import Arm
 
+#: Steps look so far ahead: contacts stiffen, and stops are met, within one [s].
+AHEAD = 1e-4
 #: A stop that will be pressed in by less than this does not matter to the step [m].
 GRAZED = 1e-7
 
@@ -38,3 +41,12 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
     stiffness = arm.stop_stiffness if (elastic > 0.0) | soon else 0.0
     damper = arm.stop_dissipation * elastic
     return Stop(force if low > 0.0 else -force, (force - elastic) * pressing, stiffness, damper)
+
+
+@kernel
+def next_stop(arm: Arm, length: float, rate: float) -> Crossing:
+    """The arm's coming to the next of its two stops, or off it."""
+    low, high = length - arm.shortest, length - arm.length
+    growing = low if low < -LANDED else high
+    shrinking = high if high > LANDED else low
+    return crossing(growing if rate > 0.0 else shrinking, rate)

@@ -13,10 +13,10 @@ import math
 from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses, Obstacle, World
+from springback.dynamics.crossing import NEVER, Crossing
 from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import (
-    NEVER,
     ArmView,
     Motion,
     Rates,
@@ -184,7 +184,9 @@ def _apart(obstacle: Obstacle) -> float:
 def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]) -> ArmView:
     none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
     pressed = arm.length - length
-    return ArmView(room, 0.0, 0.0, none, pressed, 0.0, NEVER, apart, 0.0, 0.0, 0.0, none)
+    return ArmView(
+        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NEVER, 1.0), apart, 0.0, 0.0, 0.0, none
+    )
 
 
 @kernel

@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from springback.dynamics.energy import Energy, energy
+from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import ArmView, Motion, View, Work
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, own_executor, registered
@@ -81,7 +82,7 @@ def shape_of(model: Model, state: State) -> Shape:
     zero = Vec(0.0, 0.0, 0.0)
     count, obstacles = len(model.airframe.arms), len(model.world.obstacles)
     apart = (0.0,) * obstacles
-    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, 0.0, apart, 0.0, 0.0, 0.0, zero)
+    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, Crossing(0.0, 0.0), apart, 0.0, 0.0, 0.0, zero)
     view = View(zero, zero, zero, zero, (arm,) * count, 0.0, 0.0, 0.0, 0.0)
     return Shape(model, Motion(state, still_work()), view, blank_record(count, obstacles))
 

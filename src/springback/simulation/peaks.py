@@ -45,11 +45,9 @@ class Spacing(NamedTuple):
     """Of three instants."""
 
     smooth: bool  # whether they are of one smooth stretch
-    before: float  # from the first to the second [s]
-    after: float  # from the second to the third [s]
-    per_before: float  # [1/s]
-    per_after: float  # [1/s]
-    per_both: float  # [1/s]
+    before: float  # b, from the first to the second [s]
+    after: float  # a, from the second to the third [s]
+    volume: float  # a b (a + b) [s³]
 
 
 @kernel
@@ -62,8 +60,8 @@ def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
         smooth: Whether nothing jumps in between.
     """
     usable = smooth & (recent.step > 0.0)
-    before, after = pick(usable, recent.step, 1.0), pick(usable, step, 1.0)
-    return Spacing(usable, before, after, 1.0 / before, 1.0 / after, 1.0 / (before + after))
+    b, a = pick(usable, recent.step, 1.0), pick(usable, step, 1.0)
+    return Spacing(usable, b, a, a * b * (a + b))
 
 
 @kernel
@@ -76,12 +74,13 @@ def peak_of(first: float, second: float, third: float, t: Spacing) -> Peak:
         third: At the present one.
         t: When they were.
     """
-    rise, fall = (second - first) * t.per_before, (third - second) * t.per_after
-    slope = (rise * t.after + fall * t.before) * t.per_both
+    rise, fall = second - first, third - second
     summit = t.smooth & (rise > 0.0) & (fall <= 0.0)
-    bend = pick(summit, (fall - rise) * t.per_both, -1.0)
-    offset = -0.5 * slope / bend
+    # Slope and half the curvature at the second instant, each times a b (a + b).
+    slope = rise * (t.after * t.after) + fall * (t.before * t.before)
+    bend = pick(summit, fall * t.before - rise * t.after, -1.0)
+    half = 0.5 * slope / (bend * t.volume)
     return Peak(
-        pick(summit, second + 0.5 * slope * offset, third),
-        pick(summit, offset - t.after, 0.0),
+        pick(summit, second - 0.5 * slope * half, third),
+        pick(summit, -half * t.volume - t.after, 0.0),
     )

@@ -10,13 +10,14 @@ from typing import Any, NamedTuple
 
 from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
-from springback.dynamics.motion import LANDED, NEVER, ArmView, Motion, View, crossing_time
+from springback.dynamics.crossing import crossing, sooner, soonest, time_to
+from springback.dynamics.motion import LANDED, ArmView, Motion, View
 from springback.dynamics.rigid import Flight, FlightRates
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, largest, least, pick, total
 from springback.kernels.vectors import Vec, norm
 from springback.simulation.peaks import NOTHING_YET, Recent, Sample, peak_of, spacing
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
@@ -184,20 +185,10 @@ def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
 
     That is its free length only while the vehicle does not turn.
     """
-    away = view.unbalance * view.unbalance > timing.arm_tolerance * timing.arm_tolerance
+    most = arm.stiffness * timing.arm_tolerance
+    away = view.unbalance * view.unbalance > most * most
     moving = rate * rate > timing.rate_tolerance * timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
-
-
-@kernel
-def _reach(arm: Arm) -> float:
-    """Distance of the cage's farthest point from the main body [m]."""
-    return arm.length + arm.cage_radius
-
-
-@kernel
-def _speed(rate: float) -> float:
-    return rate if rate > 0.0 else -rate
 
 
 @kernel
@@ -235,13 +226,6 @@ def has_room(timing: Timing, room: float, fastest: float) -> bool:
 
 
 @kernel
-def fastest_cage(airframe: Airframe, velocity: Vec, angular_velocity: Vec) -> float:
-    """No point of the vehicle is faster [m/s]; arms standing still."""
-    reach = largest(each(_reach, (airframe.arms,), ()))
-    return norm(velocity) + reach * norm(angular_velocity)
-
-
-@kernel
 def cruised_past(
     model: Model, flight: Flight, known: FlightRates, m: Record, good: bool, step: float
 ) -> Record:
@@ -257,7 +241,7 @@ def cruised_past(
     """
     a, felt = norm(known.flight.velocity), norm(known.specific_force)
     spin = norm(flight.angular_velocity)
-    fastest = fastest_cage(model.airframe, flight.velocity, flight.angular_velocity)
+    fastest = fastest_point(model.airframe, flight.velocity, flight.angular_velocity)
     room = m.room - HASTE * fastest * step
     return Record(
         m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
@@ -311,7 +295,7 @@ class Sight(NamedTuple):
 def looked_about(model: Model, state: State, m: Record) -> Sight:
     """A look at how far everything is, which is no step."""
     near = clearance(model.airframe, model.world, model.contact_point, state)
-    fastest = fastest_cage(model.airframe, state.velocity, state.angular_velocity)
+    fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     ahead = returns_yet(m.impacts, m)
     quiet = is_quiet(model.timing, m.touching, m.phase, m.impact_open, ahead)
     cruising = pick(quiet & has_room(model.timing, near, fastest), CRUISING, STEERED)
@@ -364,8 +348,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
 
     # The next step lands on the next crossing: touch, separation, stop, return.  A crossing that is
     # predicted from afar is met from nearby: a second prediction is a hundred times as good.
-    landing = least(column(view.arms, "landing"))
-    landing = smaller(landing, pick(ahead, crossing_time(depth - touch_depth, speed), NEVER))
+    returning = crossing(depth - touch_depth, pick(ahead, speed, 0.0))
+    landing = time_to(sooner(soonest(column(view.arms, "crossing")), returning))
     landing = pick(landing > timing.impact_step, landing - 0.5 * timing.impact_step, landing)
     pressed = larger(touching, largest(column(view.arms, "stopped"))) > 0.0
     impact_step = pick(pressed, timing.impact_step, timing.settle_step)
@@ -373,14 +357,13 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     step = pick(sliding, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so no cage can touch unnoticed within the step.
-    fastest = fastest_cage(model.airframe, state.velocity, state.angular_velocity)
+    fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     near = least(column(view.arms, "gap"))
-    haste = larger(fastest + largest(each(_speed, (state.arm_rate,), ())), TINY)
+    haste = larger(fastest_cage(model.airframe, state), TINY)
     step = smaller(step, larger(near / haste, timing.impact_step))
-    calm = FRICTION_SHARE / larger(view.friction_rate, 1.0)
     stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
-    fine = smaller(calm, 1.0 / larger(stiff, 1.0))
-    step = smaller(step, larger(fine, SHORTEST * timing.impact_step))
+    stiff = larger(stiff, view.friction_rate / FRICTION_SHARE)
+    step = smaller(step, larger(1.0 / larger(stiff, 1.0), SHORTEST * timing.impact_step))
     left = timing.until - m.time
     finished = left <= ARRIVED
     changed = (phase != m.phase) | strike

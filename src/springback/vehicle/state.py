@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.vectors import Mat, Quat, Vec
+from springback.kernels.trees import each, largest
+from springback.kernels.vectors import Mat, Quat, Vec, norm
 
 
 class Arm(NamedTuple):
@@ -42,6 +43,17 @@ class Airframe(NamedTuple):
     arms: tuple[Arm, ...]
 
 
+@kernel
+def _farthest(arm: Arm) -> float:
+    return arm.length + arm.cage_radius
+
+
+@kernel
+def reach(airframe: Airframe) -> float:
+    """Distance from the main body to the farthest point of a cage, arms at free length [m]."""
+    return largest(each(_farthest, (airframe.arms,), ()))
+
+
 class State(NamedTuple):
     """Where a vehicle is and how it moves; also, field by field, the rate of change of a state."""
 
@@ -51,6 +63,24 @@ class State(NamedTuple):
     angular_velocity: Vec  # ω, body axes [rad/s]
     arm_length: tuple[float, ...]  # l_j [m]
     arm_rate: tuple[float, ...]  # l̇_j [m/s]
+
+
+@kernel
+def fastest_point(airframe: Airframe, velocity: Vec, angular_velocity: Vec) -> float:
+    """No point of the vehicle is faster [m/s]; arms standing still."""
+    return norm(velocity) + reach(airframe) * norm(angular_velocity)
+
+
+@kernel
+def _speed(rate: float) -> float:
+    return rate if rate > 0.0 else -rate
+
+
+@kernel
+def fastest_cage(airframe: Airframe, state: State) -> float:
+    """No point of the vehicle is faster [m/s]; arms sliding."""
+    fastest = fastest_point(airframe, state.velocity, state.angular_velocity)
+    return fastest + largest(each(_speed, (state.arm_rate,), ()))
 
 
 class ArmPose(NamedTuple):
