@@ -110,12 +110,16 @@ typedef struct {
     V recent_step, earlier[3], latest[3];
 } Record;
 
+/* A value on its way to zero, there after distance / speed. */
+typedef struct { V distance, speed; } Crossing;
+
 /* What the measures need of one instant. */
 typedef struct {
     Vec acceleration, specific_force, mass_centre_velocity;
     V touching[ARMS];
     Vec touched_normal;
-    V landing, largest_normal, deepest, most_compressed, least_compressed;
+    Crossing crossing;
+    V largest_normal, deepest, most_compressed, least_compressed;
     V bottomed, on_ground, nearest;
     V friction_rate; /* at most how fast friction brings a sliding cage to rest */
     V contact_rate;  /* how fast contacts and end stops act */
@@ -128,12 +132,20 @@ typedef struct {
 enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
 static const double FRICTION_SHARE = 2, TINY = 1e-9, AT_TOUCH = 1e-30;
-static const double CONTACT_SHARE = 0.25, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
+static const double CONTACT_SHARE = 0.35, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
 
-INLINE V crossing_time(V value, V rate)
+INLINE Crossing crossing(V value, V rate)
 {
-    M ahead = (value * rate < all(0)) & (value * value > all(LANDED * LANDED));
-    return sel(ahead, -value / rate, all(NEVER));
+    const M ahead = (value * rate < all(0)) & (value * value > all(LANDED * LANDED));
+    const V distance = sel(value > all(0), value, -value), speed = sel(rate > all(0), rate, -rate);
+    return (Crossing){sel(ahead, distance, all(NEVER)), sel(ahead, speed, all(1))};
+}
+
+/* Compared as fractions, so that only the soonest is divided out. */
+INLINE Crossing sooner(Crossing a, Crossing b)
+{
+    const M first = a.distance * b.speed < b.distance * a.speed;
+    return (Crossing){sel(first, a.distance, b.distance), sel(first, a.speed, b.speed)};
 }
 
 typedef struct { Vec x, y, z; } Mat; /* rows */
@@ -187,9 +199,18 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
     V press_k = thrust, press_c = thrust, arm_k = thrust, arm_c = thrust;
     V rub_x[ARMS], rub_y[ARMS], per_speed[ARMS];
 
+    V quickest = all(0), farthest = all(0);
+#pragma GCC unroll 4
+    for (int j = 0; j < ARMS; j++) {
+        quickest = larger(quickest, larger(s->rate[j], -s->rate[j]));
+        farthest = larger(farthest, m->arm[j].length + m->arm[j].cage_radius);
+    }
+    /* A step looks so much deeper into a contact. */
+    const V farther = all(AHEAD) * (norm(s->velocity) + farthest * norm(w) + quickest);
+
     if (view) {
         memset(view, 0, sizeof *view);
-        view->landing = all(NEVER);
+        view->crossing = (Crossing){all(NEVER), all(1)};
         view->largest_normal = view->deepest = view->most_compressed = all(-NEVER);
         view->least_compressed = view->nearest = all(NEVER);
     }
@@ -267,10 +288,10 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             const M touches = closing | (gap < all(-LANDED));
             const M slides = u > all(0), stopped = (a->stop_stiffness > all(0)) & slides;
             const V compression = a->length - l;
-            V landing = crossing_time(gap, -approach);
-            landing = smaller(landing, sel(stopped, crossing_time(-compression, dl), all(NEVER)));
-            landing = smaller(landing, sel(stopped, crossing_time(l - a->shortest, dl), all(NEVER)));
-            view->landing = smaller(view->landing, landing);
+            const V low_ = l - a->shortest, high_ = -compression;
+            const V next = sel(dl > all(0), sel(low_ < all(-LANDED), low_, high_), sel(high_ > all(LANDED), high_, low_));
+            view->crossing = sooner(view->crossing, crossing(gap, -approach));
+            view->crossing = sooner(view->crossing, crossing(next, sel(stopped, dl, all(0))));
             view->touching[j] = one_if(touches);
             view->touched_normal = plus(view->touched_normal, times(n, one_if(touches)));
             view->largest_normal = larger(view->largest_normal, normal);
@@ -290,9 +311,9 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             lean_z += grip * out * far;
             grip_arm = larger(grip_arm, grip * (all(1) - along * along) * give);
             lean_arm = larger(lean_arm, grip * out * give);
-            const V on = positive(approach), ahead = depth + all(AHEAD) * on;
-            const V steep = root(ahead), then = m->stiffness * (ahead * steep);
-            const V slope = m->stiffness * (all(1.5) * steep);
+            const V on = positive(approach);
+            const V slope = m->stiffness * (all(1.5) * (root(depth) + root(farther)));
+            const V then = elastic + slope * farther;
             const V spring = sel(depth > all(0), slope * (all(1) + m->dissipation * on), all(0));
             const V dashpot = sel(depth > all(0), m->dissipation * then + m->viscosity, all(0));
             const V out_ = all(AHEAD) * dl;
@@ -377,10 +398,6 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         const V across = (grip_all - lean_all) * nzz + tumbling, half = all(0.5) * (in_plane - across);
         view->friction_rate = all(0.5) * (in_plane + across) + root(half * half + lean * across);
         const V per_inertia = all(1) / smaller(smaller(jxx, jyy), jzz);
-        V farthest = all(0);
-#pragma GCC unroll 4
-        for (int j = 0; j < ARMS; j++)
-            farthest = larger(farthest, m->arm[j].length + m->arm[j].cage_radius);
         const V as_one_body = nzz + farthest * farthest * per_inertia;
         view->contact_rate = root(press_k * as_one_body + arm_k) + (press_c * as_one_body + arm_c);
         const Vec falling = minus(felt, vec(r.z.x * m->gravity, r.z.y * m->gravity, r.z.z * m->gravity));
@@ -388,7 +405,7 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         for (int j = 0; j < ARMS; j++) {
             const Arm *a = &m->arm[j];
             const V ddl = ds->rate[j], px = rub_x[j], py = rub_y[j];
-            view->unbalance[j] = (a->mass * ddl + a->damping * s->rate[j]) / a->stiffness;
+            view->unbalance[j] = a->mass * ddl + a->damping * s->rate[j];
             Vec change = vec(falling.x + a->cosine * ddl - alpha.z * py, falling.y + a->sine * ddl + alpha.z * px,
                              falling.z + alpha.x * py - alpha.y * px);
             change = minus(change, times(n, dot(change, n)));
@@ -411,7 +428,8 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
         reach = larger(reach, m->arm[j].length + m->arm[j].cage_radius);
         const V away = v->unbalance[j], rate = s->rate[j];
         quickest = larger(quickest, larger(rate, -rate));
-        const M busy = (away * away > m->arm_tolerance * m->arm_tolerance)
+        const V most = m->arm[j].stiffness * m->arm_tolerance;
+        const M busy = (away * away > most * most)
                      | (rate * rate > m->rate_tolerance * m->rate_tolerance);
         unsettled = larger(unsettled, sel(busy, m->arm[j].compliance, zero));
         jumped |= v->touching[j] != k->arm_touching[j];
@@ -443,7 +461,8 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     const M returns = ahead & (past <= all(LANDED)) & (speed < zero);
 
     const M within = (k->impacts == one) & (phase == one);
-    V landing = smaller(v->landing, sel(ahead, crossing_time(past, speed), all(NEVER)));
+    const Crossing soonest = sooner(v->crossing, crossing(past, sel(ahead, speed, all(0))));
+    V landing = soonest.distance / soonest.speed;
     landing = sel(landing > m->impact_step, landing - all(0.5) * m->impact_step, landing);
     const M pressed = in_touch | (v->stopped > zero);
     const V shortest = all(SHORTEST) * m->impact_step;

@@ -91,8 +91,10 @@ def test_the_first_impact_is_measured_apart_from_the_whole_flight() -> None:
     assert not flight.success
     size = np.sqrt(sum(flight.columns[f"a{a}"] ** 2 for a in "xyz"))
     before = flight.t < value(flight, "ground_time")
-    assert value(flight, "impact_peak_acceleration") == size[before].max()
-    assert value(flight, "peak_acceleration") == size.max()
+    # Peaks lie between instants.
+    most = value(flight, "impact_peak_acceleration"), value(flight, "peak_acceleration")
+    assert most == pytest.approx((size[before].max(), size.max()), rel=1e-4)
+    assert most[0] >= size[before].max()
     assert value(flight, "peak_acceleration") > 2.0 * value(flight, "impact_peak_acceleration")
     assert value(flight, "penetration") > value(flight, "impact_penetration")
 

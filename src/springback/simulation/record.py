@@ -30,7 +30,7 @@ STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 #: is stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
 #: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
-CONTACT_SHARE = 0.25
+CONTACT_SHARE = 0.35
 #: ... and of that in which a slip changes, as it does when friction turns round (both chosen:
 #: studies/families.py).
 SLIP_SHARE = 0.25
