@@ -10,7 +10,7 @@ import pytest
 from numpy.polynomial import polynomial
 
 from contact.own_obstacles import Ball, Pole
-from springback.contact.cage import FAR, Ring, facing
+from springback.contact.cage import Ring, facing
 from springback.contact.obstacles import (
     Again,
     Obstacle,
@@ -21,6 +21,7 @@ from springback.contact.obstacles import (
     signed_distance,
 )
 from springback.contact.parameters import SurfaceSettings, obstacles
+from springback.contact.rings import FAR
 from springback.experiments.result import fly
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Mat, Quat, Vec, positive_part, rotation
