@@ -142,7 +142,8 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
     """The two lowest minima of a signed distance along a ring in the plane of the arms.
 
     The slope is followed only along arcs that can hold the lowest point, or touch: a distance
-    changes by no more than the way.
+    changes by no more than the way.  A second minimum that one
+    step leads out of, to a lower point, may be left out.
 
     Args:
         shape: As it is seen from the main body.
@@ -152,13 +153,12 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
     """
     n = outward_normal(shape, centre)
     guess = _direction(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
-    lowest = _low(shape, centre, radius, guess)
-    first, second = Low(guess, FAR), Low(guess, FAR)
+    level = _low(shape, centre, radius, guess)
+    first, second, lowest = Low(guess, FAR), Low(guess, FAR), level.gap
     for arc in range(ARCS):
-        middle = _low(shape, centre, radius, _mark(arc * STEPS + STEPS // 2))
-        if middle.gap < lowest.gap:
-            lowest = middle
-        if middle.gap - REACH * radius <= max(lowest.gap, 0.0):
+        middle = _low(shape, centre, radius, _mark(arc * STEPS + STEPS // 2)).gap
+        lowest = min(lowest, middle)
+        if middle - REACH * radius <= max(lowest, 0.0):
             a = _mark(arc * STEPS)
             falls = _rise(shape, centre, radius, a)
             for k in range(arc * STEPS + 1, (arc + 1) * STEPS + 1):
@@ -172,4 +172,4 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
                     elif found.gap < second.gap:
                         second = found
                 a, falls = b, rises
-    return Lows(first if first.gap < FAR else lowest, second)
+    return Lows(first if first.gap < FAR else level, second)
