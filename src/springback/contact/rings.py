@@ -35,10 +35,6 @@ TRIES = math.ceil(math.log2(1.0 / CLOSE)) + 1
 TRUNCATION = 0.2
 #: Towards the arm's end, against none at all.
 ASIDE = 1e-9
-_FINE = ARCS * STEPS
-_RING = tuple(
-    (math.cos(2.0 * math.pi * k / _FINE), math.sin(2.0 * math.pi * k / _FINE)) for k in range(_FINE)
-)
 
 
 class Direction(NamedTuple):
@@ -46,6 +42,14 @@ class Direction(NamedTuple):
 
     x: float
     y: float
+
+
+def _turn(arcs: float) -> Direction:
+    angle = 2.0 * math.pi * arcs / ARCS
+    return Direction(math.cos(angle), math.sin(angle))
+
+
+_STEP, _HALF, _ARC = _turn(1.0 / STEPS), _turn(0.5), _turn(1.0)
 
 
 class Low(NamedTuple):
@@ -69,9 +73,8 @@ def _direction(x: float, y: float) -> Direction:
 
 
 @kernel
-def _mark(k: int) -> Direction:
-    c, s = _RING[k % _FINE]
-    return Direction(c, s)
+def _turned(towards: Direction, by: Direction) -> Direction:
+    return Direction(towards.x * by.x - towards.y * by.y, towards.x * by.y + towards.y * by.x)
 
 
 @kernel
@@ -155,14 +158,14 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
     guess = _direction(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
     level = _low(shape, centre, radius, guess)
     first, second, lowest = Low(guess, FAR), Low(guess, FAR), level.gap
-    for arc in range(ARCS):
-        middle = _low(shape, centre, radius, _mark(arc * STEPS + STEPS // 2)).gap
+    begin = Direction(1.0, 0.0)
+    for _ in range(ARCS):
+        middle = _low(shape, centre, radius, _turned(begin, _HALF)).gap
         lowest = min(lowest, middle)
         if middle - REACH * radius <= max(lowest, 0.0):
-            a = _mark(arc * STEPS)
-            falls = _rise(shape, centre, radius, a)
-            for k in range(arc * STEPS + 1, (arc + 1) * STEPS + 1):
-                b = _mark(k)
+            a, falls = begin, _rise(shape, centre, radius, begin)
+            for _ in range(STEPS):
+                b = _turned(a, _STEP)
                 rises = _rise(shape, centre, radius, b)
                 if falls < 0.0 <= rises:
                     turning = _turning(shape, centre, radius, a, b, falls, rises)
@@ -172,4 +175,5 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
                     elif found.gap < second.gap:
                         second = found
                 a, falls = b, rises
+        begin = _turned(begin, _ARC)
     return Lows(first if first.gap < FAR else level, second)
