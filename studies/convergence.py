@@ -1,22 +1,27 @@
 """How fine must steps be?  Impacts against step size, slip speed and the steps of the other phases.
 
-    python studies/convergence.py [--out DIR]
+    python studies/convergence.py [--out DIR] [--refresh]
 
 Writes ``convergence.csv``, ``influences.csv`` and ``convergence.png``, and prints the tables that
-stand in studies/README.md.
+stand in studies/README.md; ``--refresh`` puts them there.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import io
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from springback.experiments.result import fly
 
+#: The page with the tables, and what stands before and after them.
+PAGE = Path(__file__).with_name("README.md")
+BEGIN, END = "<!-- tables of convergence.py -->\n", "<!-- end of these tables -->\n"
 STEPS = (8e-4, 4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6)
 DEFAULT, TOLERANCE = 1e-4, 1e-3
 MEASURES = {
@@ -193,24 +198,7 @@ def _print_influences(rows: Sequence[Mapping[str, Any]]) -> None:
         print(f"| {row['case']} | {row['field']} | {row['value']:g} | {changes} | {tail} |")
 
 
-def main(arguments: Sequence[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--out", type=Path, default=Path("out/convergence"))
-    folder: Path = parser.parse_args(arguments).out
-    folder.mkdir(parents=True, exist_ok=True)
-
-    found = {case.name: sweep(case) for case in CASES}
-    for name, rows in found.items():
-        _print_sweep(name, rows)
-    changed = influences()
-    _print_influences(changed)
-    _write(
-        folder / "convergence.csv",
-        [{"case": name, **row} for name, rows in found.items() for row in rows],
-    )
-    _write(folder / "influences.csv", changed)
-    _draw(folder / "convergence.png", found)
-
+def _print_verdict(found: Mapping[str, Sequence[Mapping[str, float]]]) -> None:
     limit = min(coarsest(rows, TOLERANCE) for rows in found.values())
     at_default = max(
         row[f"error_{name}"]
@@ -225,6 +213,35 @@ def main(arguments: Sequence[str] | None = None) -> None:
         f"at the default, {DEFAULT:g} s, the largest error is {at_default:.1e}.  "
         f"The default {verdict}."
     )
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("--out", type=Path, default=Path("out/convergence"))
+    parser.add_argument("--refresh", action="store_true", help="put the tables into the page")
+    given = parser.parse_args(arguments)
+    folder: Path = given.out
+    folder.mkdir(parents=True, exist_ok=True)
+
+    found = {case.name: sweep(case) for case in CASES}
+    changed = influences()
+    tables = io.StringIO()
+    with redirect_stdout(tables):
+        for name, rows in found.items():
+            _print_sweep(name, rows)
+        _print_influences(changed)
+        _print_verdict(found)
+    print(tables.getvalue())
+    if given.refresh:
+        before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
+        after = rest.partition(END)[2]
+        PAGE.write_text(f"{before}{BEGIN}{tables.getvalue()}\n{END}{after}", encoding="utf-8")
+    _write(
+        folder / "convergence.csv",
+        [{"case": name, **row} for name, rows in found.items() for row in rows],
+    )
+    _write(folder / "influences.csv", changed)
+    _draw(folder / "convergence.png", found)
 
 
 if __name__ == "__main__":

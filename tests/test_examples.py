@@ -41,7 +41,7 @@ LOOKED_AT = {
     "refly": "needs such a campaign; tests/interfaces/test_cli_campaign.py",
     "check": "thousands of ticks in plain Python; tests/test_examples.py",
     "view": "serves until it is stopped; tests/interfaces/test_view.py",
-    "lab": "serves until it is stopped; tests/interfaces/test_lab.py",
+    "lab": "serves until it is stopped; tests/interfaces/test_lab_served.py",
     "animate": "half a minute; tests/interfaces/test_animation.py",
 }
 #: Commands that come with other parts of the program.

@@ -18,6 +18,7 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
+from springback.contact.rings import FAR, Low, lowest_on_ring, on_ring
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec
@@ -27,20 +28,6 @@ from springback.vehicle.state import ArmPose
 LANDED = 1e-9
 #: Depth of a cage that is just touching: too small for any elastic force [m].
 AT_TOUCH = 1e-30
-
-
-#: Gap to what cannot be touched [m].
-FAR = 1e9
-#: Points of a ring at which the distance to a shape is looked at first (chosen: 12 miss a pole
-#: thinner than 2 cm; vehicles' cages are some 0.1 m).
-SAMPLES = 16
-#: Golden sections of the gap between two of them: down to 1e-8 rad, where rounding begins.
-CUTS = 36
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
-_RING = tuple(
-    (math.cos(2.0 * math.pi * k / SAMPLES), math.sin(2.0 * math.pi * k / SAMPLES))
-    for k in range(SAMPLES)
-)
 
 
 class Ring(NamedTuple):
@@ -152,176 +139,83 @@ class Facing(NamedTuple):
 @kernel
 def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
     """Eq. (13) for one cage and one obstacle; arguments as for `meeting`."""
-    return faced(contact_point, obstacle.shape, radius, arm)
+    return faced(obstacle.shape, contact_point, radius, arm)
 
 
 @generic
-def faced(model: Any, shape: Any, radius: float, arm: ArmPose) -> Facing:
-    """Where a cage of some radius [m] is nearest to a shape.
+def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+    """Where a cage is nearest to a shape.
 
     Args:
-        model: `Ring` or `ArmTip`.
         shape: As it is seen from the main body.
+        contact_point: `Ring` or `ArmTip`.
         radius: r_0 [m].
         arm: Where the arm is.
     """
-    raise TypeError(f"{type(model).__name__} is no contact point model")
+    return faced_twice(contact_point, shape, radius, arm).first
 
 
-@faced.register(Ring)
+@faced.register(Plane)
 @kernel
-def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> Facing:
-    return ring_faced(shape, model, radius, arm)
+def _plane_faced(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+    return faced_along_normal(shape, contact_point, radius, arm)
+
+
+@faced.register(Again)
+@kernel
+def _faced_again(shape: Again, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+    return faced_twice(contact_point, shape.shape, radius, arm).second
+
+
+class FacedTwice(NamedTuple):
+    """The two points where a cage is nearest to a shape; `FAR` away where there is no second."""
+
+    first: Facing
+    second: Facing
 
 
 @generic
-def ring_faced(shape: Any, model: Ring, radius: float, arm: ArmPose) -> Facing:
-    """`faced` for a ring: exact for a plane, to some 1e-8 m for any other shape."""
-    return ring_searched(shape, model, radius, arm)
+def faced_twice(contact_point: Any, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+    """Where a cage is nearest to a shape that is not plane; arguments as for `faced`."""
+    raise TypeError(f"{type(contact_point).__name__} is no contact point model")
 
 
-@ring_faced.register(Plane)
+@faced_twice.register(Ring)
 @kernel
-def _plane_faced(shape: Plane, model: Ring, radius: float, arm: ArmPose) -> Facing:
-    return faced_along_normal(shape, model, radius, arm)
-
-
-@ring_faced.register(object)
-@kernel
-def ring_searched(shape: Any, model: Ring, radius: float, arm: ArmPose) -> Facing:
-    """The point of the ring with the least signed distance."""
-    return at_angle(shape, radius, arm, lowest_on_ring(shape, arm.lever, radius).first)
-
-
-@ring_faced.register(Again)
-@kernel
-def _ring_faced_again(shape: Again, model: Ring, radius: float, arm: ArmPose) -> Facing:
-    """The second point of the ring at which the distance has a minimum; far away if there is none.
-
-    A ring that straddles an edge, or lies on a pole, touches there, too.
-    """
-    found = lowest_on_ring(shape.shape, arm.lever, radius)
-    there = at_angle(shape.shape, radius, arm, found.second if found.twice > 0.0 else found.first)
-    return Facing(there.gap if found.twice > 0.0 else FAR, there.inward, there.at)
-
-
-class Direction(NamedTuple):
-    """A direction in the plane of the arms, of unit length."""
-
-    x: float
-    y: float
-
-
-class Lowest(NamedTuple):
-    """The two lowest minima of a distance along a ring."""
-
-    first: Direction
-    second: Direction
-    twice: float  # 1 where there is a second one
+def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+    """The two lowest points of the ring, where no rounding is needed: the way there is searched."""
+    found = lowest_on_ring(shape, arm.lever, radius, arm.direction)
+    return FacedTwice(
+        _at_low(shape, radius, arm.lever, found.first),
+        _at_low(shape, radius, arm.lever, found.second),
+    )
 
 
 @kernel
-def at_angle(shape: Any, radius: float, arm: ArmPose, towards: Direction) -> Facing:
-    """A cage at the point of its ring that lies in some direction."""
-    lever = Vec(radius * towards.x, radius * towards.y, 0.0)
-    point = arm.lever + lever
-    at = Support(lever, lever, lever, 0.0)
-    return Facing(signed_distance(shape, point), -outward_normal(shape, point), at)
+def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> Facing:
+    lever = Vec(radius * low.towards.x, radius * low.towards.y, 0.0)
+    inward = -outward_normal(shape, on_ring(centre, radius, low.towards))
+    return Facing(low.gap, inward, Support(lever, lever, lever, 0.0))
 
 
+@faced_twice.register(ArmTip)
 @kernel
-def _distance_towards(shape: Any, centre: Vec, radius: float, towards: Direction) -> float:
-    lever = Vec(radius * towards.x, radius * towards.y, 0.0)
-    return signed_distance(shape, centre + lever)
-
-
-@kernel
-def _between(a: Direction, b: Direction, share: float) -> Direction:
-    x, y = a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)
-    scale = 1.0 / math.sqrt(x * x + y * y)
-    return Direction(x * scale, y * scale)
-
-
-@kernel
-def _sample(k: int) -> Direction:
-    c, s = _RING[k % SAMPLES]
-    return Direction(c, s)
-
-
-@kernel
-def _refined(shape: Any, centre: Vec, radius: float, k: int) -> Direction:
-    """The minimum beside a sample, by golden section between its neighbours."""
-    a, b = _sample(k + SAMPLES - 1), _sample(k + 1)
-    low, high = 0.0, 1.0
-    left, right = 1.0 - GOLDEN, GOLDEN
-    at_left = _distance_towards(shape, centre, radius, _between(a, b, left))
-    at_right = _distance_towards(shape, centre, radius, _between(a, b, right))
-    for _ in range(CUTS):
-        to_left = at_left < at_right
-        low, high = (low if to_left else left), (right if to_left else high)
-        new = high - GOLDEN * (high - low) if to_left else low + GOLDEN * (high - low)
-        there = _distance_towards(shape, centre, radius, _between(a, b, new))
-        left, right = (new if to_left else right), (left if to_left else new)
-        at_left, at_right = (there if to_left else at_right), (at_left if to_left else there)
-    return _between(a, b, 0.5 * (low + high))
-
-
-@kernel
-def lowest_on_ring(shape: Any, centre: Vec, radius: float) -> Lowest:
-    """Where along a ring in the plane of the arms a signed distance has its two lowest minima.
-
-    The distance is sampled all around; every sample that is lower than its neighbours has a minimum
-    beside it.  |dφ/dθ| is at most the radius, so nothing deeper than π r/16 hides between samples.
-    """
-    first, second, lowest, runner_up = 0, -1, FAR, FAR
-    before = _distance_towards(shape, centre, radius, _sample(SAMPLES - 1))
-    here = _distance_towards(shape, centre, radius, _sample(0))
-    for k in range(SAMPLES):
-        after = _distance_towards(shape, centre, radius, _sample(k + 1))
-        is_minimum = (here <= before) & (here < after)
-        leads, follows = is_minimum & (here < lowest), is_minimum & (here < runner_up)
-        second = first if leads & (lowest < FAR) else (k if follows & (not leads) else second)
-        runner_up = lowest if leads else (here if follows else runner_up)
-        first, lowest = (k if leads else first), (here if leads else lowest)
-        before, here = here, after
-    nearest = _refined(shape, centre, radius, first)
-    other = _refined(shape, centre, radius, second if second >= 0 else first)
-    return Lowest(nearest, other, 1.0 if second >= 0 else 0.0)
+def _tip_faced(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+    """The paper's contact point is one."""
+    there = faced_along_normal(shape, model, radius, arm)
+    return FacedTwice(there, Facing(FAR, there.inward, there.at))
 
 
 @kernel
 def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
-    """Eq. (13) for a plane, whose normal is the same everywhere; elsewhere approximately."""
-    end = arm.lever
-    first = support(contact_point, -outward_normal(shape, end), arm.direction, radius)
-    n = -outward_normal(shape, end + first.point)
+    """Eq. (13) along the normal at the end of the arm: a plane's is the same everywhere.
+
+    Of a signed distance it is the same all along itself, so the paper's contact point, which lies
+    on it, needs no other.
+    """
+    n = -outward_normal(shape, arm.lever)
     at = support(contact_point, n, arm.direction, radius)
-    return Facing(signed_distance(shape, end + at.point) + at.inset, n, at)
-
-
-@faced.register(ArmTip)
-@kernel
-def _tip_faced(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> Facing:
-    return tip_faced(shape, model, radius, arm)
-
-
-@generic
-def tip_faced(shape: Any, model: ArmTip, radius: float, arm: ArmPose) -> Facing:
-    """`faced` for the paper's contact point, of which there is one."""
-    return faced_along_normal(shape, model, radius, arm)
-
-
-@tip_faced.register(object)
-@kernel
-def _any_tip_faced(shape: Any, model: ArmTip, radius: float, arm: ArmPose) -> Facing:
-    return faced_along_normal(shape, model, radius, arm)
-
-
-@tip_faced.register(Again)
-@kernel
-def _tip_faced_again(shape: Again, model: ArmTip, radius: float, arm: ArmPose) -> Facing:
-    there = faced_along_normal(shape.shape, model, radius, arm)
-    return Facing(FAR, there.inward, there.at)
+    return Facing(signed_distance(shape, arm.lever + at.point) + at.inset, n, at)
 
 
 @kernel

@@ -13,11 +13,14 @@ from typing import Any
 import numpy as np
 import tomli_w
 
+from springback.contact.cage import ArmTip, Ring, support
+from springback.experiments.numbers import RING_ROUNDING
 from springback.experiments.paper.slider import MAT_THICKNESS
 from springback.experiments.run_ups import WALL_DISTANCE, run_up_scenario
 from springback.experiments.scenario import Scenario
 from springback.experiments.scenario_file import checked_scenario
 from springback.interfaces.lab_settings import DEFAULTS, LabSettings, query_of, shown
+from springback.kernels.vectors import Vec
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
 
@@ -105,12 +108,10 @@ def _impact(s: LabSettings, robot: str) -> Table:
     return given | {"thrust": "hover"}
 
 
-def _inward(pitch: float, yaw: float) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _inward(pitch: float, yaw: float) -> Vec:
     """World X in body axes, at a pitch and yaw [deg]."""
     theta, psi = math.radians(pitch), math.radians(yaw)
-    return np.array(
-        [math.cos(psi) * math.cos(theta), -math.sin(psi), math.cos(psi) * math.sin(theta)]
-    )
+    return Vec(math.cos(psi) * math.cos(theta), -math.sin(psi), math.cos(psi) * math.sin(theta))
 
 
 def _upward(pitch: float, yaw: float) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -123,15 +124,15 @@ def _upward(pitch: float, yaw: float) -> np.ndarray[Any, np.dtype[np.float64]]:
 def _reach(vehicle: Vehicle, pitch: float, yaw: float, slides: bool) -> float:
     """How far the foremost cage is before the main body when it touches the wall [m].
 
-    On the slider by the paper's contact point, eq. (13); else the foremost point of the ring.
+    On the slider by the paper's contact point, eq. (13); else by the ring, whose rounding lets it
+    touch a few µm before its foremost point does.
     """
-    n = _inward(pitch, yaw)
+    n, model = _inward(pitch, yaw), ArmTip(0.0) if slides else Ring(RING_ROUNDING)
     ends = []
     for j, angle in enumerate(vehicle.arms.directions):
-        along = float(n @ np.array([math.cos(angle), math.sin(angle), 0.0]))
-        radius = vehicle.arms.at("cage_radius", j)
-        edge = radius * along if slides else radius * math.hypot(n[0], n[1])
-        ends.append(vehicle.arms.at("length", j) * along + edge)
+        arm = Vec(math.cos(angle), math.sin(angle), 0.0)
+        at = support(model, n, arm, vehicle.arms.at("cage_radius", j))
+        ends.append(n @ (arm * vehicle.arms.at("length", j) + at.point) - at.inset)
     return float(max(ends))
 
 
