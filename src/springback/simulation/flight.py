@@ -11,8 +11,8 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.dynamics.energy import Energy, energy
 from springback.dynamics.crossing import Crossing
+from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Motion, View, Work
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, own_executor, registered
