@@ -23,7 +23,7 @@ from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat, Quat, Vec
 from springback.simulation.flight import Flown, fly_one
 from springback.simulation.record import Model, Timing
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.state import Airframe, Arm, Sphere, State
 
 Array = NDArray[np.float64]
 
@@ -52,12 +52,21 @@ class ArmSpec:
 
 
 @dataclass(frozen=True)
+class Ball:
+    """A sphere that is fixed to the main body."""
+
+    centre: Array  # body axes, shape (3,)
+    radius: float  # [m]
+
+
+@dataclass(frozen=True)
 class Craft:
     """A main body and its arms."""
 
     body_mass: float
     inertia: Array  # of the main body alone, shape (3, 3)
     arms: tuple[ArmSpec, ...]
+    hull: Ball | None = None
 
     @property
     def mass(self) -> float:
@@ -137,7 +146,8 @@ def airframe_of(craft: Craft) -> Airframe:
         for arm in craft.arms
     )
     inertia = Mat(*(vec(row) for row in craft.inertia))
-    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms)
+    hull = () if craft.hull is None else (Sphere(vec(craft.hull.centre), craft.hull.radius),)
+    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms, hull=hull)
 
 
 def world_of(scene: Scene) -> World:

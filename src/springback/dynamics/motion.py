@@ -23,21 +23,36 @@ equations (1), with the centre of mass wherever the arms put it.
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import Meeting, meeting_while, slip_velocity
-from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
+from springback.contact.cage import meeting_while
+from springback.contact.grip import ArmGrip, Grip, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
+from springback.dynamics.hull import HullView as HullView
+from springback.dynamics.hull import hastened, hull_slip_rate, hull_state
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
 from springback.dynamics.solution import solve as solve
 from springback.dynamics.stops import end_stop as end_stop
+from springback.dynamics.touches import NEVER as NEVER
+from springback.dynamics.touches import RESTING as RESTING
+from springback.dynamics.touches import (
+    Contact,
+    Rub,
+    contact_of,
+    crossing_time,
+    landing,
+    nearest_normal,
+    rub_of,
+    slip_rate,
+    strikes,
+    touching,
+)
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, each, each_summed, largest, least, total
+from springback.kernels.trees import column, each, each_summed, folded, largest, least, total
 from springback.kernels.vectors import (
     Mat,
     Vec,
@@ -46,12 +61,6 @@ from springback.kernels.vectors import (
     rotation,
 )
 from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
-
-#: Time to the next crossing when none is ahead [s].
-NEVER = 1e9
-#: A cage at a surface of the impulse law rests there while it is slower than this along the normal
-#: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
-RESTING = 1e-2
 
 
 class Work(NamedTuple):
@@ -99,6 +108,7 @@ class View(NamedTuple):
     mass_centre_velocity: Vec  # world [m/s]
     contact_force: Vec  # sum over cages, world [N]
     arms: tuple[ArmView, ...]
+    hull: tuple[HullView, ...]  # of the main body; empty without
     on_ground: float  # number of grounds touched
     friction_rate: float  # at most how fast friction brings a sliding cage to rest [1/s]
     contact_rate: float  # at most how fast contacts and end stops act [1/s]
@@ -108,8 +118,7 @@ class View(NamedTuple):
 class ArmShare(NamedTuple):
     """What one arm adds to the six equations; vectors in body axes."""
 
-    force: Vec  # of contact
-    moment: Vec  # of contact, about the main body
+    contact: Contact
     thrust: float
     rotor_moment: Vec  # r_j × T_j e_z and the rotor's own torque
     taken: Vec  # u_j h_j e_j: what the sliding arm keeps to itself
@@ -120,11 +129,7 @@ class ArmShare(NamedTuple):
     inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
-    contact_loss: float
-    friction_loss: float
-    on_ground: float
     grip: Grip  # of friction
-    press: Press  # of the normal forces
 
 
 class ArmPull(NamedTuple):
@@ -134,12 +139,11 @@ class ArmPull(NamedTuple):
     hold: float  # u_j
 
 
-class Rub(NamedTuple):
-    """Where and how fast a cage slips along an obstacle."""
+class Engaged(NamedTuple):
+    """Obstacle by obstacle, 1 where a part of the vehicle touches."""
 
-    inward: Vec  # unit normal into the obstacle, body
-    point: Vec  # from the main body, body [m]
-    per_speed: float  # 1/√(v² + v_s²); 0 where nothing rubs [s/m]
+    arms: tuple[tuple[float, ...], ...]  # the cage of each
+    hull: tuple[tuple[float, ...], ...]  # of the main body
 
 
 class ArmState(NamedTuple):
@@ -151,46 +155,6 @@ class ArmState(NamedTuple):
     grip: ArmGrip
     slide: Stiffness  # of what acts along the slide
     rubs: tuple[Rub, ...]  # obstacle by obstacle
-
-
-@kernel
-def crossing_time(value: float, rate: float) -> float:
-    """Time until a value reaches zero at its rate [s]; NEVER where it does not, or is there."""
-    ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
-    return -value / rate if ahead else NEVER
-
-
-@kernel
-def _landing(met: Meeting) -> float:
-    return crossing_time(met.gap, met.rate)
-
-
-@kernel
-def _touching(met: Meeting) -> float:
-    """1 while pressed in, from the instant of landing on to that of leaving.
-
-    At a surface of the impulse law: while it closes in, and while it rests.
-    """
-    leaving = met.impulsive * RESTING  # faster than this it has left
-    closing = (met.gap <= LANDED) & (met.rate < leaving)
-    pressed = (met.gap < -LANDED) & (met.impulsive == 0.0)
-    return 1.0 if closing | pressed else 0.0
-
-
-@kernel
-def _impulsive(met: Meeting) -> float:
-    closing = (met.gap <= LANDED) & (met.rate < 0.0)
-    return met.impulsive if closing else 0.0
-
-
-@kernel
-def _nearest_normal(met: Meeting, nearest: float) -> Vec:
-    return met.inward * (1.0 if met.gap == nearest else 0.0)
-
-
-@kernel
-def _rub(met: Meeting) -> Rub:
-    return Rub(met.inward, met.rubbing_at, met.per_speed)
 
 
 @kernel
@@ -260,8 +224,7 @@ def arm_state(
     carried, drift, sliding = ml * e, (m * rate) * e, (u * m) * e
     per_mass = u * arm.inverse_mass
     share = ArmShare(
-        force=touch.force,
-        moment=touch.moment,
+        contact=contact_of(touch),
         thrust=thrust,
         rotor_moment=thrust * Vec(lever.y, -lever.x, arm.torque_ratio),
         taken=(u * h) * e,
@@ -272,25 +235,21 @@ def arm_state(
         inertia_rate=planar_product(drift + drift, lever),
         arm_loss=u * (arm.damping * rate * rate),
         stop_loss=u * stop.loss,
-        contact_loss=touch.contact_loss,
-        friction_loss=touch.friction_loss,
-        on_ground=touch.on_ground,
         grip=touch.grip,
-        press=touch.press,
     )
     slide = Stiffness(
         (touch.press.arm_stiffness + stop.stiffness) * per_mass,
         (touch.press.arm_damper + stop.damper) * per_mass,
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
-    landing = least(
+    crossing = least(
         (
-            least(each(_landing, (met,), ())),
+            least(each(landing, (met,), ())),
             crossing_time(length - arm.length, rate) if has_stops else NEVER,
             crossing_time(length - arm.shortest, rate) if has_stops else NEVER,
         )
     )
-    inward = total(each(_nearest_normal, (met,), (gap,)))
+    inward = total(each(nearest_normal, (met,), (gap,)))
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -298,15 +257,15 @@ def arm_state(
         friction=r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
-        landing=landing,
-        engaged=each(_touching, (met,), ()),
-        impulsive=largest(each(_impulsive, (met,), ())),
+        landing=crossing,
+        engaged=each(touching, (met,), ()),
+        impulsive=largest(each(strikes, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
         inward=r @ inward,
     )
     grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(_rub, (met,), ()))
+    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(rub_of, (met,), ()))
 
 
 @kernel
@@ -325,14 +284,6 @@ def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
 
 
 @kernel
-def _slip_rate(obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec) -> float:
-    """How fast one slip changes: |v̇| / √(v² + v_s²), of the accelerations of main body and arm."""
-    change = end + (angular ^ rub.point)
-    along = slip_velocity(obstacle.surface, change, rub.inward, vertical)
-    return math.sqrt(along @ along) * rub.per_speed
-
-
-@kernel
 def _arm_slip_rate(
     arm: Arm,
     sliding: float,
@@ -343,7 +294,7 @@ def _arm_slip_rate(
     vertical: Vec,
 ) -> float:
     end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return largest(each(_slip_rate, (obstacles, rubs), (end, angular, vertical)))
+    return largest(each(slip_rate, (obstacles, rubs), (end, angular, vertical)))
 
 
 class Rates(NamedTuple):
@@ -359,8 +310,13 @@ def _engaged_with(obstacle: Obstacle) -> float:
 
 
 @kernel
-def _engaged_arm(arm: Arm, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
+def _engaged_part(part: Any, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
     return each(_engaged_with, (obstacles,), ())
+
+
+@kernel
+def _together(so_far: Contact, more: Contact) -> Contact:
+    return total((so_far, more))
 
 
 @kernel
@@ -386,7 +342,10 @@ def rates(
         thrust: Of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
-    engaged = each(_engaged_arm, (airframe.arms,), (world.obstacles,))
+    engaged = Engaged(
+        each(_engaged_part, (airframe.arms,), (world.obstacles,)),
+        each(_engaged_part, (airframe.hull,), (world.obstacles,)),
+    )
     return rates_while(airframe, world, contact_point, guide, air, state, thrust, released, engaged)
 
 
@@ -400,7 +359,7 @@ def rates_while(
     state: State,
     thrust: tuple[float, ...],
     released: float,
-    engaged: tuple[tuple[float, ...], ...],
+    engaged: Engaged,
 ) -> Rates:
     """`rates`, with contacts held off: see `springback.contact.cage.meeting_while`.
 
@@ -413,7 +372,7 @@ def rates_while(
         state: As for `rates`.
         thrust: As for `rates`.
         released: As for `rates`.
-        engaged: Arm by arm and obstacle by obstacle, 0 where contact is held off.
+        engaged: 0 where contact is held off.
     """
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
@@ -421,16 +380,20 @@ def rates_while(
     arms, a = each_summed(
         arm_state,
         "share",
-        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged),
+        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged.arms),
         (obstacles, contact_point, state, r, velocity, released),
     )
+    hull = each(hull_state, (airframe.hull, engaged.hull), (obstacles, r, velocity, omega))
+    contact = folded(_together, a.contact, column(hull, "contact"), ())
 
     blown = aerodynamics(air, velocity, r, a.thrust)
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)
     spin_rate = (omega ^ (inertia @ omega)) + arms_inertia(a.inertia_rate) @ omega
-    force = a.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
-    moment = a.moment + a.rotor_moment - spin_rate
+    force = (
+        contact.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
+    )
+    moment = contact.moment + a.rotor_moment - spin_rate
     system = System(airframe.mass, a.sliding, a.carried, inertia, force + blown.force, moment)
     solved = solve(guide, system, r, world.gravity)
 
@@ -445,13 +408,13 @@ def rates_while(
         sliding,
     )
     thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
-    push = r @ a.force
+    push = r @ contact.force
     work_rate = Work(
         thrust_power,
         a.arm_loss,
         a.stop_loss,
-        a.contact_loss,
-        a.friction_loss,
+        contact.contact_loss,
+        contact.friction_loss,
         0.0,
         blown.loss,
         push,
@@ -462,23 +425,27 @@ def rates_while(
     friction_rate = rest_rate(
         a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia
     )
+    stays = airframe.mass - a.sliding.x - a.sliding.y
+    friction_rate = folded(hastened, friction_rate, hull, (stays, inertia))
     # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical
-    slips = each(
+    cage_slips = each(
         _arm_slip_rate,
         (airframe.arms, sliding, column(arms, "rubs")),
         (obstacles, linear, solved.angular, vertical),
     )
+    hull_slips = each(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))
     view = View(
         acceleration,
         solved.linear,
         mass_centre_velocity,
         push,
         views,
-        a.on_ground,
+        column(hull, "seen"),
+        contact.on_ground,
         friction_rate,
-        contact_rate(a.press, column(arms, "slide"), airframe.mass, inertia),
-        largest(slips),
+        contact_rate(contact.press, column(arms, "slide"), airframe.mass, inertia),
+        largest(cage_slips + hull_slips),
     )
     return Rates(Motion(state_rate, work_rate), view)

@@ -34,12 +34,20 @@ class Arm(NamedTuple):
     torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
 
 
+class Sphere(NamedTuple):
+    """Hull of the main body: a sphere that is fixed to it and has no mass of its own."""
+
+    centre: Vec  # from the main body, body axes [m]
+    radius: float  # [m]
+
+
 class Airframe(NamedTuple):
     """Constants of a vehicle for the equations of motion."""
 
     mass: float  # m, everything [kg]
     inertia: Mat  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
+    hull: tuple[Sphere, ...]  # of the main body; none: it touches nothing
 
 
 class State(NamedTuple):
