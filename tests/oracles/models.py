@@ -398,6 +398,14 @@ def touching(scene: Scene, start: Start, count: int, depth: float) -> Scene:
     return replace(scene, wall=replace(scene.wall, offset=float(-face)))
 
 
+def with_hull(scene: Scene, start: Start, rng: np.random.Generator) -> Scene:
+    """The scene with a hull about some point near the main body, 1 to 15 mm inside the wall."""
+    centre = rng.uniform(-0.03, 0.03, size=3)
+    away = scene.wall.normal @ (start.position + start.rotation @ centre) - scene.wall.offset
+    hull = Ball(centre, max(float(away), 0.0) + rng.uniform(1e-3, 15e-3))
+    return replace(scene, craft=replace(scene.craft, hull=hull))
+
+
 def path(flown: Flown, name: str) -> Array:
     """One trajectory: ``time``, ``position``, ``velocity``, ``attitude``, ``omega``, ``acceleration``
     or ``lengths``, with shape (instants,) or (instants, components)."""

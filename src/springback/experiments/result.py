@@ -217,8 +217,8 @@ class Flight:
         found = self.own_surfaces
         if self.own and self.columns:
             place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
-            arms = range(1, self.scenario.vehicle.arm_count + 1)
-            touching = np.any([self.columns[f"fn{j}"] > 0.0 for j in arms], axis=0)
+            pressed = [c > 0.0 for name, c in self.columns.items() if name.startswith("fn")]
+            touching = np.any(pressed, axis=0)
             found = surfaces_of(self.own, place[touching] if touching.any() else place)
         return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
 
