@@ -46,7 +46,9 @@ def value(flight: Flight, name: str) -> float:
 def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADIUS) -> Meeting:
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
-    return hull_meeting(Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), velocity, omega, UP)
+    return hull_meeting(
+        Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), velocity, omega, UP
+    )
 
 
 # -- one instant -----------------------------------------------------------------------------------
@@ -134,7 +136,9 @@ def test_at_rest_it_carries_the_weight() -> None:
     vehicle, ground = flight.scenario.vehicle, flight.scenario.flight_model().world.obstacles[0]
     depth = (vehicle.mass * 9.81 / ground.surface.stiffness) ** (2.0 / 3.0)
     assert flight.columns["z"][-1] == pytest.approx(RADIUS - depth, abs=2e-5)
-    assert value(flight, "energy_contact") == pytest.approx(0.4 * vehicle.mass * 9.81 * depth, rel=0.02)
+    assert value(flight, "energy_contact") == pytest.approx(
+        0.4 * vehicle.mass * 9.81 * depth, rel=0.02
+    )
     assert flight.measures["touch_time"] == pytest.approx(math.sqrt(2.0 * 0.24 / 9.81), abs=1e-6)
 
 
@@ -185,7 +189,10 @@ def test_it_is_felt_at_the_very_touch() -> None:
     """A dashpot pushes with b v from the instant of landing on: contact is decided as for cages."""
     tables = flat("quad")
     wall = {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 50.0}
-    tables["world"] = {"gravity": 0.0, "obstacles": [{"type": "wall", "distance": 1.0, "surface": wall}]}
+    tables["world"] = {
+        "gravity": 0.0,
+        "obstacles": [{"type": "wall", "distance": 1.0, "surface": wall}],
+    }
     flight = fly(tables)
     pressed = flight.columns["fn_body"]
     assert pressed[np.flatnonzero(pressed)[0]] == pytest.approx(100.0, rel=1e-6)
@@ -207,7 +214,7 @@ def test_flights_abreast_are_the_flight_alone() -> None:
     for k, one in enumerate(tables):
         for name, number in fly(one, trajectory=False).measures.items():
             column = together.measures[name][k]
-            assert (np.isnan(column) if number is None else column == number), (k, name)
+            assert np.isnan(column) if number is None else column == number, (k, name)
 
 
 def test_plain_python_flies_it_to_the_same_bits() -> None:
@@ -251,7 +258,7 @@ def test_hulls_that_cannot_be_are_refused(hull: Any, said: str) -> None:
 
 def test_a_start_with_the_body_in_a_wall_is_refused() -> None:
     """The cages of a flat robot are clear of the wall."""
-    with pytest.raises(InputError, match="puts the main body 0.01 m inside"):
+    with pytest.raises(InputError, match=r"puts the main body 0\.01 m inside"):
         scenario_from(flat("quad", position=[0.95, 0.0, 1.0]))
 
 
