@@ -64,7 +64,7 @@ OUTPUT = [
     ),
     *(f"motion.work.impulse.{k}" for k in "xyz"),
     "time", "step", "status", "phase", "request", "steps", "touching", "contacts",
-    *(f"engaged.{j}.1" for j in _ARMS), *(f"arm_contacts.{j}" for j in _ARMS),
+    *(f"engaged.arms.{j}.1" for j in _ARMS), *(f"arm_contacts.{j}" for j in _ARMS),
     "impacts", "impact_open", "last_touch_time", "contact_duration",
     *(f"inward.{k}" for k in "xyz"),
     "touch_time", "touch_depth", "touch_speed", "touch_mass_centre_speed",

@@ -39,7 +39,8 @@ def reference_model(until: float = 0.1, free_step: float = IMPACT_STEP) -> Model
         until: Duration of a flight [s].
         free_step: Step away from contact [s]; equal to the impact step unless asked otherwise.
     """
-    airframe = VEHICLES["arq"].vehicle.airframe()
+    # Without its hull, which the other programs do not have and nothing here would touch.
+    airframe = VEHICLES["arq"].vehicle.airframe()._replace(hull=())
     surface = Surface(
         stiffness=1e5,
         dissipation=0.6,

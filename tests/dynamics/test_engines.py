@@ -37,7 +37,10 @@ PEAK = 5e-4  # of the peak: it is read at the steps, which do not coincide
 
 
 def drawn(seed: int) -> tuple[models.Scene, models.Start]:
-    """Unequal arms with end stops, a wall of any orientation, none to two cages in it, rotors on."""
+    """Unequal arms with end stops, a wall of any orientation, none to two cages in it, rotors on.
+
+    Every fifth main body has a hull, and that is in the wall, too.
+    """
     rng = np.random.default_rng([2, seed])
     craft = models.random_craft(rng, stops=True)
     start = models.random_start(rng, craft)
@@ -49,7 +52,8 @@ def drawn(seed: int) -> tuple[models.Scene, models.Start]:
         rounding=0.2 if seed // 2 % 2 else 0.0,
         friction_axes="both" if seed // 4 % 2 else "vertical",
     )
-    return models.touching(scene, start, seed % 3, rng.uniform(1e-3, 15e-3)), start
+    scene = models.touching(scene, start, seed % 3, rng.uniform(1e-3, 15e-3))
+    return (models.with_hull(scene, start, rng) if seed % 5 == 0 else scene), start
 
 
 @ENGINES
@@ -118,6 +122,42 @@ def test_whole_impacts_are_those_of_the_engine(
 
     assert sum(count > 0 for count in record.arm_contacts) == cages
     assert 0.0 < record.touch_time < record.separation_time < DURATION
+    assert np.abs(ours.position - theirs.end.position).max() < POSITION
+    assert np.abs(ours.rotation - theirs.end.rotation).max() < ATTITUDE
+    assert np.abs(ours.lengths - theirs.end.lengths).max() < POSITION
+    assert record.peak_acceleration == pytest.approx(theirs.peak_acceleration, rel=PEAK)
+
+
+def body_impact(lean: float) -> tuple[models.Scene, models.Start]:
+    """The main body first into a wall that the rotor plane leans from by an angle [rad], spinning."""
+    scene, start = impact(2, "ring")
+    hull = models.Ball(np.array([0.004, -0.003, 0.01]), 0.06)
+    wall = replace(scene.wall, normal=np.array([-1.0, 0.0, 0.0]), friction=0.4)
+    start = replace(
+        start,
+        attitude=models.quaternion(0.1, 0.5 * math.pi - lean, 0.0),
+        velocity=np.array([2.0, 0.3, -0.4]),
+    )
+    face = start.rotation[0] @ hull.centre + hull.radius + 0.01
+    scene = replace(
+        scene, craft=replace(scene.craft, hull=hull), wall=replace(wall, offset=float(-face))
+    )
+    return scene, start
+
+
+@ENGINES
+@pytest.mark.parametrize(("lean", "cages"), [(0.1, 1), (0.3, 2)])
+def test_the_main_body_hits_the_wall_as_in_the_engine(
+    engine: ModuleType, lean: float, cages: int
+) -> None:
+    """The hull, and one or two cages before or after it."""
+    scene, start = body_impact(lean)
+    flown = models.fly(scene, start, until=DURATION, impact_step=STEP)
+    record, ours = flown.record, models.start_of(flown.motion.state)
+    theirs = engine.fly(scene, start, until=DURATION, step=STEP)
+
+    assert record.hull_contacts[0] > 0.0
+    assert sum(count > 0 for count in record.arm_contacts) == cages
     assert np.abs(ours.position - theirs.end.position).max() < POSITION
     assert np.abs(ours.rotation - theirs.end.rotation).max() < ATTITUDE
     assert np.abs(ours.lengths - theirs.end.lengths).max() < POSITION

@@ -30,11 +30,12 @@ def mirrored(
         replace(arm, azimuth=-arm.azimuth, torque_ratio=-arm.torque_ratio)
         for arm in (scene.craft.arms[k] for k in order)
     )
-    inertia = scene.craft.inertia * np.outer(ACROSS, ACROSS)
+    inertia, hull = scene.craft.inertia * np.outer(ACROSS, ACROSS), scene.craft.hull
+    hull = hull and replace(hull, centre=hull.centre * ACROSS)
     return (
         replace(
             scene,
-            craft=models.Craft(scene.craft.body_mass, inertia, arms),
+            craft=models.Craft(scene.craft.body_mass, inertia, arms, hull),
             wall=replace(scene.wall, normal=scene.wall.normal * ACROSS),
             thrust=tuple(scene.thrust[k] for k in order),
         ),
@@ -79,7 +80,8 @@ def drawn(seed: int, **options: Any) -> tuple[models.Scene, models.Start]:
     wall = models.Wall(models.unit_vector(rng), 0.0)
     contact: Any = "ring" if seed % 2 else "tip"
     scene = models.Scene(craft, wall, tuple(rng.uniform(0.0, 12.0, size=4)), contact, **options)
-    return models.touching(scene, start, seed % 3, rng.uniform(1e-3, 15e-3)), start
+    scene = models.touching(scene, start, seed % 3, rng.uniform(1e-3, 15e-3))
+    return (models.with_hull(scene, start, rng) if seed % 4 == 0 else scene), start
 
 
 Turn = Callable[[np.random.Generator], Rotation]

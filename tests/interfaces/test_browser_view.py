@@ -284,7 +284,9 @@ def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page
     driver.execute_script("document.querySelector('.event.peak').click()")
     assert "contact force on a cage" in driver.find_element("css selector", ".scene-legend").text
     rows = driver.find_elements("css selector", ".readouts tbody tr")
-    [cells] = [row.text for row in rows if row.text.startswith("contact force, sum of all cages")]
+    [cells] = [
+        row.text for row in rows if row.text.startswith("contact force, sum of all contacts")
+    ]
     forces = [c["force"] for c in pose(driver)["flights"][0]["contacts"] if c]
     assert len(forces) == 2
     whole, parts = np.linalg.norm(np.sum(forces, axis=0)), np.linalg.norm(forces, axis=1)

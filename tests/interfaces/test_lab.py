@@ -254,7 +254,7 @@ def test_the_force_of_the_lab_is_the_sum_of_the_forces_that_it_draws() -> None:
     [curve] = [one for one in scene["series"] if one["panel"] == "Contact force"]
     drawn = np.zeros(scene["t"]["shape"][0])
     drawn[at.astype(int)] = np.linalg.norm(force.reshape(len(at), -1, 3).sum(axis=1), axis=1)
-    assert curve["name"] == "sum of all cages"
+    assert curve["name"] == "sum of all contacts"
     assert drawn.max() > 100.0
     assert numbers(curve["values"]) == pytest.approx(drawn, rel=1e-5, abs=1e-3)
 

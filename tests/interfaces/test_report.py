@@ -250,7 +250,7 @@ def test_the_verdict_on_collisions_follows_the_trials() -> None:
     as_printed = said(made_up_trials(Outcome.HIT_GROUND))
     assert "Quad at 3.5 m/s recovers in 0 of 10 trials, as printed." in as_printed
     assert "contradicts the paper" not in as_printed
-    assert "10 of 20 failed trials ended: a cage touched the ground (10)" in as_printed
+    assert "10 of 20 failed trials ended: touched the ground (10)" in as_printed
 
 
 def test_words_carry_no_typed_numbers() -> None:

@@ -24,6 +24,8 @@ class Loads(NamedTuple):
     force: Array  # on each arm's end, world [N], shape (arms, 3)
     moment: Array  # on each arm, about its end, world [N m], shape (arms, 3)
     point: Array  # the arms' ends, world [m], shape (arms, 3)
+    body_force: Array  # on the main body, world [N], shape (3,)
+    body_moment: Array  # on the main body, about its centre, world [N m], shape (3,)
 
 
 def arm_force(arm: ArmSpec, length: float, rate: float) -> float:
@@ -78,6 +80,27 @@ def wall_force(
     return f_f - f_n * n, np.cross(pressed_at, -f_n * n) + np.cross(rubbed_at, f_f)
 
 
+def hull_force(scene: Scene, now: Start) -> tuple[Array, Array]:
+    """Force of the wall on the hull and its moment about the main body; all in world axes."""
+    wall, hull, r = scene.wall, scene.craft.hull, now.rotation
+    if hull is None:
+        return np.zeros(3), np.zeros(3)
+    into = -np.asarray(wall.normal)
+    lowest = r @ hull.centre + hull.radius * into  # the sphere's point nearest to the wall
+    depth = into @ (now.position + lowest) + wall.offset
+    if depth <= 0.0:
+        return np.zeros(3), np.zeros(3)
+    velocity = now.velocity + np.cross(r @ now.omega, lowest)
+    closing, slip = into @ velocity, velocity - into * (into @ velocity)
+    if scene.friction_axes == "vertical":
+        up = np.array([0.0, 0.0, 1.0]) - into * into[2]
+        slip = up * (up @ slip) / (up @ up)
+    f_n = max(0.0, float(wall.stiffness * depth**1.5 * (1 + wall.dissipation * closing)))
+    rubbing = -wall.friction * f_n / math.sqrt(slip @ slip + wall.slip_speed**2) * slip
+    force = rubbing - f_n * into
+    return force, np.cross(lowest, force)
+
+
 def loads(scene: Scene, now: Start) -> Loads:
     """All loads at one instant."""
     r, omega = now.rotation, now.rotation @ now.omega
@@ -93,7 +116,8 @@ def loads(scene: Scene, now: Start) -> Loads:
         forces.append(force + thrust * r[:, 2])
         moments.append(moment + arm.torque_ratio * thrust * r[:, 2])
         points.append(end)
-    return Loads(np.array(joint), np.array(forces), np.array(moments), np.array(points))
+    arrays = (np.array(entries) for entries in (joint, forces, moments, points))
+    return Loads(*arrays, *hull_force(scene, now))
 
 
 class Flight(NamedTuple):

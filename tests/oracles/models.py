@@ -23,7 +23,7 @@ from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat, Quat, Vec
 from springback.simulation.flight import Flown, fly_one
 from springback.simulation.record import Model, Timing
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.state import Airframe, Arm, Sphere, State
 
 Array = NDArray[np.float64]
 
@@ -52,12 +52,21 @@ class ArmSpec:
 
 
 @dataclass(frozen=True)
+class Ball:
+    """A sphere that is fixed to the main body."""
+
+    centre: Array  # body axes, shape (3,)
+    radius: float  # [m]
+
+
+@dataclass(frozen=True)
 class Craft:
     """A main body and its arms."""
 
     body_mass: float
     inertia: Array  # of the main body alone, shape (3, 3)
     arms: tuple[ArmSpec, ...]
+    hull: Ball | None = None
 
     @property
     def mass(self) -> float:
@@ -137,7 +146,8 @@ def airframe_of(craft: Craft) -> Airframe:
         for arm in craft.arms
     )
     inertia = Mat(*(vec(row) for row in craft.inertia))
-    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms)
+    hull = () if craft.hull is None else (Sphere(vec(craft.hull.centre), craft.hull.radius),)
+    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms, hull=hull)
 
 
 def world_of(scene: Scene) -> World:
@@ -386,6 +396,14 @@ def touching(scene: Scene, start: Start, count: int, depth: float) -> Scene:
         room = reach[count - 1] - reach[count] if count < len(reach) else math.inf
         face = reach[count - 1] - min(depth, 0.5 * room)
     return replace(scene, wall=replace(scene.wall, offset=float(-face)))
+
+
+def with_hull(scene: Scene, start: Start, rng: np.random.Generator) -> Scene:
+    """The scene with a hull about some point near the main body, 1 to 15 mm inside the wall."""
+    centre = rng.uniform(-0.03, 0.03, size=3)
+    away = scene.wall.normal @ (start.position + start.rotation @ centre) - scene.wall.offset
+    hull = Ball(centre, max(float(away), 0.0) + rng.uniform(1e-3, 15e-3))
+    return replace(scene, craft=replace(scene.craft, hull=hull))
 
 
 def path(flown: Flown, name: str) -> Array:

@@ -63,6 +63,7 @@ class Vehicle:
         """Compile the model."""
         self.model = mujoco.MjModel.from_xml_string(_xml(craft, gravity))
         self.data = mujoco.MjData(self.model)
+        self.main = self.model.body("main").id
         self.arms = [self.model.body(f"arm{k}").id for k in range(len(craft.arms))]
 
     def accelerations(self, scene: Scene, now: Start) -> tuple[Array, Array, Array]:
@@ -80,6 +81,9 @@ class Vehicle:
             mujoco.mj_applyFT(
                 model, data, acting.force[k], acting.moment[k], acting.point[k], body, applied
             )
+        mujoco.mj_applyFT(
+            model, data, acting.body_force, acting.body_moment, now.position, self.main, applied
+        )
         data.qfrc_applied[:] = applied
         mujoco.mj_forward(model, data)
         return data.qacc[:3].copy(), data.qacc[3:6].copy(), data.qacc[6:].copy()

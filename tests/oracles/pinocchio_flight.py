@@ -44,6 +44,7 @@ class Vehicle:
             mass = pin.Inertia(arm.mass, np.zeros(3), np.zeros((3, 3)))
             model.appendBodyToJoint(joint, mass, pin.SE3.Identity())
             self.joints.append(joint)
+        self.base = base
         self.model, self.data = model, model.createData()
 
     def accelerations(self, scene: Scene, now: Start) -> tuple[Array, Array, Array]:
@@ -55,6 +56,7 @@ class Vehicle:
             external.append(pin.Force.Zero())
         for k, joint in enumerate(self.joints):
             external[joint] = pin.Force(r.T @ acting.force[k], r.T @ acting.moment[k])
+        external[self.base] = pin.Force(r.T @ acting.body_force, r.T @ acting.body_moment)
         tau = np.concatenate([np.zeros(6), acting.joint])
         a = pin.aba(self.model, self.data, q, v, tau, external)
         # Pinocchio's velocity is in body axes: v = R v_b, so v̇ = R (a_b + ω × v_b).

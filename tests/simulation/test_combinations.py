@@ -1,4 +1,4 @@
-"""Whatever the settings accept flies: law x contact point x friction x arms x guide x pilot."""
+"""Whatever the settings accept flies: law x contact point x friction x arms x guide x pilot x hull."""
 
 from __future__ import annotations
 
@@ -23,27 +23,32 @@ ARMS = {
     "always-free": ({}, "always-free"),
     "rigid": ({"arms": {"compliant": False}}, "hybrid"),
 }
+#: Who touches: the cages alone, or, of a robot that flies belly first, its main body.
+PARTS = ("cages", "hull")
 COMBINATIONS = list(
     itertools.product(
-        LAWS, ("ring", "paper"), ("both", "vertical"), ARMS, ("free", "slider", "pilot")
+        LAWS, ("ring", "paper"), ("both", "vertical"), ARMS, ("free", "slider", "pilot"), PARTS
     )
 )
 
 
 def scenario(
-    law: str, point: str, axes: str, arms: str, guide: str, duration: float
+    law: str, point: str, axes: str, arms: str, guide: str, part: str, duration: float
 ) -> dict[str, Any]:
     """A hair in front of a wall, at 2 m/s."""
     vehicle, model = ARMS[arms]
     front = 0.2445 if point == "ring" else 0.2125  # of the foremost cages, and 0.3 to 0.4 mm of air
+    front = 0.0603 if part == "hull" else front
     surface = {**LAWS[law], "friction": 0.8, "friction_axes": axes}
     tables: dict[str, Any] = {
-        "vehicle": {"preset": "arq", **vehicle},
+        "vehicle": {"preset": "arq", "hull": part == "hull" and {"radius": 0.06}, **vehicle},
         "world": {"obstacles": [{"type": "wall", "distance": 1.0, "surface": surface}]},
         "start": {"position": [1.0 - front, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
         "model": {"contact_point": point, "arms": model},
         "simulation": {"duration": duration},
     }
+    if part == "hull":
+        tables["start"]["pitch"] = "90 deg"
     if guide == "slider":
         tables["model"]["slider"] = [1.0, 0.0, 0.0]
     elif guide == "pilot":
@@ -65,16 +70,18 @@ def test_every_combination_flies(law: str, guide: str) -> None:
         assert m["end_time"] == pytest.approx(0.002), combination
         assert m["touch_speed"] == pytest.approx(2.0, rel=0.02), combination
         assert abs(m["ledger_residual"] or 0.0) < 1e-5, combination
+        assert m["body_contacts"] == (1.0 if combination[5] == "hull" else None), combination
 
 
 @pytest.mark.parametrize(
     "combination",
     [
-        ("impulse", "ring", "both", "hybrid", "free"),
-        ("impulse", "paper", "vertical", "always-free", "slider"),
-        ("impulse", "ring", "both", "hybrid", "pilot"),
-        ("kelvin-voigt", "paper", "vertical", "rigid", "free"),
-        ("hertz", "ring", "vertical", "always-free", "free"),
+        ("impulse", "ring", "both", "hybrid", "free", "cages"),
+        ("impulse", "paper", "vertical", "always-free", "slider", "hull"),
+        ("impulse", "ring", "both", "hybrid", "pilot", "hull"),
+        ("kelvin-voigt", "paper", "vertical", "rigid", "free", "hull"),
+        ("hertz", "ring", "vertical", "always-free", "free", "cages"),
+        ("hunt-crossley", "ring", "both", "hybrid", "pilot", "hull"),
     ],
 )
 def test_compiled_and_in_a_campaigns_lanes_it_is_the_same_flight(

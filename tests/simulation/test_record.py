@@ -84,7 +84,7 @@ def touches(forces: np.ndarray) -> int:
 def test_repeated_contacts_are_counted_one_by_one(tilt: str) -> None:
     """A tilted vehicle chatters on the wall; the trajectory's own count is the record's."""
     flight = flown("arq", speed=3.0, position=[0.6, 0.0, 0.0], pitch=tilt, yaw="20 deg")
-    pressed = np.stack([flight.columns[f"fn{j}"] for j in (1, 2, 3, 4)])
+    pressed = np.stack([flight.columns[f"fn{part}"] for part in (1, 2, 3, 4, "_body")])
     assert value(flight, "contacts") == touches(pressed.max(axis=0))
     assert value(flight, "contacts") >= 2.0
     assert 1.0 <= value(flight, "impacts") <= value(flight, "contacts")
@@ -132,7 +132,7 @@ def test_a_slow_return_is_still_a_return() -> None:
 
 
 def test_trajectory_columns_and_units() -> None:
-    """t, position, attitude, velocities, arms, acceleration, and the forces of each cage."""
+    """t, position, attitude, velocities, arms, acceleration, forces of each cage and the body."""
     flight = flown("arq")
     axes, arms = "xyz", range(1, 5)
     expected = ["t", *axes, *(f"q{c}" for c in "wxyz"), *(f"v{c}" for c in axes)]
@@ -140,7 +140,8 @@ def test_trajectory_columns_and_units() -> None:
     expected += [*(f"a{c}" for c in axes)]
     columns = list(flight.columns)
     assert columns[: len(expected)] == expected
-    assert {f"fn{j}" for j in arms} | {f"ff{j}" for j in arms} == set(columns[len(expected) :])
+    parts = [*arms, "_body"]
+    assert {f"{kind}{k}" for kind in ("fn", "ff") for k in parts} == set(columns[len(expected) :])
     assert set(flight.units) == set(columns)
     units = {"t": "s", "x": "m", "vx": "m/s", "wz": "rad/s", "l1": "m", "dl1": "m/s", "fn1": "N"}
     assert {name: flight.units[name] for name in units} == units

@@ -57,6 +57,7 @@ export function poseAt(flight, time) {
     values[i * width + part] * (1 - u) + values[k * width + part] * u;
   const many = (values, width) => Array.from({ length: width }, (_, part) => mixed(values, width, part));
   const arms = flight.arms.length;
+  const parts = arms + flight.hull.length; // cages, then the main body
 
   const q = many(flight.attitude, 4);
   let dot = 0;
@@ -67,12 +68,12 @@ export function poseAt(flight, time) {
   const before = flight.rows[i];
   const after = flight.rows[k];
   const contacts = [];
-  for (let arm = 0; arm < arms; arm++) {
+  for (let part = 0; part < parts; part++) {
     const force = [0, 0, 0];
     let point = null;
     for (const [row, share] of [[before, 1 - u], [after, u]]) {
       if (row < 0) continue;
-      const from = (row * arms + arm) * 3;
+      const from = (row * parts + part) * 3;
       for (let c = 0; c < 3; c++) force[c] += share * flight.force[from + c];
       const there = Array.from(flight.point.subarray(from, from + 3));
       if (there.some((x) => x !== 0)) point = there;
@@ -104,7 +105,7 @@ export function valueAt(flight, values, time) {
 /** First touch [s], or null. */
 export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0] + flight.shift : null);
 
-/** Largest contact force of one cage over a flight [N]. */
+/** Largest contact force of one cage, or of the main body, over a flight [N]. */
 export function largestForce(flight) {
   let most = 0;
   for (let k = 0; k < flight.force.length; k += 3) {
@@ -115,10 +116,10 @@ export function largestForce(flight) {
 
 /** Size of the sum of all contact forces over the instants [N]. */
 export function wholeForce(flight) {
-  const arms = flight.arms.length;
+  const parts = flight.arms.length + flight.hull.length;
   return Float32Array.from(flight.rows, (row) => {
     const whole = [0, 0, 0];
-    for (let k = 0; row >= 0 && k < 3 * arms; k++) whole[k % 3] += flight.force[row * arms * 3 + k];
+    for (let k = 0; row >= 0 && k < 3 * parts; k++) whole[k % 3] += flight.force[row * parts * 3 + k];
     return Math.hypot(...whole);
   });
 }

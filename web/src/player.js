@@ -188,7 +188,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
   function prepareReadouts() {
     if (!readouts) return;
-    const rows = ["speed", "acceleration", "compression, largest", "contact force, sum of all cages", "thrust, all rotors"];
+    const rows = ["speed", "acceleration", "compression, largest", "contact force, sum of all contacts", "thrust, all rotors"];
     const units = ["m/s", "m/s²", "mm", "N", "N"];
     const table = made("table", { class: "numbers" });
     if (state.flights.length > 1) {
@@ -332,7 +332,7 @@ export function startReplay(element, data) {
     which === "all" ? plots.zoom() : plots.zoom(...impact()));
   const about = made("details", { class: "about" }, made("summary", {}, "About this picture"),
     ...notes.map((note) => made("p", {}, note)),
-    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on the cages, friction included; their sum as vectors, in which friction on two cages may cancel, stands among the numbers. Blue bars are the thrust of the rotors; dark discs are shadows straight down."),
+    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on cages and main body, friction included; their sum as vectors, in which friction on two cages may cancel, stands among the numbers. Blue bars are the thrust of the rotors; dark discs are shadows straight down."),
     made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. A click in a plot jumps there, a drag looks closer, a double click shows all again."));
 
   element.replaceChildren(

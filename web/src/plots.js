@@ -36,7 +36,7 @@ export function panelsOf(flights) {
 function summed(panel, series, flight, k) {
   if (!series.length) return [];
   if (panel === "Contact force") {
-    return [{ name: `${flight.label}, sum of all cages`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
+    return [{ name: `${flight.label}, sum of all contacts`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
   }
   const [word, rule] = OF_ALL[panel] ?? ["", (values) => values[0]];
   const values = Float32Array.from(series[0].values, (_, i) => rule(series.map((one) => one.values[i])));

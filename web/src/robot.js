@@ -83,6 +83,13 @@ export class Robot {
     nose.position.set(0.056 * unit, 0, 0.004 * unit);
     this.group.add(hub, lid, nose);
 
+    this.hulls = flight.hull.map((hull) => {
+      const glass = paint(look.colour, { transparent: true, opacity: 0.22 * look.opacity, depthWrite: false });
+      const sphere = new THREE.Mesh(new THREE.SphereGeometry(hull.radius, 32, 20), glass);
+      sphere.position.set(...hull.centre);
+      this.group.add(sphere);
+      return glass;
+    });
     this.arms = flight.arms.map((arm) => this.#arm(arm, { metal, dark, own, spring, paint, colours, unit, faded, look }));
     this.most = flight.most_thrust || 1;
     this.bar = 1.2 * span;
@@ -162,6 +169,9 @@ export class Robot {
       arm.thrust.visible = bar > 1e-3;
       arm.thrust.scale.z = Math.max(bar, 1e-3);
       arm.cagePaint.color.set(pose.contacts[j] ? this.flight.glow : this.flight.colour);
+    });
+    this.hulls.forEach((glass, k) => {
+      glass.color.set(pose.contacts[this.arms.length + k] ? this.flight.glow : this.flight.colour);
     });
   }
 }

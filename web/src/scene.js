@@ -164,7 +164,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const ghost = k > 0 && state.compare === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
-      const arrows = flight.arms.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
+      const arrows = [...flight.arms, ...flight.hull].map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
       if (flight.guide.length) group.add(rail(flight, colours));
@@ -174,7 +174,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         box.expandByPoint(new THREE.Vector3(...flight.position.subarray(3 * i, 3 * i + 3)));
       }
       boxes.union(box.translate(group.position));
-      const names = flight.arms.map(() => {
+      const names = [...flight.arms, ...flight.hull].map(() => {
         const name = document.createElement("span");
         labels.append(name);
         return name;
@@ -222,7 +222,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     }
     if (most > 0) {
       const round = roundBelow(most);
-      entry("force", `contact force on a cage, ${round} N is ${100 * ROUND_ARROW} cm`);
+      entry("force", `contact force on a cage or the main body, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));

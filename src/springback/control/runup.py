@@ -42,7 +42,7 @@ class RunUp(NamedTuple):
 
 
 def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
-    """How far the foremost cage is before the main body when it touches a wall across X [m].
+    """How far the foremost part is before the main body when it touches a wall across X [m].
 
     For two front arms at 45° and a ring it is (L/√2 + r_0) cos θ.
 
@@ -57,7 +57,8 @@ def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
         e = arm_direction(arm)
         at = support(contact_point, inward, e, arm.cage_radius)
         ends.append(inward @ (arm.length * e + at.point) - at.inset)
-    return max(ends)
+    hulls = [inward @ hull.centre + hull.radius for hull in airframe.hull]
+    return max(ends + hulls)
 
 
 def run_up(

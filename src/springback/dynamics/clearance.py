@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.cage import apart
+from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import each, least
 from springback.kernels.vectors import rotation
-from springback.vehicle.state import Airframe, Arm, State, arm_pose
+from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
 
 
 @kernel
@@ -21,8 +22,13 @@ def _of_arm(
 
 
 @kernel
+def _of_hull(hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
+    return least(each(hull_apart, (obstacles,), (hull,)))
+
+
+@kernel
 def clearance(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
-    """The smallest gap between a cage and an obstacle [m]; negative where one is pressed in.
+    """The smallest gap between a cage, or the hull, and an obstacle [m]; negative where pressed in.
 
     Args:
         airframe: Of the vehicle.
@@ -33,4 +39,5 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
     r = rotation(state.attitude)
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
     arms = (airframe.arms, state.arm_length, state.arm_rate)
-    return least(each(_of_arm, arms, (obstacles, contact_point, state)))
+    cages = each(_of_arm, arms, (obstacles, contact_point, state))
+    return least(cages + each(_of_hull, (airframe.hull,), (obstacles,)))

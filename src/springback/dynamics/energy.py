@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import meeting
+from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel
-from springback.kernels.trees import column, each, total
+from springback.kernels.trees import column, each, folded, total
 from springback.kernels.vectors import (
     Mat,
     Vec,
@@ -16,7 +17,15 @@ from springback.kernels.vectors import (
     rotation,
     solve_symmetric,
 )
-from springback.vehicle.state import Airframe, Arm, State, arm_direction, arm_pose, arms_inertia
+from springback.vehicle.state import (
+    Airframe,
+    Arm,
+    Sphere,
+    State,
+    arm_direction,
+    arm_pose,
+    arms_inertia,
+)
 
 
 class Energy(NamedTuple):
@@ -75,6 +84,17 @@ def _contact_energy(
 
 
 @rare_kernel
+def _hull_energy(so_far: float, hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
+    """What is stored, with the contacts of the hull [J]."""
+    return so_far + total(each(_hull_contact_energy, (obstacles,), (hull,)))
+
+
+@rare_kernel
+def _hull_contact_energy(obstacle: Obstacle, hull: Sphere) -> float:
+    return elastic_energy(obstacle.surface, positive_part(-hull_apart(obstacle, hull)))
+
+
+@rare_kernel
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     r, omega = rotation(state.attitude), state.angular_velocity
@@ -89,7 +109,8 @@ def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -
     kinetic = 0.5 * body_mass * (state.velocity @ state.velocity)
     kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
     gravity = body_mass * world.gravity * state.position.z
-    return Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, a.contact)
+    contact = folded(_hull_energy, a.contact, airframe.hull, (obstacles,))
+    return Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, contact)
 
 
 class Spread(NamedTuple):

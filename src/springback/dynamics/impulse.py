@@ -15,7 +15,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import meeting, slip_velocity
+from springback.contact.cage import Meeting, meeting, slip_velocity
+from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
@@ -23,7 +24,7 @@ from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import each, total
 from springback.kernels.vectors import Mat, Vec, positive_part, rotation, solve_symmetric
-from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
+from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose, arms_inertia
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
@@ -40,7 +41,7 @@ MOST_PARTS = 100 * PARTS
 
 
 class Hit(NamedTuple):
-    """One cage at one obstacle at the instant of an impulse."""
+    """One cage, or the hull, at one obstacle at the instant of an impulse."""
 
     near: float  # 1 where it touches and its surface follows the impulse law
     closing: float  # 1 where it closes in, too
@@ -55,6 +56,17 @@ def _hit_obstacle(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat, omega: Vec
 ) -> Hit:
     met = meeting(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
+    return _hit(met, obstacle.surface, r)
+
+
+@rare_kernel
+def _hull_hits_obstacle(obstacle: Obstacle, hull: Sphere, velocity: Vec, r: Mat, omega: Vec) -> Hit:
+    met = hull_meeting(obstacle, 1.0, hull, velocity, omega, Vec(r.z.x, r.z.y, r.z.z), 0.0)
+    return _hit(met, obstacle.surface, r)
+
+
+@rare_kernel
+def _hit(met: Meeting, surface: Surface, r: Mat) -> Hit:
     near = (met.gap <= LANDED) & (met.impulsive > 0.0)
     closing = near & (met.rate < 0.0)
     lever = r @ met.pressing_at
@@ -64,7 +76,7 @@ def _hit_obstacle(
         -(r @ met.inward),
         lever,
         met.gap,
-        obstacle.surface,
+        surface,
     )
 
 
@@ -84,6 +96,14 @@ def _hits_of_arm(
 
 
 @rare_kernel
+def _hits_of_hull(
+    hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat
+) -> tuple[Hit, ...]:
+    shared = (hull, state.velocity @ r, r, state.angular_velocity)
+    return each(_hull_hits_obstacle, (obstacles,), shared)
+
+
+@rare_kernel
 def _give(mass: float, inertia: Mat, r: Mat, lever: Vec, along: Vec) -> float:
     """Velocity that a unit impulse along a direction gives to its own point along it [1/kg]."""
     turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
@@ -98,7 +118,7 @@ def _part(closing: float) -> float:
 
 @rare_kernel
 def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
-    """The motion just after the impulses of all cages that touch and close in.
+    """The motion just after the impulses of all parts that touch and close in.
 
     Tangentially the impulse opposes the slip and is at most μ times the normal one.  A cage that
     has sunk in is put back on the face.  The energy lost is booked, the work of the tangential
@@ -112,11 +132,12 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
     up = Vec(0.0, 0.0, 1.0)
-    hits = each(
+    of_cages = each(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, contact_point, state, r),
     )
+    hits = of_cages + each(_hits_of_hull, (airframe.hull,), (obstacles, state, r))
     count = len(hits) * len(hits[0])
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift

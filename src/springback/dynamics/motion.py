@@ -27,19 +27,33 @@ import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import Meeting, meeting_while, slip_velocity
-from springback.contact.grip import ArmGrip, Grip, Press, Stiffness, contact_rate, rest_rate
+from springback.contact.cage import meeting_while
+from springback.contact.grip import ArmGrip, Grip, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
-from springback.dynamics.crossing import Crossing, crossing, sooner, soonest
+from springback.dynamics.crossing import Crossing, sooner, soonest
+from springback.dynamics.hull import HullView as HullView
+from springback.dynamics.hull import hastened, hull_slip_rate, hull_state
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
 from springback.dynamics.solution import solve as solve
 from springback.dynamics.stops import AHEAD, next_stop
 from springback.dynamics.stops import end_stop as end_stop
+from springback.dynamics.touches import RESTING as RESTING
+from springback.dynamics.touches import (
+    Contact,
+    Rub,
+    contact_of,
+    crossing_of,
+    nearest_normal,
+    rub_of,
+    slip_rate,
+    strikes,
+    touching,
+)
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, each, each_summed, largest, least, total
+from springback.kernels.trees import column, each, each_summed, folded, largest, least, total
 from springback.kernels.vectors import (
     Mat,
     Vec,
@@ -56,10 +70,6 @@ from springback.vehicle.state import (
     fastest_cage,
     reach,
 )
-
-#: A cage at a surface of the impulse law rests there while it is slower than this along the normal
-#: [m/s]: it then touches, and does not rebound (chosen: a rebound at this speed is 5 µm high).
-RESTING = 1e-2
 
 
 class Work(NamedTuple):
@@ -107,6 +117,7 @@ class View(NamedTuple):
     mass_centre_velocity: Vec  # world [m/s]
     contact_force: Vec  # sum over cages, world [N]
     arms: tuple[ArmView, ...]
+    hull: tuple[HullView, ...]  # of the main body; empty without
     on_ground: float  # number of grounds touched
     friction_rate: float  # at most how fast friction brings a sliding cage to rest [1/s]
     contact_rate: float  # at most how fast contacts and end stops act [1/s]
@@ -116,8 +127,7 @@ class View(NamedTuple):
 class ArmShare(NamedTuple):
     """What one arm adds to the six equations; vectors in body axes."""
 
-    force: Vec  # of contact
-    moment: Vec  # of contact, about the main body
+    contact: Contact
     thrust: float
     rotor_moment: Vec  # r_j × T_j e_z and the rotor's own torque
     taken: Vec  # u_j h_j e_j: what the sliding arm keeps to itself
@@ -128,11 +138,7 @@ class ArmShare(NamedTuple):
     inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
-    contact_loss: float
-    friction_loss: float
-    on_ground: float
     grip: Grip  # of friction
-    press: Press  # of the normal forces
 
 
 class ArmPull(NamedTuple):
@@ -142,12 +148,11 @@ class ArmPull(NamedTuple):
     hold: float  # u_j
 
 
-class Rub(NamedTuple):
-    """Where and how fast a cage slips along an obstacle."""
+class Engaged(NamedTuple):
+    """Obstacle by obstacle, 1 where a part of the vehicle touches."""
 
-    inward: Vec  # unit normal into the obstacle, body
-    point: Vec  # from the main body, body [m]
-    per_speed: float  # 1/√(v² + v_s²); 0 where nothing rubs [s/m]
+    arms: tuple[tuple[float, ...], ...]  # the cage of each
+    hull: tuple[tuple[float, ...], ...]  # of the main body
 
 
 class ArmState(NamedTuple):
@@ -159,39 +164,6 @@ class ArmState(NamedTuple):
     grip: ArmGrip
     slide: Stiffness  # of what acts along the slide
     rubs: tuple[Rub, ...]  # obstacle by obstacle
-
-
-@kernel
-def _crossing(met: Meeting) -> Crossing:
-    return crossing(met.gap, met.rate)
-
-
-@kernel
-def _touching(met: Meeting) -> float:
-    """1 while pressed in, from the instant of landing on to that of leaving.
-
-    At a surface of the impulse law: while it closes in, and while it rests.
-    """
-    leaving = met.impulsive * RESTING  # faster than this it has left
-    closing = (met.gap <= LANDED) & (met.rate < leaving)
-    pressed = (met.gap < -LANDED) & (met.impulsive == 0.0)
-    return 1.0 if closing | pressed else 0.0
-
-
-@kernel
-def _impulsive(met: Meeting) -> float:
-    closing = (met.gap <= LANDED) & (met.rate < 0.0)
-    return met.impulsive if closing else 0.0
-
-
-@kernel
-def _nearest_normal(met: Meeting, nearest: float) -> Vec:
-    return met.inward * (1.0 if met.gap == nearest else 0.0)
-
-
-@kernel
-def _rub(met: Meeting) -> Rub:
-    return Rub(met.inward, met.rubbing_at, met.per_speed)
 
 
 @kernel
@@ -263,8 +235,7 @@ def arm_state(
     carried, drift, sliding = ml * e, (m * rate) * e, (u * m) * e
     per_mass = u * arm.inverse_mass
     share = ArmShare(
-        force=touch.force,
-        moment=touch.moment,
+        contact=contact_of(touch),
         thrust=thrust,
         rotor_moment=thrust * Vec(lever.y, -lever.x, arm.torque_ratio),
         taken=(u * h) * e,
@@ -275,11 +246,7 @@ def arm_state(
         inertia_rate=planar_product(drift + drift, lever),
         arm_loss=u * (arm.damping * rate * rate),
         stop_loss=u * stop.loss,
-        contact_loss=touch.contact_loss,
-        friction_loss=touch.friction_loss,
-        on_ground=touch.on_ground,
         grip=touch.grip,
-        press=touch.press,
     )
     slide = Stiffness(
         (touch.press.arm_stiffness + stop.stiffness) * per_mass,
@@ -287,7 +254,7 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    inward = total(each(_nearest_normal, (met,), (gap,)))
+    inward = total(each(nearest_normal, (met,), (gap,)))
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -295,15 +262,15 @@ def arm_state(
         friction=r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
-        crossing=sooner(soonest(each(_crossing, (met,), ())), stops_at),
-        engaged=each(_touching, (met,), ()),
-        impulsive=largest(each(_impulsive, (met,), ())),
+        crossing=sooner(soonest(each(crossing_of, (met,), ())), stops_at),
+        engaged=each(touching, (met,), ()),
+        impulsive=largest(each(strikes, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
         inward=r @ inward,
     )
     grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(_rub, (met,), ()))
+    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(rub_of, (met,), ()))
 
 
 @kernel
@@ -322,14 +289,6 @@ def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
 
 
 @kernel
-def _slip_rate(obstacle: Obstacle, rub: Rub, end: Vec, angular: Vec, vertical: Vec) -> float:
-    """Square of how fast one slip changes: |v̇| / √(v² + v_s²), of main body and arm."""
-    change = end + (angular ^ rub.point)
-    along = slip_velocity(obstacle.surface, change, rub.inward, vertical)
-    return (along @ along) * (rub.per_speed * rub.per_speed)
-
-
-@kernel
 def _arm_slip_rate(
     arm: Arm,
     sliding: float,
@@ -340,7 +299,7 @@ def _arm_slip_rate(
     vertical: Vec,
 ) -> float:
     end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return largest(each(_slip_rate, (obstacles, rubs), (end, angular, vertical)))
+    return largest(each(slip_rate, (obstacles, rubs), (end, angular, vertical)))
 
 
 class Rates(NamedTuple):
@@ -356,8 +315,13 @@ def _engaged_with(obstacle: Obstacle) -> float:
 
 
 @kernel
-def _engaged_arm(arm: Arm, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
+def _engaged_part(part: Any, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
     return each(_engaged_with, (obstacles,), ())
+
+
+@kernel
+def _together(so_far: Contact, more: Contact) -> Contact:
+    return total((so_far, more))
 
 
 @kernel
@@ -383,7 +347,10 @@ def rates(
         thrust: Of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
-    engaged = each(_engaged_arm, (airframe.arms,), (world.obstacles,))
+    engaged = Engaged(
+        each(_engaged_part, (airframe.arms,), (world.obstacles,)),
+        each(_engaged_part, (airframe.hull,), (world.obstacles,)),
+    )
     return rates_while(airframe, world, contact_point, guide, air, state, thrust, released, engaged)
 
 
@@ -397,7 +364,7 @@ def rates_while(
     state: State,
     thrust: tuple[float, ...],
     released: float,
-    engaged: tuple[tuple[float, ...], ...],
+    engaged: Engaged,
 ) -> Rates:
     """`rates`, with contacts held off: see `springback.contact.cage.meeting_while`.
 
@@ -410,25 +377,29 @@ def rates_while(
         state: As for `rates`.
         thrust: As for `rates`.
         released: As for `rates`.
-        engaged: Arm by arm and obstacle by obstacle, 0 where contact is held off.
+        engaged: 0 where contact is held off.
     """
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
     obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
-    haste = fastest_cage(airframe, state)
+    ahead = AHEAD * fastest_cage(airframe, state)
     arms, a = each_summed(
         arm_state,
         "share",
-        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged),
-        (obstacles, contact_point, state, r, velocity, released, AHEAD * haste),
+        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged.arms),
+        (obstacles, contact_point, state, r, velocity, released, ahead),
     )
+    hull = each(hull_state, (airframe.hull, engaged.hull), (obstacles, r, velocity, omega, ahead))
+    contact = folded(_together, a.contact, column(hull, "contact"), ())
 
     blown = aerodynamics(air, velocity, r, a.thrust)
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)
     spin_rate = (omega ^ (inertia @ omega)) + arms_inertia(a.inertia_rate) @ omega
-    force = a.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
-    moment = a.moment + a.rotor_moment - spin_rate
+    force = (
+        contact.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
+    )
+    moment = contact.moment + a.rotor_moment - spin_rate
     system = System(airframe.mass, a.sliding, a.carried, inertia, force + blown.force, moment)
     solved = solve(guide, system, r, world.gravity)
 
@@ -443,13 +414,13 @@ def rates_while(
         sliding,
     )
     thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
-    push = r @ a.force
+    push = r @ contact.force
     work_rate = Work(
         thrust_power,
         a.arm_loss,
         a.stop_loss,
-        a.contact_loss,
-        a.friction_loss,
+        contact.contact_loss,
+        contact.friction_loss,
         0.0,
         blown.loss,
         push,
@@ -460,23 +431,27 @@ def rates_while(
     friction_rate = rest_rate(
         a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia
     )
+    stays = airframe.mass - a.sliding.x - a.sliding.y
+    friction_rate = folded(hastened, friction_rate, hull, (stays, inertia))
     # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical
-    slips = each(
+    cage_slips = each(
         _arm_slip_rate,
         (airframe.arms, sliding, column(arms, "rubs")),
         (obstacles, linear, solved.angular, vertical),
     )
+    hull_slips = each(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))
     view = View(
         acceleration,
         solved.linear,
         mass_centre_velocity,
         push,
         views,
-        a.on_ground,
+        column(hull, "seen"),
+        contact.on_ground,
         friction_rate,
-        contact_rate(a.press, column(arms, "slide"), airframe.mass, inertia, reach(airframe)),
-        math.sqrt(largest(slips)),
+        contact_rate(contact.press, column(arms, "slide"), airframe.mass, inertia, reach(airframe)),
+        math.sqrt(largest(cage_slips + hull_slips)),
     )
     return Rates(Motion(state_rate, work_rate), view)

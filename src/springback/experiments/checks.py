@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import meeting
+from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_seen, signed_distance
 from springback.contact.parameters import faces
 from springback.experiments.numbers import (
@@ -186,22 +187,25 @@ def check_start(scenario: Scenario, model: Model, state: State) -> None:
     vertical, given = Vec(0.0, 0.0, 1.0) @ r, scenario.world.obstacles
     owners = [k for k, entry in enumerate(given) for _ in faces(entry)]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-        there = obstacle_seen(obstacle, state.position, r)
+        there, gaps = obstacle_seen(obstacle, state.position, r), []
         for j, arm in enumerate(model.airframe.arms):
             pose = arm_pose(arm, arm.length, 0.0, still)
             met = meeting(there, model.contact_point, arm.cage_radius, pose, still, vertical)
-            if met.gap < 0.0:
+            gaps.append((f"cage of arm {j + 1}", met.gap))
+        gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
+        for part, gap in gaps:
+            if gap < 0.0:
                 raise problem(
-                    f"puts the cage of arm {j + 1} {-met.gap:.3g} m inside "
-                    f"world.obstacles[{owner}], a {given[owner].type} "
-                    f"(got {list(scenario.start.position)} m)",
+                    f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
+                    f"{given[owner].type} (got {list(scenario.start.position)} m)",
                     "start.position",
                 )
 
 
 def reach_of(airframe: Airframe) -> float:
     """No point of a vehicle is farther from the main body than this [m], arms unpressed."""
-    return AMPLE * max(arm.length + arm.cage_radius for arm in airframe.arms)
+    cages = [arm.length + arm.cage_radius for arm in airframe.arms]
+    return AMPLE * max(cages + [norm(hull.centre) + hull.radius for hull in airframe.hull])
 
 
 def is_clear(model: Model, state: State) -> bool:

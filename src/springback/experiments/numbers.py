@@ -162,7 +162,9 @@ def true_airframe(
     if body is None:
         return airframe
     inertia = Mat(*(Vec(*row) for row in body.inertia))
-    return Airframe(body.mass + make(masses_of, vehicle).arms, inertia, airframe.arms)
+    return Airframe(
+        body.mass + make(masses_of, vehicle).arms, inertia, airframe.arms, airframe.hull
+    )
 
 
 # -- the rest -------------------------------------------------------------------------------------

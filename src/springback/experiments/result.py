@@ -217,8 +217,8 @@ class Flight:
         found = self.own_surfaces
         if self.own and self.columns:
             place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
-            arms = range(1, self.scenario.vehicle.arm_count + 1)
-            touching = np.any([self.columns[f"fn{j}"] > 0.0 for j in arms], axis=0)
+            pressed = [c > 0.0 for name, c in self.columns.items() if name.startswith("fn")]
+            touching = np.any(pressed, axis=0)
             found = surfaces_of(self.own, place[touching] if touching.any() else place)
         return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
 
@@ -239,11 +239,14 @@ def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
     names |= {f"dl{j}": (f"{state}.arm_rate.{j}", "m/s") for j in count}
     names |= {f"a{axis}": (f"{view}.{axis}", "m/s^2") for axis in "xyz"}
     names |= {f"fn{j}": (f"arms.{j}.normal", "N") for j in count}
+    names |= {"fn_body": ("hull.1.normal", "N")} if flown.model.airframe.hull else {}
     columns = {name: np.ascontiguousarray(trace[source]) for name, (source, _) in names.items()}
     units = {name: unit for name, (_, unit) in names.items()}
-    for j in count:
-        parts = np.stack([trace[f"arms.{j}.friction.{axis}"] for axis in "xyz"])
-        columns[f"ff{j}"], units[f"ff{j}"] = np.linalg.norm(parts, axis=0), "N"
+    rubbed = {f"ff{j}": f"arms.{j}.friction" for j in count}
+    rubbed |= {"ff_body": "hull.1.friction"} if flown.model.airframe.hull else {}
+    for name, source in rubbed.items():
+        parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
+        columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
     return columns, units
 
 
@@ -415,11 +418,11 @@ def _check_start(model: Model, start: State) -> None:
     """Refuse a start inside an obstacle of the user's own; others are checked with the scenario."""
     m = model
     seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
-    for j, arm in enumerate(seen.arms):
-        if arm.gap < 0.0:
-            raise InputError(
-                f"start.position: puts the cage of arm {j + 1} {-arm.gap:.3g} m inside"
-            )
+    gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
+    gaps += [("main body", hull.gap) for hull in seen.hull]
+    for part, gap in gaps:
+        if gap < 0.0:
+            raise InputError(f"start.position: puts the {part} {-gap:.3g} m inside")
 
 
 def as_scenario(

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.interfaces.scene import ArmShape, Scene
+from springback.interfaces.scene import ArmShape, HullShape, Scene
 from springback.interfaces.scene_geometry import Drawable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -41,8 +41,8 @@ class Pose(NamedTuple):
     rotation: Array  # body to world, shape (3, 3)
     lengths: Array  # of the arms [m]
     thrust: Array  # [N]
-    force: Array  # on each cage [N], shape (arms, 3)
-    point: Array  # where it acts [m], shape (arms, 3)
+    force: Array  # on each cage, then the hull [N], shape (parts, 3)
+    point: Array  # where it acts [m], shape (parts, 3)
 
 
 def pose(scene: Scene, t: float) -> Pose:
@@ -147,6 +147,12 @@ def body_outline(now: Pose) -> tuple[Array, Array]:
     """Upper and lower rim of the main body, shape (points, 3) each."""
     rim, lift = ring(now.position, BODY, now.rotation), BODY_HEIGHT * now.rotation[:, 2]
     return rim + lift, rim - lift
+
+
+def sphere_outline(hull: HullShape, now: Pose, view: View) -> Array:
+    """Outline of the hull in the plane of a view, shape (points, 2)."""
+    centre = view(now.position + now.rotation @ np.array(hull.centre))
+    return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
 
 
 # -- what is hit ----------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ from springback.interfaces.film_bodies import (
     ends,
     half_plane,
     ring,
+    sphere_outline,
 )
 from springback.interfaces.scene import Scene
 
@@ -66,6 +67,7 @@ class Panel:
         self.arms = [self._line(color=colour, lw=width * unit) for width in widths]
         bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
         self.thrusts = [self._line(**bar) for _ in arms]
+        self.hull = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
         self.mast = self._line(color=INK, lw=1.4 * unit)
         self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
         self._moves(ax.add_patch(self.body))
@@ -146,6 +148,8 @@ class Panel:
             self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
             bar = THRUST_BAR * now.thrust[j] / max(scene.most_thrust, 1e-9) * now.rotation[:, 2]
             self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
+        for line, shape in zip(self.hull, scene.hull, strict=True):
+            line.set_data(*sphere_outline(shape, now, view).T)
         mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
         self.mast.set_data(*view(mast).T)
         rims = view(np.vstack(body_outline(now)))

@@ -141,7 +141,7 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
     yield Series("Acceleration", "main body", "m/s²", felt)
     yield Series("Arm compression", "most pressed arm", "mm", 1e3 * pressed)
     yield Series("Velocity", "along X", "m/s", c["vx"])
-    yield Series("Contact force", "sum of all cages", "N", pushed)
+    yield Series("Contact force", "sum of all contacts", "N", pushed)
 
 
 def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:

@@ -34,6 +34,7 @@ from springback.interfaces.plots_panels import (
     Panel,
     alike,
     arms_of,
+    body_curves,
     contacts,
     short,
     stacked,
@@ -99,12 +100,13 @@ def _motion(flight: Flight) -> Figure:
         lengths = alike("arm", [(j, 1e3 * c[f"l{j}"]) for j in arms])
         panels.append(panel("Arm length [mm]", lengths))
     touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
-    if touched:
-        least = 1e-3 * max(float(np.max(c[f"fn{j}"])) for j in touched)
+    body = body_curves(c, {"fn": "body", "ff": "friction body"})
+    if touched or body:
+        least = 1e-3 * max((float(np.max(c[f"fn{j}"])) for j in touched), default=0.0)
         rubbed = [j for j in touched if np.max(c[f"ff{j}"]) > least]
         forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched])
         friction = alike("friction", [(j, c[f"ff{j}"]) for j in rubbed])
-        panels.append(panel("Contact force [N]", forces + friction))
+        panels.append(panel("Contact force [N]", forces + friction + body))
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
     return stacked(panels, time, shades)

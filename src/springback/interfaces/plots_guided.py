@@ -6,7 +6,7 @@ import numpy as np
 
 from springback.experiments.result import Flight
 from springback.interfaces.canvas import BLUE, GREY, ORANGE, Look
-from springback.interfaces.plots_panels import Array, Curve, Panel, alike, arms_of
+from springback.interfaces.plots_panels import Array, Curve, Panel, alike, arms_of, body_curves
 
 WANTED: Look = (ORANGE, (0, (3.2, 1.4)))
 LIMIT: Look = (GREY, (0, (1.2, 1.2)))
@@ -96,9 +96,9 @@ def _thrusts(flight: Flight) -> Panel:
 def _impacts(flight: Flight) -> list[Panel]:
     c = flight.columns
     touched = [j for j in arms_of(c) if np.any(c[f"fn{j}"] > 0.0)]
-    if not touched:
+    forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched]) + body_curves(c, {"fn": "body"})
+    if not forces:
         return []
-    forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched])
     return [Panel("Contact [N]", [Curve(name, c["t"], values) for name, values in forces])]
 
 

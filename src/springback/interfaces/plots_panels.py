@@ -110,15 +110,28 @@ def spread(ax: Axes, least: float, flat: float = ROUNDING) -> None:
 
 def arms_of(columns: Mapping[str, Array]) -> list[int]:
     """Numbers of the arms, from 1."""
-    return sorted(int(name[2:]) for name in columns if name.startswith("fn"))
+    return sorted(int(name[2:]) for name in columns if name[:2] == "fn" and name[2:].isdigit())
+
+
+def body_curves(columns: Mapping[str, Array], kinds: Mapping[str, str]) -> list[tuple[str, Array]]:
+    """Forces on the main body, if it touched anything.
+
+    Args:
+        columns: Of a trajectory.
+        kinds: ``fn``, ``ff`` or both, and what their curves are called.
+    """
+    if not np.any(columns.get("fn_body", np.zeros(1)) > 0.0):
+        return []
+    return [(label, columns[f"{kind}_body"]) for kind, label in kinds.items()]
 
 
 def contacts(columns: Mapping[str, Array]) -> list[tuple[float, float]]:
-    """Intervals of time in which any cage touches anything [s]."""
+    """Intervals of time in which anything touches anything [s]."""
     t = columns["t"]
     touching = np.zeros(len(t) + 2, dtype=int)
-    for j in arms_of(columns):
-        touching[1:-1] |= columns[f"fn{j}"] > 0.0
+    for name in columns:
+        if name.startswith("fn"):
+            touching[1:-1] |= columns[name] > 0.0
     starts, ends = (np.flatnonzero(np.diff(touching) == change) for change in (1, -1))
     last = len(t) - 1
     return [(float(t[i]), float(t[min(int(k), last)])) for i, k in zip(starts, ends, strict=True)]

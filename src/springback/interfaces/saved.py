@@ -17,6 +17,7 @@ from springback.experiments.result import Flight
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.sealed import file_digest, is_sealed, read_object
 from springback.simulation.measures import Outcome
+from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -44,7 +45,7 @@ def read_result(folder: str | Path) -> Flight:
         _check_file(folder / name, summary["files"])
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
-    _check(path, columns, _wanted(scenario.vehicle.arm_count))
+    _check(path, columns, _wanted(scenario.vehicle))
     diary: dict[str, Array] = {}
     path = folder / "diary.parquet"
     if path.name in summary["files"]:
@@ -127,12 +128,13 @@ def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | Non
     return measures
 
 
-def _wanted(arms: int) -> list[str]:
+def _wanted(vehicle: Vehicle) -> list[str]:
     """Columns of a trajectory that are needed."""
-    numbers = range(1, arms + 1)
+    numbers = range(1, vehicle.arm_count + 1)
     names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
     names += [f"{kind}{axis}" for kind in "vwa" for axis in "xyz"]
-    return names + [f"{kind}{j}" for kind in ("l", "dl", "fn", "ff") for j in numbers]
+    names += [f"{kind}{j}" for kind in ("l", "dl", "fn", "ff") for j in numbers]
+    return names + (["fn_body", "ff_body"] if vehicle.hull else [])
 
 
 def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:

@@ -30,7 +30,7 @@ from springback.experiments.result import Flight
 from springback.interfaces.saved import read_result as read_result
 from springback.interfaces.scene_events import Event, events_of, impacts_of
 from springback.interfaces.scene_geometry import Drawable, drawn
-from springback.interfaces.scene_instants import Felt, departure, felt, kept
+from springback.interfaces.scene_instants import Felt, departure, felt, kept, parts_of
 from springback.simulation.record import Model
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -54,6 +54,13 @@ class ArmShape(NamedTuple):
     cage_radius: float  # [m]; the circle lies in the plane of the arms
     compliant: bool
     spin: int  # sign of the torque about body z
+
+
+class HullShape(NamedTuple):
+    """The sphere that the main body touches with."""
+
+    centre: tuple[float, float, float]  # from the main body, body axes [m]
+    radius: float  # [m]
 
 
 class Series(NamedTuple):
@@ -80,6 +87,8 @@ class Scene:
     success: bool
     """Whether nothing went wrong: recovered, or left the obstacle without a pilot."""
     arms: tuple[ArmShape, ...]
+    hull: tuple[HullShape, ...]
+    """Of the main body; empty without."""
     most_thrust: float
     """Of one rotor, for scales [N]."""
     guide: tuple[float, ...]
@@ -96,9 +105,9 @@ class Scene:
     thrust: Array
     """Of each rotor [N], shape (n, arms); from the diary, held from tick to tick."""
     force: Array
-    """On each cage by all obstacles, world [N], shape (n, arms, 3); zero where nothing touches."""
+    """On each cage, then the hull, by all obstacles, world [N], shape (n, parts, 3)."""
     point: Array
-    """Where it acts, world [m], shape (n, arms, 3); zero where nothing touches."""
+    """Where it acts, world [m], shape (n, parts, 3); zero where nothing touches."""
     series: tuple[Series, ...]
     events: tuple[Event, ...]
     impacts: tuple[tuple[float, float], ...]
@@ -146,6 +155,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         sentence=flight.message,
         success=flight.success,
         arms=_arm_shapes(model),
+        hull=tuple(HullShape((*one.centre,), one.radius) for one in model.airframe.hull),
         most_thrust=propulsion.most_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
         obstacles=things.drawables,
@@ -208,6 +218,9 @@ def _series(
     for j, _ in arms:
         whole = np.sqrt(c[f"fn{j}"] ** 2 + c[f"ff{j}"] ** 2)
         found.append(Series("Contact force", f"cage {j}", "N", whole))
+    if np.any(c.get("fn_body", np.zeros(1)) > 0.0):
+        whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
+        found.append(Series("Contact force", "main body", "N", whole))
     stored = dict(feels.energy)
     stored["gravity"] = stored["gravity"] - stored["gravity"][0]
     words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
@@ -224,9 +237,9 @@ def _series(
 
 def _doubts(flight: Flight, feels: Felt, places: Any) -> tuple[str, ...]:
     """Where the picture cannot tell what the trajectory says."""
-    arms = feels.normal.shape[1]
-    columns = [np.stack([flight.columns[f"{k}{j}"][places] for j in range(1, arms + 1)], axis=1)
-               for k in ("fn", "ff")]  # fmt: skip
+    parts = parts_of(flight.columns)
+    columns = [np.stack([flight.columns[f"{kind}{part}"][places] for part in parts], axis=1)
+               for kind in ("fn", "ff")]  # fmt: skip
     peak = max(float(columns[0].max()), float(columns[1].max()), 1.0)
     off = max(
         float(np.abs(feels.normal - columns[0]).max()),

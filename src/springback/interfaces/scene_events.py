@@ -49,7 +49,7 @@ def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
 
 
 def _felt(flight: Flight) -> Any:
-    return touching(flight.columns, flight.scenario.vehicle.arm_count)
+    return touching(flight.columns)
 
 
 def events_of(flight: Flight) -> tuple[Event, ...]:

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import meeting
+from springback.contact.cage import Meeting, meeting
+from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, own_executor
@@ -21,7 +22,7 @@ from springback.kernels.trees import each, leaves, total
 from springback.kernels.vectors import Mat, Quat, Vec, rotation
 from springback.simulation.flight import own_types, sources
 from springback.simulation.record import Model
-from springback.vehicle.state import Airframe, Arm, State, arm_pose
+from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -44,9 +45,14 @@ GROUP = 64
 NOTHING = 1e-9
 
 
-def touching(columns: Mapping[str, Array], arms: int) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Whether any cage touches anything, instant by instant."""
-    felt = [columns[f"fn{j}"] + columns[f"ff{j}"] > NOTHING for j in range(1, arms + 1)]
+def parts_of(columns: Mapping[str, Array]) -> list[str]:
+    """What the columns of forces on each cage, and on the main body with a hull, end with."""
+    return [name[2:] for name in columns if name.startswith("fn")]
+
+
+def touching(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Whether anything touches anything, instant by instant."""
+    felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NOTHING for k in parts_of(columns)]
     return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
 
 
@@ -73,7 +79,7 @@ def _bounded(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
     names = dict.fromkeys("xyz", BOUNDS["m"])
     names |= {f"q{part}": BOUNDS[""] for part in "wxyz"}
     names |= {f"v{axis}": BOUNDS["m/s"] for axis in "xyz"}
-    forces = [f"{kind}{j}" for kind in ("fn", "ff") for j in range(1, arms + 1)]
+    forces = [f"{kind}{k}" for kind in ("fn", "ff") for k in parts_of(columns)]
     peak = max((float(np.max(np.abs(columns[name]), initial=0.0)) for name in forces), default=0.0)
     hardest = max(float(np.max(np.abs(columns[f"a{axis}"]), initial=0.0)) for axis in "xyz")
     names |= {f"l{j}": ARM_BOUND for j in range(1, arms + 1)}
@@ -110,7 +116,7 @@ def kept(columns: Mapping[str, Array], arms: int) -> Places:
     keep = np.zeros(len(t), dtype=bool)
     keep[[0, -1]] = True
     close = 0
-    for first, last in intervals(t, touching(columns, arms)):
+    for first, last in intervals(t, touching(columns)):
         begin, end = np.searchsorted(t, [t[first] - NEAR, t[last] + NEAR])
         keep[[max(first - 1, 0), first, last, min(last + 1, len(t) - 1)]] = True
         end = min(int(end), int(begin) + MOST_NEAR - close)
@@ -156,7 +162,7 @@ def departure(columns: Mapping[str, Array], arms: int, places: Places) -> dict[s
         "arm_length": worst(*(f"l{j}" for j in numbers)),
         "velocity": worst("vx", "vy", "vz"),
         "acceleration": worst("ax", "ay", "az"),
-        "force": worst(*(f"{kind}{j}" for kind in ("fn", "ff") for j in numbers)),
+        "force": worst(*(f"{kind}{k}" for kind in ("fn", "ff") for k in parts_of(columns))),
     }
 
 
@@ -164,9 +170,9 @@ def departure(columns: Mapping[str, Array], arms: int, places: Places) -> dict[s
 
 
 class Press(NamedTuple):
-    """What one cage feels of all obstacles."""
+    """What one cage, or the hull, feels of all obstacles."""
 
-    force: Vec  # on the cage, world [N]
+    force: Vec  # on it, world [N]
     normal: float  # sum of the f_n [N]
     friction: Vec  # sum of the f_f, world [N]
     point: Vec  # where the normal forces act, the mean weighted with them; world [m], times N
@@ -184,7 +190,7 @@ class Instant(NamedTuple):
 class Look(NamedTuple):
     """What is answered."""
 
-    arms: tuple[Press, ...]
+    parts: tuple[Press, ...]  # cages, then the hull if there is one
     stored: Energy
 
 
@@ -193,9 +199,18 @@ def _press(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
 ) -> Press:
     """One cage against one obstacle, in body axes from the main body."""
-    met = meeting(obstacle, contact_point, radius, arm, omega, vertical)
+    return _press_of(meeting(obstacle, contact_point, radius, arm, omega, vertical))
+
+
+@kernel
+def _press_of(met: Meeting) -> Press:
     f_n = met.touch.normal
     return Press(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
+
+
+@kernel
+def _on_hull(obstacle: Obstacle, hull: Sphere, velocity: Vec, omega: Vec, vertical: Vec) -> Press:
+    return _press_of(hull_meeting(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
 
 
 @kernel
@@ -211,9 +226,20 @@ def _arm_press(
     omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
     pose = arm_pose(arm, length, rate, state.velocity @ r)
     felt = each(_press, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical))
-    p = total(felt)
+    return _in_world(total(felt), state, r)
+
+
+@kernel
+def _in_world(p: Press, state: State, r: Mat) -> Press:
     point = r @ p.point + p.normal * state.position
     return Press(r @ p.force, p.normal, r @ p.friction, point)
+
+
+@kernel
+def _hull_press(hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat) -> Press:
+    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
+    felt = each(_on_hull, (obstacles,), (hull, state.velocity @ r, omega, vertical))
+    return _in_world(total(felt), state, r)
 
 
 @kernel
@@ -226,7 +252,8 @@ def _look(at: Instant) -> Look:
         (at.airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, at.contact_point, state, r),
     )
-    return Look(arms, energy(at.airframe, at.world, at.contact_point, state))
+    parts = arms + each(_hull_press, (at.airframe.hull,), (obstacles, state, r))
+    return Look(parts, energy(at.airframe, at.world, at.contact_point, state))
 
 
 @executor(nogil=True)
@@ -239,10 +266,10 @@ def _looked(like: Like, instants: Buffer, out: Buffer) -> None:
 class Felt(NamedTuple):
     """Contacts and energies over time."""
 
-    force: Array  # on each cage, world [N], shape (instants, arms, 3)
-    normal: Array  # f_n [N], shape (instants, arms)
-    friction: Array  # |f_f| [N], shape (instants, arms)
-    point: Array  # where it acts, world [m], shape (instants, arms, 3); NaN where nothing touches
+    force: Array  # on each cage, then the hull, world [N], shape (instants, parts, 3)
+    normal: Array  # f_n [N], shape (instants, parts)
+    friction: Array  # |f_f| [N], shape (instants, parts)
+    point: Array  # where it acts, world [m], shape (instants, parts, 3); NaN where nothing touches
     energy: dict[str, Array]  # `Energy` by name [J], each of shape (instants,)
 
 
@@ -270,14 +297,18 @@ def felt(model: Model, columns: Mapping[str, Array], places: Places) -> Felt:
     instants = np.concatenate(
         [np.broadcast_to(constants, (len(states), len(constants))), states], 1
     )
-    out = np.zeros((len(states), 10 * arms + len(Energy._fields)))
+    parts = arms + len(model.airframe.hull)
+    out = np.zeros((len(states), 10 * parts + len(Energy._fields)))
     own = own_types(asked)
     plain = getattr(_looked, "py_func", _looked)
     run = own_executor(plain, sources(own), nogil=True) if own else _looked
     run(Like(asked), np.ascontiguousarray(instants), out)
-    cages = out[:, : 10 * arms].reshape(len(out), arms, 10)
-    normal = cages[:, :, 3]
+    each_part = out[:, : 10 * parts].reshape(len(out), parts, 10)
+    normal = each_part[:, :, 3]
     with np.errstate(divide="ignore", invalid="ignore"):
-        point = np.where(normal[..., None] > NOTHING, cages[:, :, 7:] / normal[..., None], np.nan)
-    stored = {name: out[:, 10 * arms + k] for k, name in enumerate(Energy._fields)}
-    return Felt(cages[:, :, :3], normal, np.linalg.norm(cages[:, :, 4:7], axis=2), point, stored)
+        point = np.where(
+            normal[..., None] > NOTHING, each_part[:, :, 7:] / normal[..., None], np.nan
+        )
+    stored = {name: out[:, 10 * parts + k] for k, name in enumerate(Energy._fields)}
+    friction = np.linalg.norm(each_part[:, :, 4:7], axis=2)
+    return Felt(each_part[:, :, :3], normal, friction, point, stored)

@@ -201,6 +201,11 @@ def construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
     return f"({inner},)" if len(tree) else "()"
 
 
+def _tuple(texts: list[str]) -> str:
+    """Source text of a tuple of some texts; there may be none."""
+    return f"({', '.join(texts)},)" if texts else "()"
+
+
 def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callable[..., Any]:
     """A function with a generated body; ``scope`` holds the names that it uses."""
     scope["__name__"] = __name__  # a kept kernel looks for the modules of what it calls
@@ -217,7 +222,7 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
         given = [f"zipped[{k}][{j}]" for k in range(len(zipped))]
         given += [f"shared[{k}]" for k in range(len(shared))]
         calls.append(f"function({', '.join(given)})")
-    return function_of("function, zipped, shared", [f"return ({', '.join(calls)},)"], {})
+    return function_of("function, zipped, shared", [f"return {_tuple(calls)}"], {})
 
 
 @compiled(each_summed, literal=True)
@@ -247,7 +252,7 @@ def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
     fields = [f"trees[{j}].{field.literal_value}" for j in range(len(trees))]
-    return function_of("trees, field", [f"return ({', '.join(fields)},)"], {})
+    return function_of("trees, field", [f"return {_tuple(fields)}"], {})
 
 
 @compiled(total)

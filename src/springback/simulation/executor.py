@@ -18,6 +18,8 @@ from springback.dynamics.energy import energy, locked
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import (
     ArmView,
+    Engaged,
+    HullView,
     Motion,
     Rates,
     View,
@@ -52,7 +54,7 @@ from springback.simulation.record import (
     looked_about,
     observed,
 )
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.state import Airframe, Arm, Sphere, State
 
 #: A flight whose squared coordinates and speeds add up to more than this has diverged.
 DIVERGED = 1e12
@@ -108,9 +110,7 @@ def rates_of(model: Model, state: State, phase: float) -> Rates:
 
 
 @kernel
-def rates_within(
-    model: Model, state: State, phase: float, engaged: tuple[tuple[float, ...], ...]
-) -> Rates:
+def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> Rates:
     """`rates_of` within a step: contact is on where it was at the beginning of the step."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
     return rates_while(
@@ -143,19 +143,62 @@ def begun(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
+def hull_touches(shape: Like, b: Buffer, w: int) -> bool:
+    """Whether the hull of any lane touches something in this step."""
+    at, found = places(shape, w), 0.0
+    first = at.engaged + rows(shape.record.engaged.arms)
+    for k in range(first * w, (first + rows(shape.record.engaged.hull)) * w):
+        found += b[k]
+    return found > 0.0
+
+
+@kernel
+def _without_hull(model: Model) -> Model:
+    a = model.airframe
+    return Model(
+        Airframe(a.mass, a.inertia, a.arms, ()), model.world, model.contact_point, model.guide,
+        model.air, model.thrust, model.timing,
+    )  # fmt: skip
+
+
+@kernel
 def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
     """One more Runge–Kutta stage of every lane."""
     at = places(shape, w)
-    for i in range(w):
-        model = read(shape.model, b, 0, w, i)
-        state = read(shape.motion.state, b, at.motion, w, i)
-        rate = read(shape.motion.state, b, at.rate, w, i)
-        so_far = read(shape.motion, b, at.total, w, i)
-        h, phase = b[at.step * w + i], b[at.phase * w + i]
-        engaged = read(shape.record.engaged, b, at.engaged, w, i)
-        known = rates_within(model, along(state, rate, reach * h), phase, engaged)
-        write(known.motion.state, b, at.rate, w, i)
-        write(along(so_far, known.motion, weight), b, at.total, w, i)
+    # A hull mostly touches nothing in any lane: its forces, all zero, are then left out.
+    if hull_touches(shape, b, w):
+        for i in range(w):
+            model = read(shape.model, b, 0, w, i)
+            state = _reached(shape, b, w, i, reach)
+            engaged = read(shape.record.engaged, b, at.engaged, w, i)
+            known = rates_within(model, state, b[at.phase * w + i], engaged)
+            _weighed(shape, b, w, i, known.motion, weight)
+    else:
+        for i in range(w):
+            model = _without_hull(read(shape.model, b, 0, w, i))
+            state = _reached(shape, b, w, i, reach)
+            engaged = Engaged(read(shape.record.engaged.arms, b, at.engaged, w, i), ())
+            known = rates_within(model, state, b[at.phase * w + i], engaged)
+            _weighed(shape, b, w, i, known.motion, weight)
+
+
+@kernel
+def _reached(shape: Like, b: Buffer, w: int, i: int, reach: float) -> State:
+    """Where the stage before leads one lane."""
+    at = places(shape, w)
+    state = read(shape.motion.state, b, at.motion, w, i)
+    rate = read(shape.motion.state, b, at.rate, w, i)
+    reached: State = along(state, rate, reach * b[at.step * w + i])
+    return reached
+
+
+@kernel
+def _weighed(shape: Like, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
+    """Keep the rates of a stage, and add them with their weight."""
+    at = places(shape, w)
+    so_far = read(shape.motion, b, at.total, w, i)
+    write(rate.state, b, at.rate, w, i)
+    write(along(so_far, rate, weight), b, at.total, w, i)
 
 
 @guard
@@ -190,6 +233,12 @@ def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ..
 
 
 @kernel
+def _far_hull(hull: Sphere, room: float, obstacles: tuple[Obstacle, ...]) -> HullView:
+    none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
+    return HullView(room, 0.0, 0.0, none, Crossing(NEVER, 1.0), apart, 0.0, none)
+
+
+@kernel
 def cruise_view(
     airframe: Airframe,
     world: World,
@@ -197,10 +246,11 @@ def cruise_view(
     known: FlightRates,
     room: float,
 ) -> View:
-    """The view of a flight that cruises: no cage touches, no arm moves."""
+    """The view of a flight that cruises: nothing touches, no arm moves."""
     arms = each(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
+    hull = each(_far_hull, (airframe.hull,), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
-    return View(a, known.specific_force, centre, none, arms, 0.0, 0.0, 0.0, 0.0)
+    return View(a, known.specific_force, centre, none, arms, hull, 0.0, 0.0, 0.0, 0.0)
 
 
 @guard

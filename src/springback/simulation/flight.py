@@ -13,7 +13,7 @@ import numpy as np
 
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
-from springback.dynamics.motion import ArmView, Motion, View, Work
+from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, own_executor, registered
 from springback.kernels.frozen import frozen_digest
@@ -80,11 +80,13 @@ def still_work() -> Work:
 def shape_of(model: Model, state: State) -> Shape:
     """The trees of a flight, for the executor."""
     zero = Vec(0.0, 0.0, 0.0)
-    count, obstacles = len(model.airframe.arms), len(model.world.obstacles)
-    apart = (0.0,) * obstacles
-    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, Crossing(0.0, 0.0), apart, 0.0, 0.0, 0.0, zero)
-    view = View(zero, zero, zero, zero, (arm,) * count, 0.0, 0.0, 0.0, 0.0)
-    return Shape(model, Motion(state, still_work()), view, blank_record(count, obstacles))
+    arms, obstacles = len(model.airframe.arms), len(model.world.obstacles)
+    hulls, apart = len(model.airframe.hull), (0.0,) * obstacles
+    none = Crossing(0.0, 0.0)
+    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0, zero)
+    hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0, zero)
+    view = View(zero, zero, zero, zero, (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0)
+    return Shape(model, Motion(state, still_work()), view, blank_record(arms, obstacles, hulls))
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:

@@ -17,7 +17,7 @@ class Outcome(Enum):
     """How a flight ended; the value is the sentence."""
 
     NOT_FINITE = "the simulation diverged; the last good state is kept"
-    HIT_GROUND = "a cage touched the ground"
+    HIT_GROUND = "touched the ground"
     ARM_BOTTOMED = "an arm reached the end of its stroke"
     IN_CONTACT = "still in contact with an obstacle at the end"
     SEPARATED = "hit an obstacle and left it again"
@@ -87,8 +87,11 @@ MEASURES = {
         "first impact: largest specific force of the main body, gravity included",
     ),
     "impact_peak_angular_rate": ("rad/s", "first impact: largest angular rate"),
-    "impact_peak_normal_force": ("N", "first impact: largest normal force of one cage"),
-    "impact_penetration": ("m", "first impact: deepest penetration of a cage"),
+    "impact_peak_normal_force": (
+        "N",
+        "first impact: largest normal force of one cage, or of the main body",
+    ),
+    "impact_penetration": ("m", "first impact: deepest penetration of a cage, or the main body"),
     "impact_arm_stroke": ("m", "first impact: largest compression of an arm"),
     "impact_arm_extension": (
         "m",
@@ -102,17 +105,21 @@ MEASURES = {
         "whole flight: largest specific force of the main body, gravity included",
     ),
     "peak_angular_rate": ("rad/s", "whole flight: largest angular rate"),
-    "peak_normal_force": ("N", "whole flight: largest normal force of one cage"),
-    "penetration": ("m", "whole flight: deepest penetration of a cage"),
+    "peak_normal_force": (
+        "N",
+        "whole flight: largest normal force of one cage, or of the main body",
+    ),
+    "penetration": ("m", "whole flight: deepest penetration of a cage, or the main body"),
     "arm_stroke": ("m", "whole flight: largest compression of an arm"),
     "arm_extension": ("m", "whole flight: largest extension of an arm past its free length"),
     "impulse_x": ("N s", "of all contact forces, world X"),
     "impulse_y": ("N s", "of all contact forces, world Y"),
     "impulse_z": ("N s", "of all contact forces, world Z"),
     "contacts": ("", "times that the vehicle came into contact, one by one"),
+    "body_contacts": ("", "times that the main body itself came into contact; it needs a hull"),
     "impacts": ("", "contacts closer together than the dwell time are one impact"),
     "bottomed_time": ("s", "an arm reached the end of its stroke"),
-    "ground_time": ("s", "a cage touched the ground"),
+    "ground_time": ("s", "something touched the ground"),
     "end_time": ("s", "end of the simulation"),
     "steps": ("", "Runge-Kutta steps taken"),
     "energy_start": ("J", "kinetic energy and what is stored, gravity above the start"),
@@ -152,6 +159,11 @@ def _time(value: Array) -> Array:
 def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         return where(happened & (touch_speed != 0.0), np.abs(speed) / np.abs(touch_speed))
+
+
+def _body_contacts(record: Any) -> Array:
+    """NaN without a hull: nobody knows then."""
+    return next(iter(record.hull_contacts), np.full_like(record.contacts, np.nan))
 
 
 def _largest(first: Array, *others: Array) -> Array:
@@ -215,6 +227,7 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "impulse_y": w.impulse.y,
         "impulse_z": w.impulse.z,
         "contacts": m.contacts,
+        "body_contacts": _body_contacts(m),
         "impacts": m.impacts,
         "bottomed_time": _time(m.bottomed_time),
         "ground_time": _time(m.ground_time),

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
-from springback.dynamics.motion import LANDED, ArmView, Motion, View
+from springback.dynamics.hull import HullView
+from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.rigid import Flight, FlightRates
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import column, each, largest, least, pick, total
@@ -82,15 +83,14 @@ class Record(NamedTuple):
     phase: float  # FREE_FLIGHT, IMPACT
     request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
     cruising: float  # STEERED, CRUISING, MAY_LOOK
-    room: float  # at least so far is every cage from every obstacle [m]
+    room: float  # at least so far is every part from every obstacle [m]
 
     steps: float  # taken so far
-    touching: float  # 1 while any cage touches
+    touching: float  # 1 while any cage, or the hull, touches
     contacts: float  # times that the vehicle came into contact, one by one
-    engaged: tuple[
-        tuple[float, ...], ...
-    ]  # 1 where a cage touches: arm by arm, obstacle by obstacle
+    engaged: Engaged  # 1 where something touches
     arm_contacts: tuple[float, ...]  # the same for each cage
+    hull_contacts: tuple[float, ...]  # the same for the main body, if it has a hull
     impacts: float  # contacts closer than the dwell time are one impact
     impact_open: float
     last_touch_time: float  # [s]
@@ -112,7 +112,7 @@ class Record(NamedTuple):
     peak_acceleration_time: float  # [s]
     peak_specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
     peak_angular_rate: float  # ‖ω‖ [rad/s]
-    peak_normal_force: float  # largest f_n of one cage [N]
+    peak_normal_force: float  # largest f_n of one cage, or of the hull [N]
     peak_penetration: float  # δ [m]
     peak_compression: float  # L − l [m]
     peak_extension: float  # l − L [m]
@@ -127,18 +127,20 @@ class Record(NamedTuple):
     impact_arm_extension: float
     travel: float  # n · p past its value at first touch, until the last separation [m]
     bottomed_time: float  # an arm reached the end of its stroke [s]
-    ground_time: float  # a cage touched the ground [s]
+    ground_time: float  # a cage, or the hull, touched the ground [s]
     recent: Recent  # the last two instants, for peaks between instants
 
 
-def blank_record(arm_count: int, obstacle_count: int = 1) -> Record:
+def blank_record(arm_count: int, obstacle_count: int = 1, hull_count: int = 0) -> Record:
     """The record of a flight that has not begun."""
     never, none = -1.0, (0.0,) * arm_count
-    apart = ((0.0,) * obstacle_count,) * arm_count
+    apart = (0.0,) * obstacle_count
+    engaged = Engaged((apart,) * arm_count, (apart,) * hull_count)
     return Record(
         time=0.0, step=0.0, status=FLYING, phase=FREE_FLIGHT, request=NOTHING,
         cruising=MAY_LOOK, room=0.0,
-        steps=0.0, touching=0.0, contacts=0.0, engaged=apart, arm_contacts=none,
+        steps=0.0, touching=0.0, contacts=0.0, engaged=engaged, arm_contacts=none,
+        hull_contacts=(0.0,) * hull_count,
         impacts=0.0, impact_open=0.0, last_touch_time=never, contact_duration=0.0,
         inward=Vec(0.0, 0.0, 0.0), touch_time=never, touch_depth=0.0, touch_speed=0.0,
         touch_mass_centre_speed=0.0, separation_time=never, separation_speed=0.0,
@@ -160,8 +162,8 @@ def _extension(arm: ArmView) -> float:
 
 
 @kernel
-def _touched_normal(arm: ArmView, touching: float) -> Vec:
-    return arm.inward * touching
+def _touched_normal(part: ArmView | HullView, touching: float) -> Vec:
+    return part.inward * touching
 
 
 @kernel
@@ -215,12 +217,12 @@ def smaller(a: float, b: float) -> float:
 
 @kernel
 def has_room(timing: Timing, room: float, fastest: float) -> bool:
-    """Whether no cage can touch anything for a while.
+    """Whether nothing can touch anything for a while.
 
     Args:
         timing: Of the flight.
-        room: At least so far is every cage from every obstacle [m].
-        fastest: No cage is faster [m/s].
+        room: At least so far is every part from every obstacle [m].
+        fastest: None is faster [m/s].
     """
     return room > ROOMY_STEPS * HASTE * fastest * timing.free_step + ROOM
 
@@ -247,6 +249,7 @@ def cruised_past(
         m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
         pick(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
         m.steps + 1.0, m.touching, m.contacts, m.engaged, m.arm_contacts,
+        m.hull_contacts,
         m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
         m.inward, m.touch_time, m.touch_depth, m.touch_speed, m.touch_mass_centre_speed,
         m.separation_time, m.separation_speed, m.separation_mass_centre_speed,
@@ -309,15 +312,19 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     No branches: every line is an arithmetic selection, so that lanes of flights stay abreast.
     """
     timing, state = model.timing, motion.state
-    engaged = column(view.arms, "engaged")
-    arm_touching = each(_touching, (engaged,), ())
-    touching = largest(arm_touching)
+    engaged = Engaged(column(view.arms, "engaged"), column(view.hull, "engaged"))
+    arm_touching = each(_touching, (engaged.arms,), ())
+    hull_touching = each(_touching, (engaged.hull,), ())
+    touching = largest(arm_touching + hull_touching)
     began, ended = touching > m.touching, touching < m.touching
 
     # The first touch fixes the direction along which speeds are measured.
     never_touched = m.contacts == 0.0
     first = began & never_touched
-    met = total(each(_touched_normal, (view.arms, arm_touching), ()))
+    met = total(
+        each(_touched_normal, (view.arms, arm_touching), ())
+        + each(_touched_normal, (view.hull, hull_touching), ())
+    )
     length = norm(met)
     inward = pick(first, met * (1.0 / pick(length > 0.0, length, 1.0)), m.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
@@ -333,7 +340,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     settles = phase < m.phase
     lock = settles & (timing.hybrid > 0.0)
     # Time goes on between two impulses, whatever the first one left closing in.
-    strike = (largest(column(view.arms, "impulsive")) > 0.0) & (m.request != APPLY_IMPULSE)
+    impulsive = largest(column(view.arms, "impulsive") + column(view.hull, "impulsive"))
+    strike = (impulsive > 0.0) & (m.request != APPLY_IMPULSE)
 
     # Impacts: contacts closer together than the dwell time belong to one.
     last_touch = pick(touching > 0.0, m.time, m.last_touch_time)
@@ -348,17 +356,18 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
 
     # The next step lands on the next crossing: touch, separation, stop, return.  A crossing that is
     # predicted from afar is met from nearby: a second prediction is a hundred times as good.
+    crossings = column(view.arms, "crossing") + column(view.hull, "crossing")
     returning = crossing(depth - touch_depth, pick(ahead, speed, 0.0))
-    landing = time_to(sooner(soonest(column(view.arms, "crossing")), returning))
+    landing = time_to(sooner(soonest(crossings), returning))
     landing = pick(landing > timing.impact_step, landing - 0.5 * timing.impact_step, landing)
     pressed = larger(touching, largest(column(view.arms, "stopped"))) > 0.0
     impact_step = pick(pressed, timing.impact_step, timing.settle_step)
     sliding = (phase > 0.0) | (timing.hybrid == 0.0)
     step = pick(sliding, impact_step, timing.free_step)
     step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
-    # No point moves faster than this, so no cage can touch unnoticed within the step.
+    # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
-    near = least(column(view.arms, "gap"))
+    near = least(column(view.arms, "gap") + column(view.hull, "gap"))
     haste = larger(fastest_cage(model.airframe, state), TINY)
     step = smaller(step, larger(near / haste, timing.impact_step))
     stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
@@ -375,9 +384,10 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     now = Sample(
         norm(view.acceleration),
         norm(view.specific_force),
-        largest(column(view.arms, "normal")),
+        largest(column(view.arms, "normal") + column(view.hull, "normal")),
     )
-    jumped = largest(each(_largest_change, (engaged, m.engaged), ())) > 0.0
+    parts = (engaged.arms + engaged.hull, m.engaged.arms + m.engaged.hull)
+    jumped = largest(each(_largest_change, parts, ())) > 0.0
     smooth = (m.step > 0.0) & (not jumped)
     apart, earlier, latest = spacing(m.recent, m.step, smooth), m.recent.earlier, m.recent.latest
     hardest = peak_of(earlier.acceleration, latest.acceleration, now.acceleration, apart)
@@ -385,7 +395,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     normal = peak_of(earlier.normal_force, latest.normal_force, now.normal_force, apart).value
     a, hardest_time = hardest.value, m.time + hardest.time
     grew, hit_harder = a > m.peak_acceleration, within & (a > m.impact_peak_acceleration)
-    spin, depth_in = norm(state.angular_velocity), largest(column(view.arms, "depth"))
+    spin = norm(state.angular_velocity)
+    depth_in = largest(column(view.arms, "depth") + column(view.hull, "depth"))
     stroke = largest(column(view.arms, "compression"))
     extension = largest(each(_extension, (view.arms,), ()))
     bottomed = largest(column(view.arms, "bottomed")) > 0.0
@@ -402,7 +413,10 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         contacts=m.contacts + pick(began, 1.0, 0.0),
         engaged=engaged,
         arm_contacts=each(
-            _count, (m.arm_contacts, arm_touching, each(_touching, (m.engaged,), ())), ()
+            _count, (m.arm_contacts, arm_touching, each(_touching, (m.engaged.arms,), ())), ()
+        ),
+        hull_contacts=each(
+            _count, (m.hull_contacts, hull_touching, each(_touching, (m.engaged.hull,), ())), ()
         ),
         impacts=impacts,
         impact_open=impact_open,

@@ -10,7 +10,7 @@ from math import pi
 from typing import NamedTuple
 
 from springback.vehicle.endurance import GRAVITY
-from springback.vehicle.parameters import Arms, Body, Vehicle
+from springback.vehicle.parameters import Arms, Body, Hull, Vehicle
 from springback.vehicle.rotors import Propulsion
 
 #: Directions of the X layout of the paper: front left, front right, rear right, rear left.
@@ -51,6 +51,8 @@ def _principal(xx: float, yy: float, zz: float) -> tuple[tuple[float, ...], ...]
     return ((xx, 0.0, 0.0), (0.0, yy, 0.0), (0.0, 0.0, zz))
 
 
+#: Of both robots: a sphere about their electronics, between the cages, which leave 80 mm.
+HULL = Hull(radius=0.06)
 #: Of both robots: Table I gives them different masses, not different motors.
 PROPULSION = Propulsion(
     most_thrust=(0.844 + BATTERY + PAYLOAD) * GRAVITY / 4.0,
@@ -66,6 +68,10 @@ _ARM_SHARE = 2.0 * ARM_MASS * LENGTH**2
 ARQ_BODY_INERTIA = _principal(0.0100 - _ARM_SHARE, 0.0116 - _ARM_SHARE, 0.0197 - 2.0 * _ARM_SHARE)
 QUAD_INERTIA = _principal(0.0092, 0.0107, 0.0179)
 
+_HULL_SOURCES = {
+    "hull.radius": "chosen: 60 mm, about the 83 x 58 mm of the Odroid XU4 of section II, half of "
+    "whose diagonal is 51 mm, and within the 80 mm from the centre to the cages; none is printed",
+}
 _ARM_SOURCES = {
     "arms.directions": "given: section III, e_1 and e_2, X configuration; e_3, e_4 from eq. (2)",
     "arms.length": "given: Table I, row Arm length",
@@ -102,6 +108,7 @@ ARQ = Entry(
     Vehicle(
         name="arq",
         body=Body(mass=1.034 + BATTERY - 4.0 * ARM_MASS, inertia=ARQ_BODY_INERTIA),
+        hull=HULL,
         arms=_arms(compliant=True, mass=ARM_MASS, end_stops=True),
         propulsion=PROPULSION,
     ),
@@ -110,6 +117,7 @@ ARQ = Entry(
         "body.mass": "derived: Table I, 1.034 kg, + 0.37 kg of battery (docs/paper/errata.md), "
         "- 0.2 kg of arms",
         "body.inertia": "derived: Table I, rows Moments of inertia, less the arms' m_a L^2",
+        **_HULL_SOURCES,
         **_ARM_SOURCES,
         **_COMPLIANT_SOURCES,
         **_PROPULSION_SOURCES,
@@ -120,6 +128,7 @@ QUAD = Entry(
     Vehicle(
         name="quad",
         body=Body(mass=0.844 + BATTERY, inertia=QUAD_INERTIA),
+        hull=HULL,
         arms=_arms(compliant=False, mass=0.0, end_stops=True),
         propulsion=PROPULSION,
     ),
@@ -127,6 +136,7 @@ QUAD = Entry(
     {
         "body.mass": "derived: Table I, 0.844 kg, + 0.37 kg of battery (docs/paper/errata.md)",
         "body.inertia": "given: Table I, rows Moments of inertia",
+        **_HULL_SOURCES,
         "arms.mass": "derived: rigid arms are part of the body",
         **_ARM_SOURCES,
         **_PROPULSION_SOURCES,

@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
 from springback.kernels.vectors import Mat, Vec
-from springback.quantities import Mass, checked, quantity, spread
+from springback.quantities import Mass, checked, quantity, spread, triple
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
-from springback.vehicle.state import Airframe, Arm
+from springback.vehicle.state import Airframe, Arm, Sphere
 
 #: More arms are a slip of the pen (chosen): a flight is compiled for each number of them.
 MOST_ARMS = 32
@@ -194,14 +194,45 @@ class Arms(Settings):
         return value[j] if isinstance(value, tuple) else value
 
 
+class Hull(Settings):
+    """What the main body touches with: a sphere that is fixed to it, and adds no mass.
+
+    It meets the surfaces that cages meet, by the same laws.
+    """
+
+    radius: quantity("m", above=0.0)  # type: ignore[valid-type]
+    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    """Of its centre from the centre of the main body, body axes."""
+
+
+def _hull(value: Any) -> Any:
+    """False takes away the hull of a preset."""
+    return None if value is False else value
+
+
 class Vehicle(Settings):
     """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
 
     name: Name = "vehicle"
     body: Body
+    hull: Annotated[Hull | None, BeforeValidator(_hull)] = None
+    """Without one, or with false in place of a preset's, the main body touches nothing."""
     arms: Arms
     propulsion: Propulsion | None = None
     """Rotors and battery; without, thrusts are given from outside and know no bounds."""
+
+    @model_validator(mode="after")
+    def _hull_is_near(self) -> Vehicle:
+        if self.hull is not None:
+            longest = max(self.arms.at("length", j) for j in range(self.arm_count))
+            away = math.hypot(*self.hull.offset)
+            if away > longest:
+                raise problem(
+                    f"must be within the length of the longest arm, {longest:g} m, of the main "
+                    f"body's centre (got {away:g} m)",
+                    "hull.offset",
+                )
+        return self
 
     @property
     def arm_count(self) -> int:
@@ -270,8 +301,9 @@ class Vehicle(Settings):
                     torque_ratio=spin * arms.at("torque_ratio", j),
                 )
             )
-        i = self.body.inertia
-        return Airframe(self.mass, Mat(*(Vec(*row) for row in i)), tuple(built))
+        i, given = self.body.inertia, self.hull
+        hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
+        return Airframe(self.mass, Mat(*(Vec(*row) for row in i)), tuple(built), hull)
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""

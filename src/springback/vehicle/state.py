@@ -35,12 +35,20 @@ class Arm(NamedTuple):
     torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
 
 
+class Sphere(NamedTuple):
+    """Hull of the main body: a sphere that is fixed to it and has no mass of its own."""
+
+    centre: Vec  # from the main body, body axes [m]
+    radius: float  # [m]
+
+
 class Airframe(NamedTuple):
     """Constants of a vehicle for the equations of motion."""
 
     mass: float  # m, everything [kg]
     inertia: Mat  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
+    hull: tuple[Sphere, ...]  # of the main body; none: it touches nothing
 
 
 @kernel
@@ -49,9 +57,15 @@ def _farthest(arm: Arm) -> float:
 
 
 @kernel
+def _farthest_of_hull(hull: Sphere) -> float:
+    return norm(hull.centre) + hull.radius
+
+
+@kernel
 def reach(airframe: Airframe) -> float:
-    """Distance from the main body to the farthest point of a cage, arms at free length [m]."""
-    return largest(each(_farthest, (airframe.arms,), ()))
+    """Distance from the main body to its farthest point, arms at their free length [m]."""
+    parts = each(_farthest, (airframe.arms,), ()) + each(_farthest_of_hull, (airframe.hull,), ())
+    return largest(parts)
 
 
 class State(NamedTuple):

@@ -1,0 +1,79 @@
+"""The main body's hull against obstacles.
+
+A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
+its centre less its radius, and it touches on the normal through its centre.  It meets what a cage
+meets, by the same laws (`springback.contact.cage.meeting_while`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from springback.contact.cage import (
+    FacedTwice,
+    Facing,
+    Meeting,
+    Support,
+    apart,
+    faced_twice,
+    meeting_while,
+    support,
+)
+from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
+from springback.contact.rings import FAR
+from springback.kernels.compiler import kernel
+from springback.kernels.vectors import Vec
+from springback.vehicle.state import ArmPose, Sphere
+
+
+@support.register(Sphere)
+@kernel
+def _sphere(hull: Sphere, inward: Vec, arm_direction: Vec, radius: float) -> Support:
+    lever = radius * inward
+    return Support(lever, lever, lever, 0.0)
+
+
+@faced_twice.register(Sphere)
+@kernel
+def _sphere_faced(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+    """A sphere touches a shape at one point."""
+    inward = -outward_normal(shape, arm.lever)
+    gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
+    return FacedTwice(Facing(gap, inward, at), Facing(FAR, inward, at))
+
+
+@kernel
+def _pose(hull: Sphere, velocity: Vec) -> ArmPose:
+    """A sphere as the end of an arm that does not slide."""
+    return ArmPose(Vec(0.0, 0.0, 0.0), hull.centre, velocity)
+
+
+@kernel
+def hull_apart(obstacle: Obstacle, hull: Sphere) -> float:
+    """The gap between the hull and an obstacle as it is seen from the main body [m]."""
+    return apart(obstacle, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+
+
+@kernel
+def hull_meeting(
+    obstacle: Obstacle,
+    engaged: float,
+    hull: Sphere,
+    velocity: Vec,
+    omega: Vec,
+    vertical: Vec,
+    ahead: float,
+) -> Meeting:
+    """Eqs. (13)-(15) for the hull and one obstacle.
+
+    Args:
+        obstacle: As it is seen from the main body.
+        engaged: As for `springback.contact.cage.meeting_while`.
+        hull: Of the main body.
+        velocity: Rᵀ v, of the main body, body axes [m/s].
+        omega: ω [rad/s].
+        vertical: Rᵀ e_Z.
+        ahead: As for `springback.contact.cage.meeting_while`.
+    """
+    pose = _pose(hull, velocity)
+    return meeting_while(obstacle, engaged, hull, hull.radius, pose, omega, vertical, ahead)
