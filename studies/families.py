@@ -10,6 +10,7 @@ of them.  Writes ``families.csv`` and prints the tables that stand in studies/RE
 from __future__ import annotations
 
 import argparse
+import contextlib
 import csv
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -31,6 +32,7 @@ from springback.contact.surfaces import (
 )
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
+from springback.errors import InputError
 from springback.experiments.checks import STABLE
 from springback.experiments.numbers import RING_ROUNDING, settle_step
 from springback.experiments.tables import SimulationSettings
@@ -204,9 +206,13 @@ def flown(draws: Sequence[Draw], threads: int | None = None) -> list[Found]:
 
 
 def family(make: Callable[[np.random.Generator], Draw], count: int, seed: int) -> list[Draw]:
-    """So many draws."""
+    """So many draws; some fewer where settings refuse vehicles that cannot be."""
     chance = np.random.default_rng(seed)
-    return [make(chance) for _ in range(count)]
+    draws = []
+    for _ in range(count):
+        with contextlib.suppress(InputError):
+            draws.append(make(chance))
+    return draws
 
 
 def residuals(found: Sequence[Found]) -> Any:
@@ -266,6 +272,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             draws = family(make, count, 7)
             coarse = flown(draws)
             fine = flown([finer(d) for d in draws]) if make is not extreme else None
+            print(f"{name}: {count - len(draws)} of {count} refused by the settings")
             print(*report(name, coarse, fine), sep="\n", flush=True)
             for k, one in enumerate(coarse):
                 rows.append(

@@ -164,7 +164,9 @@ def test_a_flat_hit_bounces_on_the_body(robot: str) -> None:
     )
     assert value(flight, "body_contacts") == value(flight, "contacts") == 1.0
     assert value(flight, "arm_stroke") == pytest.approx(0.0, abs=1e-12)
-    assert flight.columns["fn_body"].max() == value(flight, "peak_normal_force")
+    # Peaks lie between instants.
+    most = pytest.approx(value(flight, "peak_normal_force"), rel=1e-4)
+    assert flight.columns["fn_body"].max() == most
     mass, after = flight.scenario.vehicle.mass, flight.columns["vx"][-1]
     assert value(flight, "impulse_x") == pytest.approx(mass * (after - 2.0), rel=1e-9)
     assert abs(value(flight, "ledger_residual")) < 1e-6
