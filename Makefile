@@ -36,7 +36,7 @@ CASES ?= 100000
 SEED ?= 1
 fuzz:
 	@tools/environment dev
-	PYTHONPATH=tests $(BIN)/python -m attacks.fuzz --cases $(CASES) --seed $(SEED)
+	PYTHONPATH=tests $(BIN)/python -m attack.fuzz --cases $(CASES) --seed $(SEED)
 
 docs:
 	@tools/environment docs

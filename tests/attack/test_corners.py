@@ -10,7 +10,7 @@ import math
 import warnings
 from typing import Any
 
-from attacks.inputs import WHOLE, check_lines, paths_of, put, scenario_tables, timed, value_at
+from attack.inputs import WHOLE, check_lines, paths_of, put, scenario_tables, timed, value_at
 from springback.errors import InputError, LedgerWarning
 from springback.experiments.result import fly
 from springback.simulation.measures import Outcome

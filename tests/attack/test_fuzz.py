@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from attacks.inputs import (
+from attack.inputs import (
     PLAN,
     SCENARIOS,
     override_words,
