@@ -148,6 +148,7 @@ def tried(given: Long, folder: Path, times: int, seed: int = 0) -> Counter[str]:
     """
     luck, found, out = random.Random(seed), Counter[str](), folder / (given.out or "none")
     whole, result = given.serves, None
+    removed(out)
     if not given.serves:
         timed(given.words, folder)
         removed(out)
