@@ -19,7 +19,7 @@ from typing import Any
 
 from hypothesis import HealthCheck, given, seed, settings
 
-from attack import inputs
+from attack import inputs, stored
 
 KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "scenarios": (inputs.scenarios(), inputs.scenario_tables),
@@ -29,6 +29,9 @@ KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
         lambda words: inputs.scenario_tables(inputs.SCENARIOS[0], words),
     ),
     "plans": (inputs.plans(), inputs.plan_tables),
+    "results": (stored.results(), stored.result_files),
+    "ledgers": (stored.ledgers(), stored.campaign_files),
+    "parts": (stored.parts(), stored.campaign_files),
 }
 ROUND = 1000
 

@@ -1,4 +1,7 @@
-"""2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines."""
+"""2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines.
+
+The same on every machine (`derandomize` in ``conftest.py``); ``make fuzz`` goes on with seeds.
+"""
 
 from __future__ import annotations
 
@@ -21,6 +24,7 @@ from attack.inputs import (
     texts,
     timed,
 )
+from attack.stored import Changed, campaign_files, ledgers, parts, result_files, results
 from springback.errors import InputError
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
@@ -89,25 +93,43 @@ def test_plans_that_were_found_before(change: dict[str, Any]) -> None:
     assert not timed(plan_tables, tables)
 
 
-@settings(max_examples=800)
+@settings(max_examples=600)
 @given(scenarios())
 def test_scenarios(tables: dict[str, Any]) -> None:
     timed(scenario_tables, tables)
 
 
-@settings(max_examples=400)
+@settings(max_examples=300)
 @given(texts())
 def test_files(text: str) -> None:
     timed(scenario_text, text)
 
 
-@settings(max_examples=400)
+@settings(max_examples=300)
 @given(override_words())
 def test_overrides(words: tuple[str, ...]) -> None:
     timed(scenario_tables, SCENARIOS[0], words)
 
 
-@settings(max_examples=400)
+@settings(max_examples=300)
 @given(plans())
 def test_plans(tables: dict[str, Any]) -> None:
     timed(plan_tables, tables)
+
+
+@settings(max_examples=200)
+@given(results())
+def test_results(changed: Changed) -> None:
+    timed(result_files, changed)
+
+
+@settings(max_examples=150)
+@given(ledgers())
+def test_ledgers(changed: Changed) -> None:
+    timed(campaign_files, changed)
+
+
+@settings(max_examples=150)
+@given(parts())
+def test_parts(changed: Changed) -> None:
+    timed(campaign_files, changed)
