@@ -25,6 +25,7 @@ from attack.campaigns import all_said
 from attack.inputs import paths_of, plain_values, put
 from experiments.campaign.made_up import filled
 from experiments.campaign.plans import THROW
+from springback.errors import InputError
 from springback.experiments.campaign import ledger, store
 from springback.experiments.campaign.design import laid_out
 from springback.experiments.campaign.plan import plan_from
@@ -33,6 +34,7 @@ from springback.experiments.campaign.store import opened, stored_plan
 from springback.experiments.parquet import write_parquet
 from springback.experiments.result import fly
 from springback.experiments.sealed import SEAL, sealed
+from springback.interfaces.cli import environment
 from springback.interfaces.files import write_flight
 from springback.interfaces.saved import read_result
 from springback.interfaces.scene_labels import scenes_of
@@ -276,7 +278,13 @@ def campaign_files(changed: Changed) -> None:
     """As `query`, `summary` and `--resume` do, but without flying."""
     folder, files = campaign()
     with _become(folder, files, changed.files):
-        rows, *_ = all_said(folder)
+        try:
+            rows, *_ = all_said(folder)
+        except (
+            Exception
+        ) as error:  # of a part that ends early DuckDB says that the disk is at fault
+            said = environment(error)
+            raise error if said is None else InputError(said) from error
         if PART not in changed.files:  # forged: its digest vouches for it, not its rows
             assert len(rows.rows) == ledger.held(ledger.read(folder / ledger.NAME))
         with opened(folder, laid_out(stored_plan(folder)), resume=True):
