@@ -26,6 +26,7 @@ from attack.campaigns import CONDITIONS, ESCAPES, all_said
 from attack.damage import cut_off, one_byte
 from attack.interrupting import COMMANDS, command, prepared, removed, timed, tried
 from attack.table import Row
+from attack.test_corners import IMPACT, PILOTED, corners, is_flown
 from experiments.campaign.made_up import filled
 from experiments.campaign.plans import THROW, plan
 from springback.errors import InputError
@@ -165,6 +166,22 @@ def interrupts(folder: Path, times: int, only: str) -> Iterator[Row]:
                   faults - found["traceback"] - found["hang"], told)  # fmt: skip
 
 
+def all_corners() -> Row:
+    """Every number of a scenario at zero, a thousand times larger and at 1e30, flown."""
+    tracebacks = count = 0
+    for tables in (IMPACT, PILOTED):
+        for corner in corners(tables):
+            count += 1
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    is_flown(tables, corner)
+            except Exception as error:
+                tracebacks += 1
+                print("corner", corner, type(error).__name__, error)
+    return Row("corners of every setting flown", count, tracebacks)
+
+
 def kills(folder: Path, times: int) -> Row:
     """kill -9 at any instant; what is resumed is what would have been flown."""
     (folder / "plan.toml").write_text(CAMPAIGN.format(samples=400))
@@ -261,6 +278,7 @@ def main() -> None:
         "interrupts": lambda folder: interrupts(folder, given.times, given.command),
         "kills": lambda folder: [kills(folder, given.kills)],
         "bits": lambda folder: [bits(folder)],
+        "corners": lambda _: [all_corners()],
     }
     head = f"{'what':<44}{'tried':>7}{'tracebacks':>12}{'hangs':>7}{'wrong':>7}  remark"
     print(head, flush=True)

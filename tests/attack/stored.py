@@ -14,6 +14,7 @@ import hashlib
 import json
 import math
 import tempfile
+import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -275,11 +276,12 @@ def result_files(changed: Changed) -> None:
 
 
 def campaign_files(changed: Changed) -> None:
-    """As `query`, `summary` and `--resume` do, but without flying."""
+    """As `query`, `--resume` without flying and, one time in eight, `summary` do."""
     folder, files = campaign()
     with _become(folder, files, changed.files):
         try:
-            rows, *_ = all_said(folder)
+            summed = zlib.crc32(repr(changed).encode("utf-8", "replace")) % 8 == 0
+            rows, *_ = all_said(folder, summed=summed)
         except (
             Exception
         ) as error:  # of a part that ends early DuckDB says that the disk is at fault

@@ -5,6 +5,7 @@ The same on every machine (`derandomize` in ``conftest.py``); ``make fuzz`` goes
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
@@ -24,8 +25,20 @@ from attack.inputs import (
     texts,
     timed,
 )
-from attack.stored import Changed, campaign_files, ledgers, parts, result_files, results
+from attack.stored import (
+    SUMMARY,
+    Changed,
+    campaign,
+    campaign_files,
+    ledgers,
+    parts,
+    result,
+    result_files,
+    results,
+)
 from springback.errors import InputError
+from springback.experiments.campaign import store
+from springback.experiments.sealed import sealed
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
 FOUND: list[tuple[tuple[str | int, ...], Any]] = [
@@ -93,7 +106,7 @@ def test_plans_that_were_found_before(change: dict[str, Any]) -> None:
     assert not timed(plan_tables, tables)
 
 
-@settings(max_examples=600)
+@settings(max_examples=800)
 @given(scenarios())
 def test_scenarios(tables: dict[str, Any]) -> None:
     timed(scenario_tables, tables)
@@ -111,25 +124,38 @@ def test_overrides(words: tuple[str, ...]) -> None:
     timed(scenario_tables, SCENARIOS[0], words)
 
 
-@settings(max_examples=300)
+@settings(max_examples=320)
 @given(plans())
 def test_plans(tables: dict[str, Any]) -> None:
     timed(plan_tables, tables)
 
 
-@settings(max_examples=200)
+def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
+    """Were a KeyError of `contacts` and one of `name`, though their digests fit."""
+    summary = json.loads(result()[1][SUMMARY])
+    del summary["measures"]["contacts"]
+    with pytest.raises(InputError, match=r"measures\.contacts: is missing"):
+        result_files(Changed([], {SUMMARY: json.dumps(sealed(summary)).encode()}))
+    about = json.loads(campaign()[1][store.ABOUT])
+    for name in store._NEEDED:
+        less = {key: value for key, value in about.items() if key != name}
+        with pytest.raises(InputError, match=f"{name}: is missing"):
+            campaign_files(Changed([], {store.ABOUT: json.dumps(sealed(less)).encode()}))
+
+
+@settings(max_examples=120)
 @given(results())
 def test_results(changed: Changed) -> None:
     timed(result_files, changed)
 
 
-@settings(max_examples=150)
+@settings(max_examples=80)
 @given(ledgers())
 def test_ledgers(changed: Changed) -> None:
     timed(campaign_files, changed)
 
 
-@settings(max_examples=150)
+@settings(max_examples=80)
 @given(parts())
 def test_parts(changed: Changed) -> None:
     timed(campaign_files, changed)
