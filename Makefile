@@ -36,7 +36,7 @@ CASES ?= 100000
 SEED ?= 1
 fuzz:
 	@tools/environment dev
-	PYTHONPATH=tests $(BIN)/python -m attacks.fuzz --cases $(CASES) --seed $(SEED)
+	PYTHONPATH=tests $(BIN)/python -m attack.fuzz --cases $(CASES) --seed $(SEED)
 
 docs:
 	@tools/environment docs
@@ -49,13 +49,14 @@ bench:
 
 lock:
 	uv lock
-	uv export --quiet --all-extras --no-hashes --no-emit-project --output-file constraints.txt
 	for extra in all dev docs; do \
 		uv export --quiet --locked --extra $$extra --no-emit-project --no-annotate \
 			--output-file tools/locked/$$extra.txt || exit 1; \
 	done
-	printf 'hatchling\nuv\n' | uv pip compile --quiet --universal --python-version 3.11 \
-		--generate-hashes --no-annotate --output-file tools/locked/build.txt -
+	for tools in build:hatchling,editables uv:uv; do \
+		echo $${tools#*:} | tr , '\n' | uv pip compile --quiet --universal --python-version 3.11 \
+			--generate-hashes --no-annotate --output-file tools/locked/$${tools%:*}.txt - || exit 1; \
+	done
 
 # The script of the pages, after a change under web/; needs node, which nothing else does.
 web:

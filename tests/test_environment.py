@@ -44,7 +44,7 @@ def made(folder: Path, uv: str = "", pip: str = "") -> tuple[list[str], str]:
     """Calls of the stand-ins, and what the user is told, of a checkout without an environment."""
     (folder / "tools").mkdir()
     shutil.copy(ROOT / "tools/environment", folder / "tools/environment")
-    for name in ("uv.lock", "pyproject.toml", "constraints.txt"):
+    for name in ("uv.lock", "pyproject.toml"):
         (folder / name).touch()
     program(folder / ".venv/bin/python", PYTHON)
     program(folder / "programs/uv", UV)

@@ -63,10 +63,10 @@ def test_the_source_distribution_holds_no_more_than_it_says(built: Path) -> None
 
 
 def test_both_ways_of_installing_check_hashes() -> None:
-    for extra in ("all", "dev", "docs", "build"):
+    for extra in ("all", "dev", "docs", "build", "uv"):
         text = (ROOT / f"tools/locked/{extra}.txt").read_text()
         pinned = [line for line in text.splitlines() if "==" in line and line[0].isalnum()]
-        assert len(pinned) >= 5
+        assert len(pinned) >= (1 if extra == "uv" else 5)
         assert all(line.endswith("\\") for line in pinned), "a version without a hash"
     way = (ROOT / "tools/environment").read_text().replace("\\\n", " ")
     lines = [line.strip() for line in way.splitlines()]
@@ -76,6 +76,16 @@ def test_both_ways_of_installing_check_hashes() -> None:
     others = [line for line in installs if line not in wrapper]
     assert len(others) >= 4
     assert all("--require-hashes" in line or "--no-deps" in line for line in others)
+
+
+def test_pip_alone_does_without_uv() -> None:
+    """Where uv cannot be had, what builds the package must not ask for it again."""
+    build = (ROOT / "tools/locked/build.txt").read_text()
+    assert re.search("^hatchling==", build, re.MULTILINE)
+    assert re.search("^editables==", build, re.MULTILINE)  # of --editable without isolation
+    for extra in ("all", "dev", "docs", "build"):
+        text = (ROOT / f"tools/locked/{extra}.txt").read_text()
+        assert not re.search(r"^uv==", text, re.MULTILINE), extra
 
 
 def test_the_locked_files_say_the_same() -> None:

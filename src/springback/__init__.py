@@ -5,11 +5,9 @@ The public names, in the order of the story; each is loaded when first used.
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING
-
 from springback.version import __version__ as __version__
 
+TYPE_CHECKING = False  # not taken from typing: until the program listens, Ctrl-C is a traceback
 if TYPE_CHECKING:
     from springback.contact.library import MAT as MAT
     from springback.contact.library import WALL as WALL
@@ -83,6 +81,8 @@ __all__ = [*_PUBLIC, "__version__"]
 def __getattr__(name: str) -> object:
     if name not in _PUBLIC:
         raise AttributeError(f"module 'springback' has no attribute {name!r}")
+    import importlib
+
     value: object = getattr(importlib.import_module(f"springback.{_PUBLIC[name]}"), name)
     globals()[name] = value
     return value

@@ -14,8 +14,16 @@ LONGEST_VALUE = 80
 LONGEST_LINE, MOST_PROBLEMS = 2000, 50
 
 
-class LedgerWarning(UserWarning):
+class FlightWarning(UserWarning):
+    """What to be wary of in a flight."""
+
+
+class LedgerWarning(FlightWarning):
     """The energy ledger of a flight does not close: its numbers are not to be trusted."""
+
+
+class CommandWarning(FlightWarning):
+    """A pilot commands less than nothing of a rotor, which then gives its least."""
 
 
 class InputError(ValueError):

@@ -10,7 +10,6 @@ import contextlib
 import io
 import os
 import random
-import shutil
 import signal
 import subprocess
 import sys
@@ -20,11 +19,14 @@ import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
+from attack.caches import caches
 from attack.campaigns import CONDITIONS, ESCAPES, all_said
 from attack.damage import cut_off, one_byte
-from attack.interrupting import command, removed, timed, tried
+from attack.interrupting import COMMANDS, command, prepared, removed, timed, tried
+from attack.table import Row
+from attack.test_corners import IMPACT, PILOTED, corners, is_flown
 from experiments.campaign.made_up import filled
 from experiments.campaign.plans import THROW, plan
 from springback.errors import InputError
@@ -54,17 +56,6 @@ name = "speed"
 from = "1 m/s"
 to = "3 m/s"
 """
-
-
-class Row(NamedTuple):
-    """One line of the table."""
-
-    what: str
-    tried: int
-    tracebacks: int = 0
-    hangs: int = 0
-    wrong: int = 0
-    remark: str = ""
 
 
 def of(what: str, found: Counter[str], remark: str = "") -> Row:
@@ -160,136 +151,42 @@ def refused(
     return Row(what, len(cases), tracebacks, 0, wrong, "all refused" if not wrong else "")
 
 
-# -- caches and homes -----------------------------------------------------------------------------
-
-
-def caches(folder: Path) -> Row:
-    """States of the kernel cache and of HOME, each met by `springback fly`."""
-    scenario = folder / "s.toml"
-    scenario.write_text((ROOT / "examples/arq_wall.toml").read_text())
-    home = folder / "home"
-    words = ["fly", "s.toml", "--out", "o", "--no-figures", "--force"]
-
-    def flown(**environment: str) -> subprocess.CompletedProcess[str]:
-        given = {**os.environ, "HOME": str(home), **environment}
-        given = {name: value for name, value in given.items() if value != "unset"}
-        given.setdefault("XDG_CACHE_HOME", "")
-        return subprocess.run(
-            command(*words), cwd=folder, env=given, capture_output=True, text=True, check=False,
-            timeout=600,
-        )  # fmt: skip
-
-    home.mkdir()
-    before = os.environ.pop("SPRINGBACK_CACHE_DIR", None)
-    first = flown()
-    assert first.returncode == 0, first.stderr
-    kept = sorted(home.rglob("*.kernel"))
-    original = {path: path.read_bytes() for path in kept}
-    bad: list[str] = []
-    count = 0
-
-    def meet(name: str, **environment: str) -> None:
-        nonlocal count
-        count += 1
-        done = flown(**environment)
-        print(f"{name}: {done.returncode}", file=sys.stderr, flush=True)
-        lines = [line for line in done.stderr.splitlines() if line]
-        if done.returncode or done.stdout != first.stdout or "Traceback" in done.stderr:
-            bad.append(name)
-            print("cache", name, done.returncode, done.stderr[-400:])
-        elif len([line for line in lines if line.startswith("warning")]) > len(kept) + 1:
-            bad.append(name)
-            print("cache", name, "says too much", lines)
-
-    def mended() -> None:
-        for path, data in original.items():
-            if path.is_dir() and not path.is_symlink():
-                shutil.rmtree(path)
-            path.unlink(missing_ok=True)
-            path.write_bytes(data)
-            path.chmod(0o644)
-
-    luck = random.Random(3)
-    harms: dict[str, Callable[[Path, bytes], Any]] = {
-        "empty": lambda path, _: path.write_bytes(b""),
-        "one byte": lambda path, _: path.write_bytes(b"\0"),
-        "cut off": lambda path, data: path.write_bytes(data[: len(data) // 2]),
-        "garbage": lambda path, data: path.write_bytes(luck.randbytes(len(data))),
-        "garbage at the end": lambda path, data: path.write_bytes(data[:-100] + bytes(100)),
-        "a bit of the code": lambda path, data: path.write_bytes(
-            data[: len(data) // 2] + bytes([data[len(data) // 2] ^ 1]) + data[len(data) // 2 + 1 :]
-        ),
-        "missing": lambda path, _: path.unlink(),
-        "a folder": lambda path, _: (path.unlink(), path.mkdir()),
-        "a dangling link": lambda path, _: (path.unlink(), path.symlink_to("nowhere")),
-        "writable by all": lambda path, _: path.chmod(0o666),
-    }  # fmt: skip
-    if os.getuid() == 0:
-        harms["another's"] = lambda path, _: os.chown(path, 65534, 65534)
-    else:
-        harms["not readable"] = lambda path, _: path.chmod(0)
-    for name, harm in harms.items():
-        for path, data in original.items():
-            harm(path, data)
-        meet(name)
-        mended()
-    folders = {"kernels": kept[0].parent.parent, "springback": kept[0].parents[2]}
-    for name, path in folders.items():
-        aside = path.with_name("aside")
-        path.rename(aside)
-        path.write_text("a file in the way")
-        meet(f"a file in place of {name}")
-        path.unlink()
-        aside.rename(path)
-    meet("a cache that is a device", SPRINGBACK_CACHE_DIR="/dev/null")
-    meet("a cache with ~", SPRINGBACK_CACHE_DIR="~/other")
-    meet("a cache with ~ of nobody", SPRINGBACK_CACHE_DIR=str(folder / "~nobody"))
-    meet("an empty name of a cache", SPRINGBACK_CACHE_DIR="")
-    meet("a cache that is full", SPRINGBACK_CACHE_DIR="/proc")
-    for name, value in {
-        "HOME missing": str(folder / "nohome"), "HOME a device": "/dev/null", "HOME unset": "unset",
-        "HOME empty": "", "HOME a file": str(scenario), "HOME not writable": "/proc",
-        "HOME not a path": "\x01",
-    }.items():  # fmt: skip
-        meet(name, HOME=value, SPRINGBACK_CACHE_DIR=str(folders["springback"]))
-    if before is not None:
-        os.environ["SPRINGBACK_CACHE_DIR"] = before
-    return Row(
-        "states of caches and HOME", count, len(bad), 0, 0, f"{count - len(bad)} of {count} fine"
-    )
-
-
 # -- commands that are ended ----------------------------------------------------------------------
 
 
-def interrupts(folder: Path, times: int) -> Iterator[Row]:
-    (folder / "s.toml").write_text((ROOT / "examples/arq_wall.toml").read_text())
-    (folder / "plan.toml").write_text(CAMPAIGN.format(samples=400))
-    for words in (
-        ["fly", "s.toml", "--out", "A", "-q"],
-        ["campaign", "plan.toml", "--out", "w", "-q"],
-    ):
-        timed(words, folder)
-    tries = {
-        "fly": (["fly", "s.toml", "--out", "out"], "out"),
-        "campaign": (["campaign", "plan.toml", "--out", "c", "--chunk", "40"], "c"),
-        "query": (["query", "w", "FROM flights", "--out", "q.csv"], "q.csv"),
-        "summary": (["summary", "w", "--out", "out"], "out"),
-        "view": (["view", "A", "--export", "v.html"], "v.html"),
-    }
-    for name, (words, out) in tries.items():
-        found = tried(words, folder, out, times, seed=len(name))
+def interrupts(folder: Path, times: int, only: str) -> Iterator[Row]:
+    prepared(folder, CAMPAIGN.format(samples=400))
+    for name, given in COMMANDS.items():
+        if only not in ("", name):
+            continue
+        found = tried(given, folder, times, seed=len(name))
         faults = found.total() - found["interrupted"] - found["done"]
         told = ", ".join(f"{count} {word}" for word, count in sorted(found.items()))
-        yield Row(f"Ctrl-C at any instant: {name}", found.total(), found["traceback"], 0,
-                  faults - found["traceback"], told)  # fmt: skip
+        yield Row(f"Ctrl-C at any instant: {name}", found.total(), found["traceback"], found["hang"],
+                  faults - found["traceback"] - found["hang"], told)  # fmt: skip
+
+
+def all_corners() -> Row:
+    """Every number of a scenario at zero, a thousand times larger and at 1e30, flown."""
+    tracebacks = count = 0
+    for tables in (IMPACT, PILOTED):
+        for corner in corners(tables):
+            count += 1
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    is_flown(tables, corner)
+            except Exception as error:
+                tracebacks += 1
+                print("corner", corner, type(error).__name__, error)
+    return Row("corners of every setting flown", count, tracebacks)
 
 
 def kills(folder: Path, times: int) -> Row:
     """kill -9 at any instant; what is resumed is what would have been flown."""
     (folder / "plan.toml").write_text(CAMPAIGN.format(samples=400))
-    words = ["campaign", "plan.toml", "--workers", "2", "--chunk", "40", "-q", "--out"]
-    whole = timed([*words, "whole"], folder)
+    words = ("campaign", "plan.toml", "--workers", "2", "--chunk", "40", "-q", "--out")
+    whole = timed((*words, "whole"), folder)
     rows, luck, wrong = (
         Campaign(folder / "whole").query("FROM flights ORDER BY flight"),
         random.Random(9),
@@ -365,9 +262,10 @@ def main() -> None:
     """Print the table; leave with 1 if anything is not as it should be."""
     parser = argparse.ArgumentParser(prog="make attack", description=__doc__)
     parser.add_argument("--cases", type=int, default=400, help="bytes of each file")
-    parser.add_argument("--times", type=int, default=40, help="Ctrl-C for each of five commands")
+    parser.add_argument("--times", type=int, default=200, help="Ctrl-C for each command")
     parser.add_argument("--kills", type=int, default=10)
-    parser.add_argument("--only", help="part of a line's name")
+    parser.add_argument("--only", help="part of a section's name")
+    parser.add_argument("--command", default="", help="the only one to interrupt")
     parser.add_argument("--no-fuzz", action="store_true")
     given = parser.parse_args()
     warnings.simplefilter("ignore")
@@ -377,26 +275,26 @@ def main() -> None:
         "results damaged": lambda folder: damaged_results(folder, given.cases),
         "questions": questions,
         "caches": lambda folder: [caches(folder)],
-        "interrupts": lambda folder: interrupts(folder, given.times),
+        "interrupts": lambda folder: interrupts(folder, given.times, given.command),
         "kills": lambda folder: [kills(folder, given.kills)],
         "bits": lambda folder: [bits(folder)],
+        "corners": lambda _: [all_corners()],
     }
     head = f"{'what':<44}{'tried':>7}{'tracebacks':>12}{'hangs':>7}{'wrong':>7}  remark"
     print(head, flush=True)
     for name, section in sections.items():
         if given.only and given.only not in name:
             continue
-        with tempfile.TemporaryDirectory() as folder:
-            said = io.StringIO()
-            with contextlib.redirect_stdout(said):
-                found = list(section(Path(folder)))
-        rows += found
-        for row in found:
-            print(
-                f"{row.what:<44}{row.tried:>7}{row.tracebacks:>12}{row.hangs:>7}{row.wrong:>7}  "
-                f"{row.remark}",
-                flush=True,
-            )
+        said = io.StringIO()
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(said):
+            for row in section(Path(folder)):
+                rows.append(row)
+                print(
+                    f"{row.what:<44}{row.tried:>7}{row.tracebacks:>12}{row.hangs:>7}"
+                    f"{row.wrong:>7}  {row.remark}",
+                    file=sys.__stdout__,
+                    flush=True,
+                )
         if said.getvalue():
             print(said.getvalue(), file=sys.stderr)
     if not given.no_fuzz and not given.only:

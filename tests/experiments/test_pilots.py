@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import springback
-from springback.errors import InputError
+from springback.errors import CommandWarning, InputError
 from springback.experiments.pilots import read_pilot
 from springback.simulation.flight import BEGUN, sources
 
@@ -95,6 +95,25 @@ def test_compiled_pilot_that_divides_by_zero_ends_as_not_finite() -> None:
     assert flight.outcome is springback.Outcome.NOT_FINITE
     assert flight.measures["end_time"] == pytest.approx(0.1, abs=2e-3)
     assert np.isfinite(flight.columns["z"]).all()
+
+
+def test_thrust_below_nothing_is_flown_as_the_least_and_said() -> None:
+    """Was: −5 N flown as 0 without a word.  Compiled pilots alike; 0 itself is fine."""
+
+    def pulling(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
+        return (-5.0 if time >= 0.1 else 0.0, 1.0, 1.0, 1.0), None
+
+    words = r"less than 0 N at 300 of 400 ticks, first at 0\.1 s \(-5 N\).* their least, 0 N"
+    with pytest.warns(CommandWarning, match=words):
+        flight = springback.fly(SHORT, pilot=pulling)
+    assert flight.diary["thrust1"].min() >= 0.0
+    negative = springback.OwnPilot(SETTINGS._replace(share=-1.0), 0.0)
+    with pytest.warns(CommandWarning, match="less than 0 N at 400 of 400 ticks"):
+        springback.fly(SHORT, pilot=negative)
+    springback.fly(
+        {**SHORT, "simulation": {"duration": 0.02}},
+        pilot=lambda time, measurement, memory: ((0.0,) * 4, None),
+    )
 
 
 # -- from files -----------------------------------------------------------------------------------

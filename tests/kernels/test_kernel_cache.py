@@ -15,9 +15,10 @@ import numpy as np
 import pytest
 
 from springback.errors import CacheWarning
-from springback.kernels import kernel_cache
+from springback.kernels import compiler, kernel_cache, ptx
 from springback.kernels.compiler import STRICT, _entry
 from springback.kernels.frozen import frozen_digest
+from springback.kernels.private_memory import reached_over
 
 
 def doubled(x: float) -> float:
@@ -163,6 +164,83 @@ def test_a_kernel_under_anothers_name_is_not_taken_for_it(tmp_path: Path) -> Non
     again = started(tmp_path)
     assert again(1.5) == 3.0
     assert not loaded(again)
+
+
+# -- kernels of a GPU, which need none to be written ----------------------------------------------
+
+
+def scaled(data: Any, count: int, thread: int) -> None:
+    values = reached_over(data, 1, count)
+    values[0, thread] = values[0, thread] * 2.5
+
+
+def ptx_of(entry: Any) -> str:
+    """PTX of an entry point, as a process that starts has it."""
+    given = [ptx.parameter(np.zeros(1)), ptx.parameter(1)]
+    return ptx.kernel_of(ptx.program(entry, given, dict), given).text
+
+
+@pytest.fixture
+def compiled_for_a_gpu(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> tuple[Path, list[str], str]:
+    """Folder of what is kept, a list of what is compiled from here on, and what was."""
+    monkeypatch.setenv("SPRINGBACK_CACHE_DIR", str(tmp_path))
+    before = ptx_of(scaled)
+    compiled: list[str] = []
+    lower, optimise = ptx._lowered, ptx._optimise
+    monkeypatch.setattr(ptx, "_lowered", lambda *a: (compiled.append("bc"), lower(*a))[1])
+    monkeypatch.setattr(ptx, "_optimise", lambda *a: (compiled.append("ptx"), optimise(*a))[1])
+    return compiler.cache_folder() / "ptx", compiled, before
+
+
+@pytest.mark.parametrize("ending", ["bc", "ptx"])
+@pytest.mark.parametrize("how", STATES)
+def test_a_gpus_kernel_that_cannot_be_believed_is_left_aside_and_said(
+    compiled_for_a_gpu: tuple[Path, list[str], str], ending: str, how: str
+) -> None:
+    """Was: whatever lay there was flown."""
+    if how == "of another user" and os.getuid() != 0:
+        pytest.skip("only root can give files away")
+    folder, compiled, before = compiled_for_a_gpu
+    [file] = folder.glob(f"*.{ending}")
+    harm(file, how)
+    with pytest.warns(CacheWarning, match="left aside|cannot be kept") as told:
+        assert ptx_of(scaled) == before
+    assert "\n" not in str(told[0].message)
+    assert compiled == [ending]
+    if how != "a folder in the way":
+        assert ptx_of(scaled) == before
+        assert compiled == [ending]
+
+
+def test_a_gpus_kernels_are_found_again_also_where_nothing_can_be_written(
+    compiled_for_a_gpu: tuple[Path, list[str], str],
+) -> None:
+    folder, compiled, before = compiled_for_a_gpu
+    folder.chmod(0o500)
+    assert ptx_of(scaled) == before
+    assert compiled == []
+    folder.chmod(0o700)
+
+
+def test_a_gpus_kernel_under_anothers_name_is_not_taken_for_it(
+    compiled_for_a_gpu: tuple[Path, list[str], str], tmp_path: Path
+) -> None:
+    folder, _, before = compiled_for_a_gpu
+    [file] = folder.glob("*.ptx")
+    kernel_cache.keep(tmp_path / "another.ptx", b"// another")
+    file.write_bytes((tmp_path / "another.ptx").read_bytes())
+    with pytest.warns(CacheWarning, match="it is another one's"):
+        assert ptx_of(scaled) == before
+
+
+def test_a_gpus_kernels_that_cannot_be_kept_are_said_and_fly(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("SPRINGBACK_CACHE_DIR", "/dev/null")
+    with pytest.warns(CacheWarning, match="cannot be kept"), ptx.one_at_a_time():
+        assert ".entry scaled" in ptx_of(scaled)
 
 
 # -- what is frozen into a user's kernels ---------------------------------------------------------

@@ -15,7 +15,7 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
-from springback.errors import InputError, LedgerWarning
+from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
 from springback.experiments.given import check_executor, chosen_pilot
 from springback.experiments.guidance import OwnPilot, board_of
 from springback.experiments.own_obstacles import check_own_obstacles
@@ -94,16 +94,27 @@ class Flight:
         return self.outcome is not Outcome.NOT_FINITE
 
     @property
-    def remark(self) -> str:
-        """What to be wary of, in a sentence; empty if there is nothing."""
-        if not self.measures.get("ledger_open"):
-            return ""
-        left = self.measures["ledger_residual"]  # None where it is beyond all numbers
-        share = "more than all" if left is None else f"{left:.1e}"
-        return (
-            f"the energy ledger leaves {share} of the energy: the "
-            "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
-        )
+    def remarks(self) -> dict[type[FlightWarning], str]:
+        """What to be wary of, a sentence each, by the kind of warning."""
+        found: dict[type[FlightWarning], str] = {}
+        if self.measures.get("ledger_open"):
+            left = self.measures["ledger_residual"]  # None where it is beyond all numbers
+            share = "more than all" if left is None else f"{left:.1e}"
+            found[LedgerWarning] = (
+                f"the energy ledger leaves {share} of the energy: the "
+                "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
+            )
+        commands = [values for name, values in self.diary.items() if name.startswith("command")]
+        lowest = np.min(commands, axis=0, initial=0.0)
+        below = np.flatnonzero(lowest < 0.0)
+        propulsion = self.scenario.vehicle.propulsion
+        if len(below) and propulsion is not None:
+            found[CommandWarning] = (
+                f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
+                f"at {self.diary['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do not "
+                f"turn backwards and give their least, {propulsion.least_thrust:g} N"
+            )
+        return found
 
     @property
     def message(self) -> str:
@@ -335,6 +346,7 @@ def fly(
 
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
+        CommandWarning: If a pilot commands less than 0 N of a rotor and the diary is kept.
 
     Raises:
         InputError: If the scenario cannot be flown; one line for each problem.  If the distance or
@@ -364,8 +376,8 @@ def fly(
 
 def _wary(flight: Flight) -> Flight:
     """The flight, with a warning where it needs one."""
-    if flight.remark:
-        warnings.warn(f"{flight.scenario.name}: {flight.remark}", LedgerWarning, stacklevel=3)
+    for kind, sentence in flight.remarks.items():
+        warnings.warn(f"{flight.scenario.name}: {sentence}", kind, stacklevel=3)
     return flight
 
 

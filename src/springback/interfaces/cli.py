@@ -20,7 +20,7 @@ from typing import Any, NoReturn
 
 import click
 
-from springback.errors import InputError, LedgerWarning, warn_in_one_line
+from springback.errors import FlightWarning, InputError, warn_in_one_line
 from springback.interfaces import last_words
 from springback.interfaces.plain_text import plain_text
 from springback.version import __version__
@@ -153,7 +153,7 @@ def fly(
     with output_folder(out, force=force, replaces=FLIGHT_FILES) as folder:
         with _patience(FIRST, quiet):
             with warnings.catch_warnings():  # said below, in this program's own way
-                warnings.simplefilter("ignore", LedgerWarning)
+                warnings.simplefilter("ignore", FlightWarning)
                 flight = fly_scenario(ready, pilot=own)
             figures = not no_figures and _have_figures(quiet)
             written = write_flight(flight, folder, figures=figures)
@@ -161,8 +161,8 @@ def fly(
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
     _print(json.loads(summary) if as_json else repr(flight), as_json)
     _say(f"written to {out}: {', '.join(names)}", quiet)
-    if flight.remark:
-        _say(f"warning: {flight.remark}", False)
+    for sentence in flight.remarks.values():
+        _say(f"warning: {sentence}", False)
     if not flight.is_finite:
         sys.exit(1)
 

@@ -7,9 +7,9 @@ import errno
 import json
 import os
 import re
+import secrets
 import shutil
 import sys
-import tempfile
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -68,20 +68,29 @@ def output_folder(
         if folder.exists() and not os.access(folder, os.W_OK):
             raise PermissionError(13, "Permission denied")
         remove_abandoned(anchor, folder.name)
-        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", suffix=DRAFT, dir=anchor))
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-    with _held(draft):
+    draft = _hidden(anchor, folder.name)
+    try:  # it is removed from here on, whatever happens when
         try:
+            draft.mkdir(0o700)
+        except OSError as error:
+            raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+        with _held(draft):
             yield draft
             _replace(draft, folder, set(replaces))
             last_words.say(f"interrupted; {folder} was written before")
-        except OSError as error:
-            if error.errno not in FULL:
-                raise
-            raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-        finally:
-            _remove(draft)
+    except OSError as error:
+        if error.errno not in FULL:
+            raise
+        raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+    finally:
+        _remove(draft)
+
+
+def _hidden(anchor: Path, name: str) -> Path:
+    """A new name, which `remove_abandoned` knows."""
+    return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
 
 
 #: What a system says when a disk takes no more.
@@ -161,17 +170,16 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
     _keep_others(folder, draft, replaces)
     if _exchanged(draft, folder):
         return
-    old = draft.with_name(f"{draft.name}-old{DRAFT}")
+    old = _hidden(draft.parent, folder.name)
     try:
         os.rename(folder, old)
-    except OSError:  # it is in use in a way that holds its name
-        _move_into(draft, folder, replaces)
-        return
-    try:
         os.rename(draft, folder)
-    except BaseException:
-        os.rename(old, folder)
-        raise
+    except BaseException as error:
+        if old.exists() and not folder.exists():
+            os.rename(old, folder)
+        if not isinstance(error, OSError):
+            raise
+        _move_into(draft, folder, replaces)  # it is in use in a way that holds its name
     _remove(old)
 
 

@@ -13,10 +13,11 @@ import numpy as np
 from springback.errors import InputError
 from springback.experiments.database import in_database, locked, parquet, pattern
 from springback.experiments.own_surfaces import read_surfaces
+from springback.experiments.recovery_measures import RECOVERY_MEASURES
 from springback.experiments.result import Flight
 from springback.experiments.scenario import Scenario, scenario_from
 from springback.experiments.sealed import file_digest, is_sealed, read_object
-from springback.simulation.measures import Outcome
+from springback.simulation.measures import MEASURES, Outcome
 from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -123,8 +124,9 @@ def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | Non
                 f"(got {str(value)[:40]!r})"
             )
         measures[name] = None if value is None else float(value)
-    if "touch_time" not in measures:
-        raise InputError(f"{folder / 'summary.json'}: measures.touch_time: is missing")
+    for name in (*MEASURES, *(RECOVERY_MEASURES if "runs" in measures else ())):
+        if name not in measures:
+            raise InputError(f"{folder / 'summary.json'}: measures.{name}: is missing")
     return measures
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 from springback.errors import InputError
+from springback.experiments.drafts import drafted
 from springback.experiments.result import Flight, fly
 from springback.experiments.scenario_file import read_scenario
 from springback.interfaces.page import Page, page_of
@@ -87,18 +86,10 @@ def exported(page: Page, path: Path, *, force: bool = False) -> None:
     if path.exists() and not force:
         raise InputError(f"--export {path}: is there already; --force replaces it")
     try:
-        handle, draft = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.absolute().parent)
+        with drafted(path) as draft:
+            draft.write_text(page.text, encoding="utf-8")
     except OSError as error:
         raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(page.text)
-        os.chmod(draft, 0o644)
-        os.replace(draft, path)
-    except OSError as error:
-        raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
-    finally:
-        Path(draft).unlink(missing_ok=True)
 
 
 def replay_app(page: Page) -> App:

@@ -1,9 +1,9 @@
 """Compiled kernels on disk: one file for each signature, checked before it is believed.
 
-A file holds SHA-256 of the rest, then a pickle of the key and the compiled code.  A pickle is a
-program, so only files are read that the user or root owns and that nobody else can write, as ssh
-does with its keys.  Whatever cannot be read, checked or written is left aside with a
-`CacheWarning`, and the kernel is compiled for this process alone.
+A file holds SHA-256 of the rest, then a pickle of the key and the compiled code; for a GPU its name
+and LLVM's bitcode or PTX.  Each is a program, so only files are read that the user or root owns and
+that nobody else can write, as ssh does with its keys.  Whatever cannot be read, checked or written
+is left aside with a `CacheWarning`, and the kernel is compiled for this process alone.
 
 The compiler's own cache has an index with neither checksum nor owner: an empty or torn file stops
 every later start, and two processes that keep different signatures at once can exchange them.
@@ -81,7 +81,7 @@ class KernelCache:
                     continue
                 return _rebuild(context, *payload)
             except Exception as error:  # whatever a torn or foreign file leads to
-                _say(f"{path}: kept kernel left aside ({_reason(error)}); compiling it anew")
+                _left_aside(path, error)
                 return None
         return None
 
@@ -94,14 +94,9 @@ class KernelCache:
         key = self._key(signature, result.codegen)
         try:
             data = _dumps((key, result._reduce()))
-            self._folder.mkdir(parents=True, exist_ok=True)
-            _remove_stale(self._folder)
-            _write(self._free(key), hashlib.sha256(data).digest() + data)
+            _write(self._free(key), data)
         except Exception as error:
-            _say(
-                f"{self._folder}: compiled kernels cannot be kept ({_reason(error)}); every start "
-                "compiles them anew. SPRINGBACK_CACHE_DIR names another folder"
-            )
+            _not_kept(self._folder, error)
 
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
@@ -122,6 +117,38 @@ class KernelCache:
             except Exception:
                 return path
         return path
+
+
+def kept(path: Path) -> bytes | None:
+    """What `keep` wrote; None if there is nothing, or, with a warning, nothing to be trusted.
+
+    Args:
+        path: Whose last part is the key.
+    """
+    try:
+        data = _trusted(path)
+        if data is None:
+            return None
+        name, _, content = data.partition(b"\n")
+        if name != path.name.encode():
+            raise ValueError("it is another one's")
+        return content
+    except (OSError, ValueError) as error:
+        _left_aside(path, error)
+        return None
+
+
+def keep(path: Path, content: bytes) -> None:
+    """Keep a compiled program for other processes; not to be able to is a warning.
+
+    Args:
+        path: Whose last part is the key: the same for the same program only.
+        content: Of the program.
+    """
+    try:
+        _write(path, path.name.encode() + b"\n" + content)
+    except OSError as error:
+        _not_kept(path.parent, error)
 
 
 def _trusted(path: Path) -> bytes | None:
@@ -151,11 +178,14 @@ def _trusted(path: Path) -> bytes | None:
 
 
 def _write(path: Path, data: bytes) -> None:
+    """Write data behind its digest, whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    _remove_stale(path.parent)
     draft = path.with_name(f".{path.name}.{secrets.token_hex(8)}.draft")
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0)
     try:
         with os.fdopen(os.open(draft, flags, 0o644), "wb") as file:
-            file.write(data)
+            file.write(hashlib.sha256(data).digest() + data)
         os.replace(draft, path)
     except BaseException:
         with contextlib.suppress(OSError):
@@ -174,6 +204,17 @@ def _remove_stale(folder: Path) -> None:
 def _reason(error: BaseException) -> str:
     text = getattr(error, "strerror", None) or " ".join(str(error).split())
     return text[:200] or type(error).__name__
+
+
+def _left_aside(path: Path, error: BaseException) -> None:
+    _say(f"{path}: kept kernel left aside ({_reason(error)}); compiling it anew")
+
+
+def _not_kept(folder: Path, error: BaseException) -> None:
+    _say(
+        f"{folder}: compiled kernels cannot be kept ({_reason(error)}); every start compiles them "
+        "anew. SPRINGBACK_CACHE_DIR names another folder"
+    )
 
 
 def _say(text: str) -> None:

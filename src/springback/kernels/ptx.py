@@ -11,9 +11,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import itertools
-import os
-import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,7 +22,8 @@ from llvmlite import binding, ir
 from numba import types
 from numba.core.compiler_lock import global_compiler_lock
 
-from springback.kernels.compiler import Origin, cache_folder, is_writable
+from springback.kernels.compiler import Origin, cache_folder
+from springback.kernels.kernel_cache import keep, kept
 from springback.kernels.layout import Like, LikeType
 from springback.kernels.nvptx import (
     ARCHITECTURE,
@@ -116,37 +115,32 @@ def program(
         sources: Where a user's code among the types comes from; None keeps nothing.
     """
     kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
-    said = [entry.__qualname__, numba.__version__, ARCHITECTURE, *map(str, kinds)]
+    versions = [numba.__version__, str(binding.llvm_version_info), ARCHITECTURE]
+    said = [entry.__qualname__, *versions, *map(str, kinds)]
     said += sources.words() if sources is not None else []
     digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
-    path = _kept(digest, "bc")
-    if sources is not None and path.exists():
-        return Program(entry.__name__, path.read_bytes(), digest)
-    bitcode = _lowered(entry, kinds, parts())
     if sources is None:
-        return Program(entry.__name__, bitcode, None)
-    _keep(path, bitcode)
+        return Program(entry.__name__, _lowered(entry, kinds, parts()), None)
+    path = _folder() / f"{digest}.bc"
+    bitcode = kept(path)
+    if bitcode is None:
+        bitcode = _lowered(entry, kinds, parts())
+        keep(path, bitcode)
     return Program(entry.__name__, bitcode, digest)
 
 
-def one_at_a_time() -> Any:
+def _folder() -> Path:
+    return cache_folder() / "ptx"
+
+
+@contextlib.contextmanager
+def one_at_a_time() -> Iterator[None]:
     """A lock among all processes: what one of them compiles the others then find."""
-    folder = cache_folder() / "ptx"
-    return filelock.FileLock(folder / "lock") if is_writable(folder) else contextlib.nullcontext()
-
-
-def _kept(digest: str, ending: str) -> Path:
-    return cache_folder() / "ptx" / f"{digest}.{ending}"
-
-
-def _keep(path: Path, content: bytes) -> None:
-    """Keep a file for other processes; not to be able to is no error."""
-    if not is_writable(path.parent):
-        return
-    with contextlib.suppress(OSError):
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as draft:
-            draft.write(content)
-        os.replace(draft.name, path)
+    with contextlib.ExitStack() as held:
+        with contextlib.suppress(OSError, NotImplementedError):  # nothing is kept, or no locks
+            _folder().mkdir(parents=True, exist_ok=True)
+            held.enter_context(filelock.FileLock(_folder() / "lock"))
+        yield
 
 
 @global_compiler_lock  # type: ignore[untyped-decorator]
@@ -183,9 +177,10 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     """
     masks = repr([p.varies for p in parameters if isinstance(p, Constants)])
     mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
-    path = _kept(f"{program.digest}-{mask}", "ptx")
-    if program.digest and path.exists():
-        return Kernel(program.name, path.read_text())
+    path = _folder() / f"{program.digest}-{mask}.ptx"
+    known = kept(path) if program.digest else None
+    if known is not None:
+        return Kernel(program.name, known.decode())
     module = binding.parse_bitcode(program.bitcode)
     module.link_in(binding.parse_assembly(_entry_text(program.name, parameters)))
     module.get_function(_INNER).linkage = "internal"
@@ -193,7 +188,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     _check_calls(module)
     text = machine(ARCHITECTURE).emit_assembly(module)
     if program.digest:
-        _keep(path, text.encode())
+        keep(path, text.encode())
     return Kernel(program.name, text)
 
 

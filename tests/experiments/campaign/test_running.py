@@ -18,6 +18,7 @@ from springback.experiments.campaign.outlook import outlook
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.campaign.running import Progress, run_campaign
 from springback.experiments.campaign.stopped import Stopped
+from springback.experiments.campaign.store import source
 from springback.experiments.campaign.workers import STRIKES, GivenUp, fly_locally
 
 ROWS = "FROM flights ORDER BY flight"
@@ -227,3 +228,19 @@ def test_numbers_of_workers_and_chunks_are_checked(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=f"--{name}: must be at least 1"):
             run_campaign(plan(), tmp_path / "a", **{name: 0})
     assert not (tmp_path / "a").exists()
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="signals of POSIX")
+def test_a_worker_that_is_starting_hears_no_ctrl_c(capfd: pytest.CaptureFixture[str]) -> None:
+    """Was: a traceback of each, of what it was just importing."""
+    worker = workers._Worker("", "cpu")
+    try:
+        for _ in range(100):
+            os.kill(worker.process.pid or 0, signal.SIGINT)
+            if worker.line.poll(0.05):
+                break
+        assert worker.line.recv() == source()
+    finally:
+        worker.end()
+    assert capfd.readouterr().err == ""
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())

@@ -317,8 +317,9 @@ def _cpu() -> str:
 
 #: What `campaign.json` must hold for the rows to be asked.
 _NEEDED: dict[str, type] = {
-    "flights": int, "seed": int, "plan_sha256": str, "plan_file_sha256": str, "versions": dict,
-    "units": dict, "robots": list, "scenarios_sha256": str, "cpu": str,
+    "name": str, "flights": int, "seed": int, "host": str, "plan_sha256": str,
+    "plan_file_sha256": str, "versions": dict, "units": dict, "robots": list,
+    "scenarios_sha256": str, "cpu": str,
 }  # fmt: skip
 
 

@@ -10,6 +10,7 @@ import contextlib
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 import traceback
 from collections import Counter, deque
@@ -48,7 +49,7 @@ class _Worker:
         self.process: SpawnProcess = context.Process(
             target=SERVED, args=(theirs, text, device), daemon=True, name="springback worker"
         )
-        with _single_threads():
+        with _single_threads(), _deaf():
             self.process.start()
         theirs.close()
         self.chunk: Chunk | None = None
@@ -78,6 +79,22 @@ def _single_threads() -> Iterator[None]:
                 del os.environ[name]
             else:
                 os.environ[name] = value
+
+
+@contextlib.contextmanager
+def _deaf() -> Iterator[None]:
+    """Children hear no Ctrl-C from their first instant on; this process hears it afterwards."""
+    if sys.platform == "win32":
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # it lets signals through again when it is first started
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def serve(line: Connection, text: str, device: Device) -> None:

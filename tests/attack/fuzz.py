@@ -1,7 +1,7 @@
-"""Attack for as long as one likes: ``make fuzz``, or ``python -m attacks.fuzz --cases 100000``.
+"""Attack for as long as one likes: ``make fuzz``, or ``python -m attack.fuzz --cases 100000``.
 
 Each round of 1000 inputs of a kind has a seed of its own, which is printed with what was found, so
-that the round can be run again: ``python -m attacks.fuzz --seed 17 --kind plans --cases 1000``.
+that the round can be run again: ``python -m attack.fuzz --seed 17 --kind plans --cases 1000``.
 What is found goes into the lists of ``test_fuzz.py`` by hand, together with its cure.
 """
 
@@ -19,7 +19,7 @@ from typing import Any
 
 from hypothesis import HealthCheck, given, seed, settings
 
-from attacks import inputs
+from attack import inputs, stored
 
 KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "scenarios": (inputs.scenarios(), inputs.scenario_tables),
@@ -29,6 +29,9 @@ KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
         lambda words: inputs.scenario_tables(inputs.SCENARIOS[0], words),
     ),
     "plans": (inputs.plans(), inputs.plan_tables),
+    "results": (stored.results(), stored.result_files),
+    "ledgers": (stored.ledgers(), stored.campaign_files),
+    "parts": (stored.parts(), stored.campaign_files),
 }
 ROUND = 1000
 

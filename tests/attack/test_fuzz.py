@@ -1,14 +1,18 @@
-"""2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines."""
+"""2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines.
+
+The same on every machine (`derandomize` in ``conftest.py``); ``make fuzz`` goes on with seeds.
+"""
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 
-from attacks.inputs import (
+from attack.inputs import (
     PLAN,
     SCENARIOS,
     override_words,
@@ -21,7 +25,20 @@ from attacks.inputs import (
     texts,
     timed,
 )
+from attack.stored import (
+    SUMMARY,
+    Changed,
+    campaign,
+    campaign_files,
+    ledgers,
+    parts,
+    result,
+    result_files,
+    results,
+)
 from springback.errors import InputError
+from springback.experiments.campaign import store
+from springback.experiments.sealed import sealed
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
 FOUND: list[tuple[tuple[str | int, ...], Any]] = [
@@ -95,19 +112,50 @@ def test_scenarios(tables: dict[str, Any]) -> None:
     timed(scenario_tables, tables)
 
 
-@settings(max_examples=400)
+@settings(max_examples=300)
 @given(texts())
 def test_files(text: str) -> None:
     timed(scenario_text, text)
 
 
-@settings(max_examples=400)
+@settings(max_examples=300)
 @given(override_words())
 def test_overrides(words: tuple[str, ...]) -> None:
     timed(scenario_tables, SCENARIOS[0], words)
 
 
-@settings(max_examples=400)
+@settings(max_examples=320)
 @given(plans())
 def test_plans(tables: dict[str, Any]) -> None:
     timed(plan_tables, tables)
+
+
+def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
+    """Were a KeyError of `contacts` and one of `name`, though their digests fit."""
+    summary = json.loads(result()[1][SUMMARY])
+    del summary["measures"]["contacts"]
+    with pytest.raises(InputError, match=r"measures\.contacts: is missing"):
+        result_files(Changed([], {SUMMARY: json.dumps(sealed(summary)).encode()}))
+    about = json.loads(campaign()[1][store.ABOUT])
+    for name in store._NEEDED:
+        less = {key: value for key, value in about.items() if key != name}
+        with pytest.raises(InputError, match=f"{name}: is missing"):
+            campaign_files(Changed([], {store.ABOUT: json.dumps(sealed(less)).encode()}))
+
+
+@settings(max_examples=120)
+@given(results())
+def test_results(changed: Changed) -> None:
+    timed(result_files, changed)
+
+
+@settings(max_examples=80)
+@given(ledgers())
+def test_ledgers(changed: Changed) -> None:
+    timed(campaign_files, changed)
+
+
+@settings(max_examples=80)
+@given(parts())
+def test_parts(changed: Changed) -> None:
+    timed(campaign_files, changed)
