@@ -7,20 +7,20 @@ equations of motion by differences, with everything else that depends on velocit
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 
 from contact.scenes import surface
 from springback.contact.cage import Ring
-from springback.contact.obstacles import Forces, Obstacle, Plane, World
+from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_distance
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Rates, rates
 from springback.kernels.trees import leaves, rebuilt
 from springback.kernels.vectors import Quat, Vec, normalised, rotation
 from springback.vehicle.library import VEHICLES
-from springback.vehicle.state import Airframe, State
+from springback.vehicle.state import Airframe, Sphere, State
 
 RUBBER = surface(stiffness=2e4, friction=0.5, slip_speed=0.03)
 OFF = (0.0,) * 4
@@ -68,7 +68,7 @@ def pressed(robot: str, attitude: Quat, depths: tuple[float, float], released: f
     """The two foremost cages pressed into a wall ahead by two depths [m], by their arms' lengths."""
     airframe = VEHICLES[robot].vehicle.airframe()
     airframe = airframe._replace(
-        arms=tuple(arm._replace(damping=0.0, stop_stiffness=0.0) for arm in airframe.arms)
+        arms=tuple(arm._replace(damping=0.0, stop_stiffness=0.0) for arm in airframe.arms), hull=()
     )
     r = rotation(attitude)
     reach = []
@@ -116,3 +116,41 @@ def test_it_is_the_truth_for_a_rigid_vehicle_that_meets_a_wall_upright() -> None
 def test_without_contact_there_is_none() -> None:
     contact = pressed("arq", Quat(1.0, 0.0, 0.0, 0.0), (-1e-2, -1e-2), 1.0)
     assert contact.bound == 0.0
+
+
+def hulled(contact: Pressed, centre: Vec, depth: float) -> Pressed:
+    """The same with a hull about some point, pressed into the wall by a depth [m]."""
+    r, [wall] = rotation(contact.state.attitude), contact.world.obstacles
+    away = signed_distance(wall.shape, r @ centre)
+    hull = (Sphere(centre, away + depth),)
+    return replace(contact, airframe=contact.airframe._replace(hull=hull))
+
+
+@pytest.mark.parametrize("robot", ["arq", "quad"])
+def test_with_a_hull_the_bound_is_never_below_the_truth_either(robot: str) -> None:
+    """Alone, where the bound is coarse, and beside cages."""
+    released, chance = 1.0 if robot == "arq" else 0.0, np.random.default_rng(8)
+    for attitude in attitudes():
+        for depths in ((3e-3, 1e-3), (-2e-2, -2e-2)):
+            centre = Vec(*chance.uniform(-0.03, 0.03, 3).tolist())
+            cages = pressed(robot, attitude, depths, released)
+            cages = replace(cages, state=cages.state._replace(arm_length=(0.19,) * 4))
+            contact = hulled(cages, centre, 2e-3)
+            assert contact.truth > 100.0
+            assert (1.0 - 1e-6) * contact.truth < contact.bound < 1.8 * contact.truth
+            assert contact.bound > cages.bound
+
+
+def test_rates_of_contacts_and_slips_count_the_hull() -> None:
+    """ω of a sphere that is pressed in by δ, √(3/2 k √δ / m) at least, and |v̇|/√(v² + v_s²)."""
+    flat = Quat(math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
+    alone = pressed("quad", flat, (-2e-2, -2e-2), 0.0)
+    contact = hulled(alone, Vec(0.0, 0.0, 0.0), 2e-3)
+    slides = replace(contact, state=contact.state._replace(velocity=Vec(0.0, 0.0, 0.4)))
+    seen = slides._rates(slides.state).seen
+    stiffness = 1.5 * 2e4 * math.sqrt(2e-3)
+    assert seen.contact_rate == pytest.approx(math.sqrt(stiffness / slides.airframe.mass), rel=1e-6)
+    change = math.hypot(seen.acceleration.y, seen.acceleration.z)
+    # Its moment turns the point of contact, too, which so slows down faster.
+    assert seen.slip_rate > change / math.hypot(0.4, 0.03)
+    assert alone._rates(alone.state).seen.contact_rate == 0.0

@@ -7,9 +7,9 @@ Run from the root of the repository (a quarter of an hour on two cores; not part
     PYTHONPATH=src python tests/oracles/mutations.py --flights  # the tests that compile, too
 
 Each mutation is made in a copy of the package in a temporary folder; the repository is not touched.
-The tests that run are those that look at single states, in plain Python, so nothing is compiled.
-Tests that fail without any mutation are not counted.  The exit status is the number of mutations
-that no test noticed.
+The tests that run are those named beside it, most of which look at single states in plain Python,
+so nothing is compiled.  Tests that fail without any mutation are not counted.  The exit status is
+the number of mutations that no test noticed.
 """
 
 from __future__ import annotations
@@ -26,9 +26,25 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
-TESTS = ROOT / "tests" / "dynamics"
-#: Tests of single states.
-QUICK = "accelerations or locked_arms or textbook or power or gap or locking"
+#: Mutations tried at a time.
+WORKERS = int(os.environ.get("WORKERS", os.cpu_count() or 1))
+#: Tests of single states: files and folders below tests, and which of their tests.
+QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap or locking")
+#: Of the hull, with two flights; of rings and shapes; of what bounds steps; of one instant's rules.
+HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
+RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
+GRIP = ("contact/test_grip.py contact/test_hull.py", "bound or truth or rate")
+RULES = ("simulation/test_observed.py", "")
+#: Of impulses: one at a time, and of every setting that asks for them.
+IMPULSE = (
+    "dynamics/test_conservation.py simulation/test_combinations.py",
+    "impulses or squarely or routh or combination_flies and impulse",
+)
+#: Of what only a flight shows; these compile.
+FLIGHT = (
+    "simulation/test_steps.py contact/test_hull.py",
+    "isolator or dashpot or travel or felt or stop",
+)
 
 
 class Mutation(NamedTuple):
@@ -38,11 +54,15 @@ class Mutation(NamedTuple):
     path: str  # below src/springback
     old: str
     new: str
+    tests: tuple[str, str] = QUICK  # folders or files below tests, and pytest's -k
 
 
 CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/motion.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
-OBSTACLES = "contact/obstacles.py"
+OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
+HULL_CONTACT, HULL_STATE, TOUCHES = "contact/hull.py", "dynamics/hull.py", "dynamics/touches.py"
+RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/grip.py"
+CLEARANCE = "dynamics/clearance.py"
 
 MUTATIONS = (
     # contact
@@ -57,7 +77,7 @@ MUTATIONS = (
     Mutation("penetration rate, sign", CAGE, "(omega ^ pressing)) @ n", "(omega ^ pressing)) @ (-n)"),
     Mutation("penetration rate, no turning", CAGE, "(arm.sliding + (omega ^ pressing)) @ n", "arm.sliding @ n"),
     Mutation("friction drives the slip", SURFACES, "Friction(slip * -grip", "Friction(slip * grip"),
-    Mutation("friction loss, sign", SURFACES, "grip * square, grip)", "-grip * square, grip)"),
+    Mutation("friction loss, sign", SURFACES, "grip * square, grip, per_speed", "-grip * square, grip, per_speed"),
     Mutation("slip without turning", CAGE, "arm.sliding + (omega ^ rubbing_at), n", "arm.sliding, n"),
     Mutation("slip keeps its normal part", CAGE, "velocity - (velocity @ normal) * normal", "velocity * 1.0"),
     Mutation("vertical friction, tilt", SURFACES, "vertical - (vertical @ normal) * normal", "vertical * 1.0"),
@@ -75,11 +95,11 @@ MUTATIONS = (
     Mutation("spring, sign", MOTION, "stiffness * (arm.length - length)", "stiffness * (length - arm.length)"),
     Mutation("damper, sign as printed", MOTION, "- arm.damping * rate\n", "+ arm.damping * rate\n"),
     Mutation("damper loss, sign", MOTION, "u * (arm.damping * rate", "-u * (arm.damping * rate"),
-    Mutation("end stop, side of the inner", MOTION, "Stop(force if", "Stop(-force if"),
-    Mutation("end stop, side of the outer", MOTION, "low > 0.0 else -force", "low > 0.0 else force"),
-    Mutation("end stop, rate of the inner", MOTION, "= -rate if low", "= rate if low"),
-    Mutation("end stop, damping", MOTION, "stop_dissipation * pressing", "stop_dissipation * -pressing"),
-    Mutation("end stop loss, sign", MOTION, "(force - elastic) * pressing", "(elastic - force) * pressing"),
+    Mutation("end stop, side of the inner", STOPS, "Stop(force if", "Stop(-force if"),
+    Mutation("end stop, side of the outer", STOPS, "low > 0.0 else -force", "low > 0.0 else force"),
+    Mutation("end stop, rate of the inner", STOPS, "= -rate if low", "= rate if low"),
+    Mutation("end stop, damping", STOPS, "stop_dissipation * pressing", "stop_dissipation * -pressing"),
+    Mutation("end stop loss, sign", STOPS, "(force - elastic) * pressing", "(elastic - force) * pressing"),
     Mutation("arm velocity, l̇ sign", STATE, "velocity + rate * e", "velocity - rate * e"),
     Mutation("arm does not feel the contact", MOTION, "e @ touch.force + outward", "outward"),
     Mutation("arm acceleration, coupling", MOTION, "drive - known.pull.hold", "drive + known.pull.hold"),
@@ -101,16 +121,16 @@ MUTATIONS = (
     Mutation("thrust power, turning", MOTION, "velocity.z + a.rotor_moment", "velocity.z - a.rotor_moment"),
     # solution of the six equations
     Mutation("what the arm keeps, sign", MOTION, "- a.taken", "+ a.taken"),
-    Mutation("M⁻¹, off-diagonal", MOTION, "-xy * scale", "xy * scale"),
-    Mutation("Schur complement, jxx", MOTION, "j.x.x - n.zz", "j.x.x + n.zz"),
-    Mutation("Schur complement, jyy", MOTION, "j.y.y - n.zz", "j.y.y + n.zz"),
-    Mutation("Schur complement, jxy", MOTION, "j.x.y + n.zz", "j.x.y - n.zz"),
-    Mutation("Schur complement, jzz", MOTION, "j.z.z - (n.xx", "j.z.z + (n.xx"),
-    Mutation("Schur complement, jzz cross term", MOTION, "- 2.0 * n.xy", "+ 2.0 * n.xy"),
-    Mutation("coupling s × a", MOTION, "system.moment - (s ^ alone)", "system.moment + (s ^ alone)"),
-    Mutation("coupling α × s", MOTION, "alone - times(n, alpha ^ s)", "alone + times(n, alpha ^ s)"),
-    Mutation("slider, weight", MOTION, "force - mu @ weight", "force + mu @ weight"),
-    Mutation("slider, mass off-diagonal", MOTION, "u.x - slide.z * u.y", "u.x + slide.z * u.y"),
+    Mutation("M⁻¹, off-diagonal", SOLUTION, "-xy * scale", "xy * scale"),
+    Mutation("Schur complement, jxx", SOLUTION, "j.x.x - n.zz", "j.x.x + n.zz"),
+    Mutation("Schur complement, jyy", SOLUTION, "j.y.y - n.zz", "j.y.y + n.zz"),
+    Mutation("Schur complement, jxy", SOLUTION, "j.x.y + n.zz", "j.x.y - n.zz"),
+    Mutation("Schur complement, jzz", SOLUTION, "j.z.z - (n.xx", "j.z.z + (n.xx"),
+    Mutation("Schur complement, jzz cross term", SOLUTION, "- 2.0 * n.xy", "+ 2.0 * n.xy"),
+    Mutation("coupling s × a", SOLUTION, "system.moment - (s ^ alone)", "system.moment + (s ^ alone)"),
+    Mutation("coupling α × s", SOLUTION, "alone - times(n, alpha ^ s)", "alone + times(n, alpha ^ s)"),
+    Mutation("slider, weight", SOLUTION, "force - mu @ weight", "force + mu @ weight"),
+    Mutation("slider, mass off-diagonal", SOLUTION, "u.x - slide.z * u.y", "u.x + slide.z * u.y"),
     Mutation("weight, sign", MOTION, "r @ solved.linear - Vec", "r @ solved.linear + Vec"),
     Mutation("solve, one cofactor", VECTORS, "q * r - p * f, p * r - q * d", "q * r + p * f, p * r - q * d"),
     # kinematics, energy, locking
@@ -119,16 +139,93 @@ MUTATIONS = (
     Mutation("spring energy, half", ENERGY, "springs=0.5", "springs=0.25"),
     Mutation("contact energy exponent", SURFACES, "/ (n + 1.0)", "/ (n + 2.0)"),
     Mutation("Steiner, product", ENERGY, "mass * c.x * c.y, mass * c.x * c.z", "-mass * c.x * c.y, mass * c.x * c.z"),
-    Mutation("locking, place", ENERGY, "r @ (centre - new_centre)", "r @ (new_centre - centre)"),
     Mutation("locking, velocity", ENERGY, "velocity - r @ (new_omega", "velocity + r @ (new_omega"),
     Mutation("angular momentum, drift", ENERGY, "((omega ^ centre) + drift)))", "((omega ^ centre) - drift)))"),
+    # the hull
+    Mutation("hull, gap without its radius", HULL_CONTACT, "signed_distance(shape, pose.lever) - radius", "signed_distance(shape, pose.lever)", HULL),
+    Mutation("hull, gap with its radius added", HULL_CONTACT, "pose.lever) - radius", "pose.lever) + radius", HULL),
+    Mutation("hull, touches on the far side", HULL_CONTACT, "lever = radius * inward", "lever = -radius * inward", HULL),
+    Mutation("hull, rubs at its centre", HULL_CONTACT, "Support(lever, lever, lever, 0.0)", "Support(lever, lever, lever * 0.0, 0.0)", HULL),
+    Mutation("hull, normal out", HULL_CONTACT, "inward = -outward", "inward = outward", HULL),
+    Mutation("hull, about the main body", HULL_CONTACT, "Vec(0.0, 0.0, 0.0), hull.centre, velocity", "Vec(0.0, 0.0, 0.0), hull.centre * 0.0, velocity", HULL),
+    Mutation("hull, touches a shape twice", HULL_CONTACT, "Facing(FAR, there.inward", "Facing(there.gap, there.inward", HULL),
+    Mutation("hull, its force left out", MOTION, "folded(_together, a.contact, column(hull, \"contact\"), ())", "a.contact", HULL),
+    Mutation("hull, its energy left out", ENERGY, "folded(_hull_energy, a.contact, airframe.hull, (obstacles,))", "a.contact", HULL),
+    Mutation("hull, its energy, sign", ENERGY, "so_far + total(each(_hull_contact", "so_far - total(each(_hull_contact", HULL),
+    Mutation("hull, not in the clearance", CLEARANCE, "cages + each(_of_hull, (airframe.hull,), (obstacles,))", "cages", HULL),
+    Mutation("hull, friction unbounded", HULL_STATE, "return rate + hull.damper", "return rate + 0.0 * hull.damper", GRIP),
+    Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest / least_inertia", "0.0 * hull.farthest", GRIP),
+    Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
+    Mutation("hull, contact rate of cages only", MOTION, "contact_rate(contact.press", "contact_rate(a.contact.press", GRIP),
+    Mutation("hull, gaps left out of steps", RECORD, "least(column(view.arms, \"gap\") + column(view.hull, \"gap\"))", "least(column(view.arms, \"gap\"))", RULES),
+    Mutation("hull, landings left out of steps", RECORD, "least(column(view.arms, \"landing\") + column(view.hull, \"landing\"))", "least(column(view.arms, \"landing\"))", RULES),
+    Mutation("hull, touch is no touch", RECORD, "largest(arm_touching + hull_touching)", "largest(arm_touching)", RULES),
+    Mutation("hull, its normal left out", RECORD, "        + each(_touched_normal, (view.hull, hull_touching), ())", "", RULES),
+    Mutation("hull, no impulse", RECORD, "largest(column(view.arms, \"impulsive\") + column(view.hull, \"impulsive\"))", "largest(column(view.arms, \"impulsive\"))", RULES),
+    Mutation("hull, its contacts uncounted", RECORD, "_count, (m.hull_contacts, hull_touching,", "_count, (m.hull_contacts, m.hull_contacts,", RULES),
+    Mutation("hull, not struck", IMPULSES, "of_cages + each(_hits_of_hull, (airframe.hull,), (obstacles, state, r))", "of_cages", IMPULSE),
+    # contact on or off
+    Mutation("contact on within a step", CAGE, "depth if engaged > 0.0 else 0.0", "depth", FLIGHT),
+    Mutation("contact never on", CAGE, "depth if engaged > 0.0 else 0.0", "0.0", QUICK),
+    Mutation("law not felt at the touch", CAGE, "AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0", "0.0", FLIGHT),
+    Mutation("landing, sign of the rate", TOUCHES, "value * rate < 0.0", "value * rate > 0.0", FLIGHT),
+    Mutation("leaving at once", TOUCHES, "(met.gap < -LANDED) & (met.impulsive == 0.0)", "(met.gap < -LANDED) & (met.rate < 0.0)", FLIGHT),
+    Mutation("impulse where it leaves", TOUCHES, "closing = (met.gap <= LANDED) & (met.rate < 0.0)", "closing = (met.gap <= LANDED) & (met.rate > 0.0)", IMPULSE),
+    # steps
+    Mutation("stops are no contact", RECORD, "larger(touching, largest(column(view.arms, \"stopped\")))", "touching", RULES),
+    Mutation("settling steps in contact", RECORD, "pick(pressed, timing.impact_step, timing.settle_step)", "pick(pressed, timing.settle_step, timing.impact_step)", RULES),
+    Mutation("crossings from afar met at once", RECORD, "landing - 0.5 * timing.impact_step, landing)", "landing, landing)", RULES),
+    Mutation("crossings passed", RECORD, "step = smaller(step, larger(landing, SHORTEST", "step = larger(step, larger(landing, SHORTEST", RULES),
+    Mutation("friction leaves steps alone", RECORD, "smaller(calm, 1.0 / larger(stiff, 1.0))", "1.0 / larger(stiff, 1.0)", RULES),
+    Mutation("contact leaves steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.slip_rate / SLIP_SHARE", RULES),
+    Mutation("slips leave steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.contact_rate / CONTACT_SHARE", RULES),
+    Mutation("steps pass what is near", RECORD, "smaller(step, larger(near / haste", "larger(step, larger(near / haste", RULES),
+    Mutation("haste without arms", RECORD, "fastest + largest(each(_speed, (state.arm_rate,), ()))", "fastest", RULES),
+    Mutation("haste without turning", RECORD, "norm(velocity) + reach * norm(angular_velocity)", "norm(velocity)", RULES),
+    Mutation("steps pass the end", RECORD, "smaller(step, left)", "step", RULES),
+    Mutation("impulse again and again", RECORD, " & (m.request != APPLY_IMPULSE)", "", RULES),
+    # when an impact is over, and its measures
+    Mutation("impact never settles", RECORD, "pick(unsettled > 0.0, m.phase, FREE_FLIGHT)", "m.phase", RULES),
+    Mutation("arms settle while away", RECORD, "arm.compliance if away | moving", "arm.compliance if moving", RULES),
+    Mutation("arms settle while moving", RECORD, "arm.compliance if away | moving", "arm.compliance if away", RULES),
+    Mutation("settled at the free length only", RECORD, "away = view.unbalance * view.unbalance", "away = view.compression * view.compression", RULES),
+    Mutation("dwell begins at the first touch", RECORD, "m.time - last_touch > timing.dwell", "m.time - m.touch_time > timing.dwell", RULES),
+    Mutation("travel goes on", RECORD, "of_first & ((touching > 0.0) | ended)", "of_first", RULES),
+    Mutation("travel stops before the last instant", RECORD, "(touching > 0.0) | ended", "touching > 0.0", RULES),
+    Mutation("first-impact peaks of all impacts", RECORD, "within = (impacts == 1.0) & (phase == IMPACT)", "within = phase == IMPACT", RULES),
+    Mutation("first-impact peaks of contact only", RECORD, "within = (impacts == 1.0) & (phase == IMPACT)", "within = (impacts == 1.0) & (touching > 0.0)", RULES),
+    Mutation("separation of any impact", RECORD, "leaves = ended & of_first", "leaves = ended", RULES),
+    Mutation("return while going in", RECORD, "(depth - touch_depth <= LANDED) & (speed < 0.0)", "(depth - touch_depth <= LANDED) & (speed > 0.0)", RULES),
+    Mutation("return not landed on", RECORD, "pick(ahead, crossing_time(depth - touch_depth, speed), NEVER)", "NEVER", RULES),
+    # stops, as steps see them
+    Mutation("stop ahead unseen", STOPS, "(elastic > 0.0) | soon", "elastic > 0.0", FLIGHT),
+    Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * elastic", "damper = -arm.stop_dissipation * elastic", FLIGHT),
+    # bounds of friction
+    Mutation("grip, about z", GRIPS, "g * (pn * pn + out * square)", "g * (out * square)", GRIP),
+    Mutation("grip, about x", GRIPS, "upright * point.y * point.y", "upright * point.x * point.x", GRIP),
+    Mutation("grip, coupling left out", GRIPS, "math.sqrt(half * half + lean_part * across)", "math.sqrt(half * half)", GRIP),
+    # rings against shapes
+    Mutation("ring, highest minimum", CAGE, "is_minimum = (here <= before) & (here < after)", "is_minimum = (here >= before) & (here > after)", RINGS),
+    Mutation("ring, search away from the minimum", CAGE, "to_left = at_left < at_right", "to_left = at_left > at_right", RINGS),
+    Mutation("ring, no second point", CAGE, "1.0 if second >= 0 else 0.0)", "0.0)", RINGS),
+    Mutation("ring, second point is the first", CAGE, "found.second if found.twice > 0.0 else found.first", "found.first", RINGS),
+    # impulses
+    Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
+    Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),
+    Mutation("impulse, turns the other way", IMPULSES, "dw + r @ solve", "dw - r @ solve", IMPULSE),
+    Mutation("impulse, gives e of the work back", IMPULSES, "e * e * taken[k]", "e * taken[k]", IMPULSE),
+    Mutation("impulse, friction unbounded", IMPULSES, "stopping if stopping < limit else limit", "stopping", IMPULSE),
+    Mutation("impulse, its loss unbooked", IMPULSES, "work.contact + lost - rubbed_off", "work.contact", IMPULSE),
+    Mutation("impulse, friction's share, sign", IMPULSES, "rubbed_off -= share", "rubbed_off += share", IMPULSE),
+    Mutation("impulse, rests never", IMPULSES, "rebound[k] = hit.surface.restitution if closing > RESTING else 0.0\n                tolerated", "rebound[k] = hit.surface.restitution\n                tolerated", IMPULSE),
+    Mutation("impulse, is not put back", IMPULSES, "state.position + sunk,", "state.position,", IMPULSE),
 )  # fmt: skip
 
 
-def failures(source: Path, flights: bool) -> set[str]:
-    """Names of the tests that fail with the package in ``source``."""
+def failures(source: Path, tests: tuple[str, str]) -> set[str]:
+    """Names of those of some tests that fail with the package in ``source``."""
     command = [sys.executable, "-m", "pytest", "-q", "--tb=no", "-rfE", "-p", "no:cacheprovider"]
-    command += [str(TESTS)] if flights else [str(TESTS), "-k", QUICK]
+    command += [*(str(ROOT / "tests" / place) for place in tests[0].split()), "-k", tests[1]]
     paths = os.pathsep.join([str(source), str(ROOT / "tests")])
     environment = {**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": "1"}
     environment["SPRINGBACK_CACHE_DIR"] = str(source / "cache")
@@ -141,8 +238,8 @@ def failures(source: Path, flights: bool) -> set[str]:
     return failed
 
 
-def mutated(package: Path, mutation: Mutation | None, flights: bool) -> set[str]:
-    """Names of the tests that fail with one mutation, or with none."""
+def mutated(package: Path, mutation: Mutation | None, tests: tuple[str, str]) -> set[str]:
+    """Names of those of some tests that fail with one mutation, or with none."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "springback"
         shutil.copytree(package, copy)
@@ -150,7 +247,7 @@ def mutated(package: Path, mutation: Mutation | None, flights: bool) -> set[str]
             path = copy / mutation.path
             text = path.read_text(encoding="utf-8").replace(mutation.old, mutation.new)
             path.write_text(text, encoding="utf-8")
-        return failures(Path(folder), flights)
+        return failures(Path(folder), tests)
 
 
 def outdated(package: Path) -> list[str]:
@@ -176,19 +273,34 @@ def main(arguments: list[str]) -> int:
     wanted = [a for a in arguments if not a.startswith("--")]
     chosen = [m for m in MUTATIONS if not wanted or any(w in m.name for w in wanted)]
     unnoticed = 0
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
+
+    def tests_of(mutation: Mutation) -> tuple[str, str]:
+        """All there are in its folders with ``--flights``."""
+        return (mutation.tests[0], "") if flights else mutation.tests
+
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(WORKERS) as pool:
         package = Path(folder) / "springback"
         hidden = shutil.ignore_patterns("__pycache__")
         shutil.copytree(ROOT / "src" / "springback", package, ignore=hidden)
         if complaints := outdated(package):
             print("The source has changed; mend these mutations:", *complaints, sep="\n  ")
             return len(complaints)
-        before = mutated(package, None, flights)
-        print("without mutation:", noticed(before) or "all pass", flush=True)
-        tried = pool.map(lambda m: mutated(package, m, flights), chosen)
+        kinds = list(dict.fromkeys(map(tests_of, chosen)))
+        before = dict(
+            zip(kinds, pool.map(lambda tests: mutated(package, None, tests), kinds), strict=True)
+        )
+        for tests in kinds:
+            print(
+                "without mutation,",
+                tests[0] + ":",
+                noticed(before[tests]) or "all pass",
+                flush=True,
+            )
+        tried = pool.map(lambda m: mutated(package, m, tests_of(m)), chosen)
         for mutation, failed in zip(chosen, tried, strict=True):
-            print(f"{mutation.name:46s}", noticed(failed - before) or "NOBODY", flush=True)
-            unnoticed += not failed - before
+            found = failed - before[tests_of(mutation)]
+            print(f"{mutation.name:46s}", noticed(found) or "NOBODY", flush=True)
+            unnoticed += not found
     print(f"{len(chosen) - unnoticed} of {len(chosen)} noticed")
     return unnoticed
 

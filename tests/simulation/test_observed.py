@@ -1,0 +1,272 @@
+"""What one instant makes of the next step and of the measures, rule by rule, in plain Python."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from springback.dynamics.motion import Motion
+from springback.experiments.numbers import flight_model, start_state
+from springback.experiments.scenario import scenario_from
+from springback.kernels.vectors import Vec
+from springback.simulation import record as rules
+from springback.simulation.executor import rates_of
+from springback.simulation.flight import still_work
+from springback.simulation.record import (
+    APPLY_IMPULSE,
+    FREE_FLIGHT,
+    IMPACT,
+    LOCK_ARMS,
+    NOTHING,
+    Model,
+    Record,
+    View,
+    blank_record,
+    observed,
+)
+
+#: Nothing is nearer [m].
+ROOM = 100.0
+
+
+def scene() -> tuple[Model, Motion, View, Record]:
+    """ARQ in free flight at 1 m/s towards a wall 100 m away, and the record of its beginning."""
+    scenario = scenario_from(
+        {
+            "vehicle": "arq",
+            "world": {"obstacles": [{"type": "wall", "distance": ROOM, "surface": "wall"}]},
+            "start": {"velocity": [1.0, 0.0, 0.0]},
+            "simulation": {"duration": 10.0},
+        }
+    )
+    model = flight_model(scenario)
+    motion = Motion(start_state(scenario.start, scenario.vehicle), still_work())
+    view = rates_of(model, motion.state, FREE_FLIGHT).seen
+    return model, motion, view, blank_record(4, 1, 1)
+
+
+def armed(view: View, j: int, **changes: Any) -> View:
+    """A view in which one arm is otherwise."""
+    arms = list(view.arms)
+    arms[j] = arms[j]._replace(**changes)
+    return view._replace(arms=tuple(arms))
+
+
+def bodied(view: View, **changes: Any) -> View:
+    """A view in which the hull is otherwise."""
+    return view._replace(hull=(view.hull[0]._replace(**changes),))
+
+
+TOUCHES: dict[str, Any] = {"engaged": (1.0,), "inward": Vec(1.0, 0.0, 0.0), "gap": -1e-4}
+EITHER = pytest.mark.parametrize("part", [armed, bodied], ids=["cage", "hull"])
+
+
+def with_(part: Any, view: View, **changes: Any) -> View:
+    """A view in which a cage, or the hull, is otherwise."""
+    return armed(view, 2, **changes) if part is armed else bodied(view, **changes)
+
+
+# -- steps -----------------------------------------------------------------------------------------
+
+
+def test_free_flight_takes_free_steps_and_cruises() -> None:
+    """Far from everything, with locked arms at rest."""
+    model, motion, view, m = scene()
+    after = observed(model, motion, view, m)
+    assert after.step == model.timing.free_step
+    assert after.cruising == rules.CRUISING
+    assert (after.phase, after.request, after.touching) == (FREE_FLIGHT, NOTHING, 0.0)
+
+
+@EITHER
+def test_a_touch_begins_an_impact_and_makes_steps_short(part: Any) -> None:
+    """The instant of the touch takes no step, the next one an impact step."""
+    model, motion, view, m = scene()
+    touch = with_(part, view, **TOUCHES)
+    first = observed(model, motion, touch, m)
+    assert (first.step, first.phase, first.touching, first.contacts) == (0.0, IMPACT, 1.0, 1.0)
+    assert first.impacts == first.impact_open == 1.0
+    assert first.touch_speed == pytest.approx(1.0)
+    assert first.cruising == rules.STEERED
+    second = observed(model, motion, touch, first)
+    assert 0.0 < second.step <= model.timing.impact_step
+    assert second.contacts == 1.0
+    assert sum(second.hull_contacts) == (part is bodied)
+    assert sum(second.arm_contacts) == (part is armed)
+
+
+def test_arms_settle_in_longer_steps_but_not_on_a_stop() -> None:
+    """A pressed stop is contact, whatever the cages do."""
+    model, motion, view, m = scene()
+    swings = armed(view, 1, unbalance=5e-3)
+    settling = observed(model, motion, swings, m._replace(phase=IMPACT))
+    assert settling.step == model.timing.settle_step > 2.0 * model.timing.impact_step
+    stopped = observed(model, motion, armed(swings, 3, stopped=1.0), m._replace(phase=IMPACT))
+    assert stopped.step == model.timing.impact_step
+    assert settling.cruising == rules.STEERED
+
+
+@pytest.mark.parametrize(
+    ("rate", "share"),
+    [
+        ("friction_rate", rules.FRICTION_SHARE),
+        ("contact_rate", rules.CONTACT_SHARE),
+        ("slip_rate", rules.SLIP_SHARE),
+    ],
+)
+def test_steps_follow_every_rate(rate: str, share: float) -> None:
+    """Each alone bounds the step, and the tighter bound holds."""
+    model, motion, view, m = scene()
+    fast = 5.0 * share / model.timing.free_step
+    bound = observed(model, motion, view._replace(**{rate: fast}), m).step
+    assert bound == pytest.approx(share / fast, rel=1e-12)
+    slow = observed(model, motion, view._replace(**{rate: 0.5 * share / model.timing.free_step}), m)
+    assert slow.step == model.timing.free_step
+    endless = observed(model, motion, view._replace(**{rate: 1e12}), m).step
+    assert endless == pytest.approx(rules.SHORTEST * model.timing.impact_step)
+
+
+@EITHER
+def test_steps_land_on_crossings(part: Any) -> None:
+    """On one within reach exactly, half an impact step before one farther off, never too short."""
+    model, motion, view, m = scene()
+    short = model.timing.impact_step
+    near = observed(model, motion, with_(part, view, landing=0.7 * short), m).step
+    assert near == pytest.approx(0.7 * short, rel=1e-12)
+    far = observed(model, motion, with_(part, view, landing=3.0 * short), m).step
+    assert far == pytest.approx(2.5 * short, rel=1e-12)
+    now = observed(model, motion, with_(part, view, landing=1e-9 * short), m).step
+    assert now == pytest.approx(rules.SHORTEST * short)
+
+
+@EITHER
+def test_no_step_passes_what_is_near(part: Any) -> None:
+    """At most so long as the fastest point takes to what is nearest, but an impact step at least."""
+    model, motion, view, m = scene()
+    gap = 0.4 * model.timing.free_step  # at 1 m/s
+    bounded = observed(model, motion, with_(part, view, gap=gap), m)
+    assert bounded.step == pytest.approx(gap, rel=1e-9)
+    assert bounded.cruising == rules.STEERED
+    assert bounded.room == gap
+    least = observed(model, motion, with_(part, view, gap=1e-9), m)
+    assert least.step == model.timing.impact_step
+
+
+def test_a_spinning_vehicle_is_as_fast_as_its_farthest_point() -> None:
+    """ω times the reach of a cage adds to the speed, and an arm's own rate does."""
+    model, motion, view, m = scene()
+    reach, gap = 0.19 + 0.11, 0.4 * model.timing.free_step
+    spinning = motion.state._replace(angular_velocity=Vec(0.0, 0.0, -2.0))
+    spun = observed(model, Motion(spinning, motion.work), armed(view, 0, gap=gap), m).step
+    assert spun == pytest.approx(gap / (1.0 + 2.0 * reach), rel=1e-9)
+    sliding = motion.state._replace(arm_rate=(0.0, -3.0, 0.0, 0.0))
+    slid = observed(model, Motion(sliding, motion.work), armed(view, 0, gap=gap), m).step
+    assert slid == pytest.approx(model.timing.impact_step)  # of gap / 4 m/s, the longer one
+
+
+def test_the_last_step_ends_in_time() -> None:
+    """Not past the end, and a flight that is there has finished."""
+    model, motion, view, m = scene()
+    left = 0.3 * model.timing.free_step
+    assert observed(model, motion, view, m._replace(time=10.0 - left)).step == pytest.approx(left)
+    there = observed(model, motion, view, m._replace(time=10.0))
+    assert (there.step, there.status) == (0.0, rules.FINISHED)
+
+
+@EITHER
+def test_an_impulse_is_asked_for_once(part: Any) -> None:
+    """Where a part closes in on a surface of the impulse law; then time goes on."""
+    model, motion, view, m = scene()
+    closing = with_(part, view, impulsive=1.0, **TOUCHES)
+    first = observed(model, motion, closing, m)
+    assert (first.request, first.step) == (APPLY_IMPULSE, 0.0)
+    second = observed(model, motion, closing, first)
+    assert second.request != APPLY_IMPULSE
+    assert second.step > 0.0
+
+
+# -- when an impact is over, and what is measured of it --------------------------------------------
+
+
+def test_settled_arms_are_locked_when_nothing_touches() -> None:
+    """By distance from balance and by rate; the instant of locking takes no step."""
+    model, motion, view, m = scene()
+    hit = m._replace(phase=IMPACT, impact_open=1.0, impacts=1.0, contacts=1.0)
+    done = observed(model, motion, view, hit)
+    assert (done.phase, done.request, done.step) == (FREE_FLIGHT, LOCK_ARMS, 0.0)
+    assert observed(model, motion, armed(view, 0, unbalance=-2e-5), hit).phase == IMPACT
+    moving = motion.state._replace(arm_rate=(0.0, 0.0, -2e-3, 0.0))
+    assert observed(model, Motion(moving, motion.work), view, hit).phase == IMPACT
+    # Held out by spin it is at rest all the same.
+    held = armed(view, 0, compression=-5e-3, unbalance=0.0)
+    assert observed(model, motion, held, hit).phase == FREE_FLIGHT
+
+
+def test_an_impact_is_over_a_dwell_after_its_last_touch() -> None:
+    """And a later touch begins another."""
+    model, motion, view, m = scene()
+    dwell = model.timing.dwell
+    hit = m._replace(impact_open=1.0, impacts=1.0, contacts=1.0, last_touch_time=0.0)
+    assert observed(model, motion, view, hit._replace(time=0.9 * dwell)).impact_open == 1.0
+    over = observed(model, motion, view, hit._replace(time=1.1 * dwell))
+    assert over.impact_open == 0.0
+    again = observed(model, motion, armed(view, 0, **TOUCHES), over)
+    assert (again.impacts, again.contacts) == (2.0, 2.0)
+    soon = observed(model, motion, armed(view, 0, **TOUCHES), hit._replace(time=0.9 * dwell))
+    assert (soon.impacts, soon.contacts) == (1.0, 2.0)
+
+
+def test_first_impact_measures_stop_with_it() -> None:
+    """Peaks of the whole flight grow on; travel ends with the last separation."""
+    model, motion, view, m = scene()
+    hard = view._replace(acceleration=Vec(-300.0, 0.0, 0.0), specific_force=Vec(-301.0, 0.0, 0.0))
+    hard = armed(hard, 0, normal=200.0, depth=2e-3, compression=9e-3)
+    in_first = m._replace(
+        phase=IMPACT, impact_open=1.0, impacts=1.0, contacts=1.0, touching=1.0,
+        inward=Vec(1.0, 0.0, 0.0), touch_time=0.0,
+    )  # fmt: skip
+    moved = Motion(motion.state._replace(position=Vec(0.013, 0.0, 0.0)), motion.work)
+    names = (
+        "peak_acceleration", "peak_specific_force", "peak_normal_force", "penetration",
+        "arm_stroke",
+    )  # fmt: skip
+
+    def peaks(record: Record, stem: str) -> list[float]:
+        """Of the first impact, or of the flight."""
+        own = {"penetration": "peak_penetration", "arm_stroke": "peak_compression"}
+        return [getattr(record, f"impact_{n}" if stem else own.get(n, n)) for n in names]
+
+    within = observed(model, moved, armed(hard, 1, **TOUCHES), in_first)
+    assert peaks(within, "impact") == peaks(within, "") == [300.0, 301.0, 200.0, 2e-3, 9e-3]
+    assert within.travel == pytest.approx(0.013)
+    later = in_first._replace(impacts=2.0)
+    beyond = observed(model, moved, armed(hard, 1, **TOUCHES), later)
+    assert peaks(beyond, "impact") == [0.0] * 5
+    assert peaks(beyond, "") == [300.0, 301.0, 200.0, 2e-3, 9e-3]
+    assert beyond.travel == 0.0
+    # After the last separation, while arms settle: peaks of the impact still, no travel.
+    swings = armed(hard, 1, unbalance=5e-3)
+    left = observed(model, moved, swings, in_first._replace(touching=0.0))
+    assert peaks(left, "impact")[0] == 300.0
+    assert left.travel == 0.0
+    leaves = observed(model, moved, swings, in_first)
+    assert leaves.travel == pytest.approx(0.013)
+    assert leaves.separation_speed == pytest.approx(1.0)
+    assert left.separation_time == -1.0
+
+
+def test_the_return_is_where_the_first_touch_was() -> None:
+    """Moving out, behind the plane of the first touch; predicted, so that a step lands on it."""
+    model, motion, view, m = scene()
+    hit = m._replace(
+        impacts=1.0, impact_open=1.0, contacts=1.0, inward=Vec(1.0, 0.0, 0.0), touch_time=0.0,
+        time=0.01,
+    )  # fmt: skip
+    out = motion.state._replace(velocity=Vec(-2.0, 0.0, 0.0))
+    ahead = Motion(out._replace(position=Vec(1e-4, 0.0, 0.0)), motion.work)
+    coming = observed(model, ahead, view, hit)
+    assert coming.return_time == -1.0
+    assert coming.step == pytest.approx(0.5e-4, rel=1e-9)
+    there = observed(model, Motion(out, motion.work), view, hit)
+    assert (there.return_time, there.return_speed) == (0.01, -2.0)
