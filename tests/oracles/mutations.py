@@ -30,11 +30,13 @@ ROOT = Path(__file__).parents[2]
 WORKERS = int(os.environ.get("WORKERS", os.cpu_count() or 1))
 #: Tests of single states: files and folders below tests, and which of their tests.
 QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap or locking")
-#: Of the hull, with two flights; of rings and shapes; of what bounds steps; of one instant's rules.
+#: Of the hull, with two flights; of rings and shapes; of what bounds steps; of one instant's rules; of
+#: peaks.
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
 GRIP = ("contact/test_grip.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
+PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.
 IMPULSE = (
     "dynamics/test_conservation.py simulation/test_combinations.py",
@@ -62,7 +64,8 @@ STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vect
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
 HULL_CONTACT, HULL_STATE, TOUCHES = "contact/hull.py", "dynamics/hull.py", "dynamics/touches.py"
 RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/grip.py"
-CLEARANCE = "dynamics/clearance.py"
+CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
+PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
 
 MUTATIONS = (
     # contact
@@ -142,13 +145,13 @@ MUTATIONS = (
     Mutation("locking, velocity", ENERGY, "velocity - r @ (new_omega", "velocity + r @ (new_omega"),
     Mutation("angular momentum, drift", ENERGY, "((omega ^ centre) + drift)))", "((omega ^ centre) - drift)))"),
     # the hull
-    Mutation("hull, gap without its radius", HULL_CONTACT, "signed_distance(shape, pose.lever) - radius", "signed_distance(shape, pose.lever)", HULL),
-    Mutation("hull, gap with its radius added", HULL_CONTACT, "pose.lever) - radius", "pose.lever) + radius", HULL),
+    Mutation("hull, gap without its radius", HULL_CONTACT, "signed_distance(shape, arm.lever) - radius", "signed_distance(shape, arm.lever)", HULL),
+    Mutation("hull, gap with its radius added", HULL_CONTACT, "arm.lever) - radius", "arm.lever) + radius", HULL),
     Mutation("hull, touches on the far side", HULL_CONTACT, "lever = radius * inward", "lever = -radius * inward", HULL),
     Mutation("hull, rubs at its centre", HULL_CONTACT, "Support(lever, lever, lever, 0.0)", "Support(lever, lever, lever * 0.0, 0.0)", HULL),
     Mutation("hull, normal out", HULL_CONTACT, "inward = -outward", "inward = outward", HULL),
     Mutation("hull, about the main body", HULL_CONTACT, "Vec(0.0, 0.0, 0.0), hull.centre, velocity", "Vec(0.0, 0.0, 0.0), hull.centre * 0.0, velocity", HULL),
-    Mutation("hull, touches a shape twice", HULL_CONTACT, "Facing(FAR, there.inward", "Facing(there.gap, there.inward", HULL),
+    Mutation("hull, touches a shape twice", HULL_CONTACT, "Facing(FAR, inward", "Facing(gap, inward", HULL),
     Mutation("hull, its force left out", MOTION, "folded(_together, a.contact, column(hull, \"contact\"), ())", "a.contact", HULL),
     Mutation("hull, its energy left out", ENERGY, "folded(_hull_energy, a.contact, airframe.hull, (obstacles,))", "a.contact", HULL),
     Mutation("hull, its energy, sign", ENERGY, "so_far + total(each(_hull_contact", "so_far - total(each(_hull_contact", HULL),
@@ -158,7 +161,7 @@ MUTATIONS = (
     Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
     Mutation("hull, contact rate of cages only", MOTION, "contact_rate(contact.press", "contact_rate(a.contact.press", GRIP),
     Mutation("hull, gaps left out of steps", RECORD, "least(column(view.arms, \"gap\") + column(view.hull, \"gap\"))", "least(column(view.arms, \"gap\"))", RULES),
-    Mutation("hull, landings left out of steps", RECORD, "least(column(view.arms, \"landing\") + column(view.hull, \"landing\"))", "least(column(view.arms, \"landing\"))", RULES),
+    Mutation("hull, crossings left out of steps", RECORD, "column(view.arms, \"crossing\") + column(view.hull, \"crossing\")", "column(view.arms, \"crossing\")", RULES),
     Mutation("hull, touch is no touch", RECORD, "largest(arm_touching + hull_touching)", "largest(arm_touching)", RULES),
     Mutation("hull, its normal left out", RECORD, "        + each(_touched_normal, (view.hull, hull_touching), ())", "", RULES),
     Mutation("hull, no impulse", RECORD, "largest(column(view.arms, \"impulsive\") + column(view.hull, \"impulsive\"))", "largest(column(view.arms, \"impulsive\"))", RULES),
@@ -168,7 +171,10 @@ MUTATIONS = (
     Mutation("contact on within a step", CAGE, "depth if engaged > 0.0 else 0.0", "depth", FLIGHT),
     Mutation("contact never on", CAGE, "depth if engaged > 0.0 else 0.0", "0.0", QUICK),
     Mutation("law not felt at the touch", CAGE, "AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0", "0.0", FLIGHT),
-    Mutation("landing, sign of the rate", TOUCHES, "value * rate < 0.0", "value * rate > 0.0", FLIGHT),
+    Mutation("crossing, sign of the rate", CROSSING, "value * rate < 0.0", "value * rate > 0.0", FLIGHT),
+    Mutation("crossing, the later one", CROSSING, "a.distance * b.speed < b.distance", "a.distance * b.speed > b.distance", RULES),
+    Mutation("crossing, speed over distance", CROSSING, "c.distance / c.speed", "c.speed / c.distance", RULES),
+    Mutation("the other stop is next", STOPS, "growing if rate > 0.0 else shrinking", "shrinking if rate > 0.0 else growing", FLIGHT),
     Mutation("leaving at once", TOUCHES, "(met.gap < -LANDED) & (met.impulsive == 0.0)", "(met.gap < -LANDED) & (met.rate < 0.0)", FLIGHT),
     Mutation("impulse where it leaves", TOUCHES, "closing = (met.gap <= LANDED) & (met.rate < 0.0)", "closing = (met.gap <= LANDED) & (met.rate > 0.0)", IMPULSE),
     # steps
@@ -176,12 +182,12 @@ MUTATIONS = (
     Mutation("settling steps in contact", RECORD, "pick(pressed, timing.impact_step, timing.settle_step)", "pick(pressed, timing.settle_step, timing.impact_step)", RULES),
     Mutation("crossings from afar met at once", RECORD, "landing - 0.5 * timing.impact_step, landing)", "landing, landing)", RULES),
     Mutation("crossings passed", RECORD, "step = smaller(step, larger(landing, SHORTEST", "step = larger(step, larger(landing, SHORTEST", RULES),
-    Mutation("friction leaves steps alone", RECORD, "smaller(calm, 1.0 / larger(stiff, 1.0))", "1.0 / larger(stiff, 1.0)", RULES),
+    Mutation("friction leaves steps alone", RECORD, "larger(stiff, view.friction_rate / FRICTION_SHARE)", "stiff", RULES),
     Mutation("contact leaves steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.slip_rate / SLIP_SHARE", RULES),
     Mutation("slips leave steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.contact_rate / CONTACT_SHARE", RULES),
     Mutation("steps pass what is near", RECORD, "smaller(step, larger(near / haste", "larger(step, larger(near / haste", RULES),
-    Mutation("haste without arms", RECORD, "fastest + largest(each(_speed, (state.arm_rate,), ()))", "fastest", RULES),
-    Mutation("haste without turning", RECORD, "norm(velocity) + reach * norm(angular_velocity)", "norm(velocity)", RULES),
+    Mutation("haste without arms", STATE, "fastest + largest(each(_speed, (state.arm_rate,), ()))", "fastest", RULES),
+    Mutation("haste without turning", STATE, "norm(velocity) + reach(airframe) * norm(angular_velocity)", "norm(velocity)", RULES),
     Mutation("steps pass the end", RECORD, "smaller(step, left)", "step", RULES),
     Mutation("impulse again and again", RECORD, " & (m.request != APPLY_IMPULSE)", "", RULES),
     # when an impact is over, and its measures
@@ -196,7 +202,14 @@ MUTATIONS = (
     Mutation("first-impact peaks of contact only", RECORD, "within = (impacts == 1.0) & (phase == IMPACT)", "within = (impacts == 1.0) & (touching > 0.0)", RULES),
     Mutation("separation of any impact", RECORD, "leaves = ended & of_first", "leaves = ended", RULES),
     Mutation("return while going in", RECORD, "(depth - touch_depth <= LANDED) & (speed < 0.0)", "(depth - touch_depth <= LANDED) & (speed > 0.0)", RULES),
-    Mutation("return not landed on", RECORD, "pick(ahead, crossing_time(depth - touch_depth, speed), NEVER)", "NEVER", RULES),
+    Mutation("return not landed on", RECORD, "pick(ahead, speed, 0.0))", "0.0)", RULES),
+    # peaks between instants
+    Mutation("peak, slope at the wrong end", PEAKS, "rise * (t.after * t.after) + fall * (t.before * t.before)", "rise * (t.before * t.before) + fall * (t.after * t.after)", PEAK),
+    Mutation("peak, below the largest sample", PEAKS, "second - 0.5 * slope * half", "second + 0.5 * slope * half", PEAK),
+    Mutation("peak, time mirrored", PEAKS, "-half * t.volume - t.after", "half * t.volume - t.after", PEAK),
+    Mutation("peak, across a jump", PEAKS, "usable = smooth & (recent.step > 0.0)", "usable = recent.step > 0.0", PEAK),
+    Mutation("peak, across a touch", RECORD, "smooth = (m.step > 0.0) & (not jumped)", "smooth = m.step > 0.0", PEAK),
+    Mutation("peak, of stale instants", RECORD, "recent=Recent(pick(smooth, m.step, 0.0), latest, now)", "recent=Recent(pick(smooth, m.step, 0.0), now, latest)", PEAK),
     # stops, as steps see them
     Mutation("stop ahead unseen", STOPS, "(elastic > 0.0) | soon", "elastic > 0.0", FLIGHT),
     Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * elastic", "damper = -arm.stop_dissipation * elastic", FLIGHT),
@@ -205,10 +218,9 @@ MUTATIONS = (
     Mutation("grip, about x", GRIPS, "upright * point.y * point.y", "upright * point.x * point.x", GRIP),
     Mutation("grip, coupling left out", GRIPS, "math.sqrt(half * half + lean_part * across)", "math.sqrt(half * half)", GRIP),
     # rings against shapes
-    Mutation("ring, highest minimum", CAGE, "is_minimum = (here <= before) & (here < after)", "is_minimum = (here >= before) & (here > after)", RINGS),
-    Mutation("ring, search away from the minimum", CAGE, "to_left = at_left < at_right", "to_left = at_left > at_right", RINGS),
-    Mutation("ring, no second point", CAGE, "1.0 if second >= 0 else 0.0)", "0.0)", RINGS),
-    Mutation("ring, second point is the first", CAGE, "found.second if found.twice > 0.0 else found.first", "found.first", RINGS),
+    Mutation("ring, slope of the other sign", RING, "n.y * towards.x - n.x * towards.y", "n.x * towards.y - n.y * towards.x", RINGS),
+    Mutation("ring, search away from the minimum", RING, "if slope < 0.0:", "if slope > 0.0:", RINGS),
+    Mutation("ring, second point is the first", CAGE, "_at_low(shape, radius, arm.lever, found.second)", "_at_low(shape, radius, arm.lever, found.first)", RINGS),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Motion
 from springback.experiments.numbers import flight_model, start_state
 from springback.experiments.scenario import scenario_from
@@ -99,7 +100,7 @@ def test_a_touch_begins_an_impact_and_makes_steps_short(part: Any) -> None:
 def test_arms_settle_in_longer_steps_but_not_on_a_stop() -> None:
     """A pressed stop is contact, whatever the cages do."""
     model, motion, view, m = scene()
-    swings = armed(view, 1, unbalance=5e-3)
+    swings = armed(view, 1, unbalance=25.0)
     settling = observed(model, motion, swings, m._replace(phase=IMPACT))
     assert settling.step == model.timing.settle_step > 2.0 * model.timing.impact_step
     stopped = observed(model, motion, armed(swings, 3, stopped=1.0), m._replace(phase=IMPACT))
@@ -132,11 +133,11 @@ def test_steps_land_on_crossings(part: Any) -> None:
     """On one within reach exactly, half an impact step before one farther off, never too short."""
     model, motion, view, m = scene()
     short = model.timing.impact_step
-    near = observed(model, motion, with_(part, view, landing=0.7 * short), m).step
+    near = observed(model, motion, with_(part, view, crossing=Crossing(0.7 * short, 1.0)), m).step
     assert near == pytest.approx(0.7 * short, rel=1e-12)
-    far = observed(model, motion, with_(part, view, landing=3.0 * short), m).step
+    far = observed(model, motion, with_(part, view, crossing=Crossing(3.0 * short, 1.0)), m).step
     assert far == pytest.approx(2.5 * short, rel=1e-12)
-    now = observed(model, motion, with_(part, view, landing=1e-9 * short), m).step
+    now = observed(model, motion, with_(part, view, crossing=Crossing(1e-9 * short, 1.0)), m).step
     assert now == pytest.approx(rules.SHORTEST * short)
 
 
@@ -195,7 +196,7 @@ def test_settled_arms_are_locked_when_nothing_touches() -> None:
     hit = m._replace(phase=IMPACT, impact_open=1.0, impacts=1.0, contacts=1.0)
     done = observed(model, motion, view, hit)
     assert (done.phase, done.request, done.step) == (FREE_FLIGHT, LOCK_ARMS, 0.0)
-    assert observed(model, motion, armed(view, 0, unbalance=-2e-5), hit).phase == IMPACT
+    assert observed(model, motion, armed(view, 0, unbalance=-0.1), hit).phase == IMPACT
     moving = motion.state._replace(arm_rate=(0.0, 0.0, -2e-3, 0.0))
     assert observed(model, Motion(moving, motion.work), view, hit).phase == IMPACT
     # Held out by spin it is at rest all the same.
@@ -246,7 +247,7 @@ def test_first_impact_measures_stop_with_it() -> None:
     assert peaks(beyond, "") == [300.0, 301.0, 200.0, 2e-3, 9e-3]
     assert beyond.travel == 0.0
     # After the last separation, while arms settle: peaks of the impact still, no travel.
-    swings = armed(hard, 1, unbalance=5e-3)
+    swings = armed(hard, 1, unbalance=25.0)
     left = observed(model, moved, swings, in_first._replace(touching=0.0))
     assert peaks(left, "impact")[0] == 300.0
     assert left.travel == 0.0
