@@ -16,7 +16,8 @@ import pytest
 from interfaces.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces import files
-from springback.interfaces.files import FLIGHT_FILES, output_folder
+from springback.interfaces.files import output_folder
+from springback.interfaces.flight_files import FLIGHT_FILES
 
 MINE = ("summary.json", "trajectory.parquet")
 

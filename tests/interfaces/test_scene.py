@@ -24,7 +24,7 @@ from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import expanded
 from springback.experiments.sealed import file_digest, sealed
 from springback.experiments.tables import WorldSettings
-from springback.interfaces.files import write_flight
+from springback.interfaces.flight_files import write_flight
 from springback.interfaces.scene import Scene, plain, read_result, scene_of
 from springback.interfaces.scene_geometry import drawn
 from springback.interfaces.scene_instants import (

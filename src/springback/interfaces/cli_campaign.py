@@ -309,7 +309,8 @@ def refly(
     springback refly results 1711 --out flight-1711
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.files import FLIGHT_FILES, output_folder, write_flight
+    from springback.interfaces.files import output_folder
+    from springback.interfaces.flight_files import FLIGHT_FILES, write_flight
 
     known = Campaign(folder)
     with spinner(FIRST, quiet):

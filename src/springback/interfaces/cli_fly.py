@@ -59,7 +59,8 @@ def fly(
     from springback.experiments.pilots import read_pilot
     from springback.experiments.result import fly as fly_scenario
     from springback.experiments.scenario_file import read_scenario
-    from springback.interfaces.files import FLIGHT_FILES, SUMMARY, output_folder, write_flight
+    from springback.interfaces.files import SUMMARY, output_folder
+    from springback.interfaces.flight_files import FLIGHT_FILES, write_flight
 
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)

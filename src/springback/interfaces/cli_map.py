@@ -103,13 +103,14 @@ def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
         writer.writeheader()
         writer.writerows(rows)
     if figures:
+        from springback.experiments.paper.printed import printed_success
         from springback.interfaces import canvas
         from springback.interfaces.plots_map import map_figure
 
-        written += canvas.save(map_figure(envelope), folder / "map", numbers=False)
+        written += canvas.save(map_figure(envelope, printed_success), folder / "map", numbers=False)
         if find_spec("jinja2") is not None:
             from springback.interfaces.report_map import map_page
 
             written.append(folder / "map.html")
-            written[-1].write_text(map_page(envelope), encoding="utf-8")
+            written[-1].write_text(map_page(envelope, printed_success), encoding="utf-8")
     return written
