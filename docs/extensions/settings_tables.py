@@ -6,6 +6,7 @@ import inspect
 import itertools
 import math
 import textwrap
+from collections.abc import Iterator
 from typing import Any, Literal, get_args, get_origin
 
 from docstrings import escaped, found
@@ -83,15 +84,20 @@ POWERS = str.maketrans({"2": "²", "3": "³"})
 
 
 def meanings(cls: type) -> dict[str, str]:
-    """The strings below the fields of a class."""
-    body = ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0].body
-    told = {}
-    for field, text in itertools.pairwise(body):
+    """The strings below the fields of a class, and of those it inherits them from."""
+    told: dict[str, str] = {}
+    bases = [base for base in reversed(cls.__mro__) if issubclass(base, Settings)]
+    for field, text in itertools.chain.from_iterable(map(_statements, bases)):
         is_field = isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
         is_text = isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)
         if is_field and is_text and isinstance(text.value.value, str):
             told[field.target.id] = inspect.cleandoc(text.value.value)
     return told
+
+
+def _statements(cls: type) -> Iterator[tuple[ast.stmt, ast.stmt]]:
+    """Every statement in the body of a class with the one that follows it."""
+    return itertools.pairwise(ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0].body)
 
 
 def _bounds(validator: Any) -> tuple[str, dict[str, float], str] | None:

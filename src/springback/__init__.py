@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from springback.experiments.result import fly as fly
     from springback.experiments.scenario import Scenario as Scenario
     from springback.experiments.scenario_file import read_scenario as read_scenario
+    from springback.interfaces.plot import plot as plot
     from springback.kernels.compiler import kernel as kernel
     from springback.kernels.vectors import Quat as Quat
     from springback.kernels.vectors import Vec as Vec
@@ -67,7 +68,7 @@ _PUBLIC = {
     "check_pilot": "experiments.pilot_check", "Finding": "experiments.pilot_check",
     "Scenario": "experiments.scenario", "read_scenario": "experiments.scenario_file",
     "fly": "experiments.result", "Flight": "experiments.result",
-    "fly_many": "simulation.flight",
+    "fly_many": "simulation.flight", "plot": "interfaces.plot",
     "Plan": "experiments.campaign.plan", "run_campaign": "experiments.campaign.running",
     "Campaign": "experiments.campaign.reading", "Stopped": "experiments.campaign.stopped",
     "Outcome": "simulation.measures", "MEASURES": "simulation.measures",

@@ -34,7 +34,7 @@ from springback.experiments.campaign import ledger, store
 from springback.experiments.campaign.design import laid_out
 from springback.experiments.campaign.reading import Campaign, check_conditions
 from springback.experiments.result import fly
-from springback.interfaces.files import write_flight
+from springback.interfaces.flight_files import write_flight
 from springback.interfaces.saved import read_result
 
 ROOT = Path(__file__).parents[2]

@@ -17,8 +17,9 @@ from springback.experiments.result import fly
 from springback.experiments.scenario import scenario_from
 from springback.interfaces import animation, film_bodies, film_timing
 from springback.interfaces.cli import cli
-from springback.interfaces.files import output_folder, write_flight
+from springback.interfaces.files import output_folder
 from springback.interfaces.film_picture import Picture
+from springback.interfaces.flight_files import write_flight
 from springback.interfaces.scene import Scene, scene_of
 
 SMALL = (200, 180)

@@ -14,10 +14,10 @@ from matplotlib.patches import Rectangle
 
 from springback.experiments.axes import Axis, Parameter
 from springback.experiments.envelope import LEVEL, Cell, Envelope, Place
-from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS
+from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
 from springback.experiments.run_ups import CONDITIONS
 from springback.interfaces import canvas
-from springback.interfaces.plots_map import PRINTED_MARKS, edges, map_figure, printed
+from springback.interfaces.plots_map import PRINTED_MARKS, edges, map_figure
 
 
 def run(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -111,7 +111,7 @@ def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
 
 
 def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() -> None:
-    figure = map_figure(plane_map())
+    figure = map_figure(plane_map(), printed_success)
     for ax in figure.axes[:2]:
         [contour] = [c for c in ax.collections if isinstance(c, QuadContourSet)]
         points = np.concatenate([path.vertices for path in contour.get_paths()])
@@ -131,24 +131,24 @@ def test_a_map_of_one_colour_and_of_other_parameters_draws() -> None:
     told = plane_map(("arq",))
     other = Axis(Parameter("air.wind[0]", ("air", "wind", 0), "m/s"), (0.0, -1.0, -2.0, -3.0))
     full = {p: Cell(p, {"recovered": 1000}) for p in told.cells}
-    figure = map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full))
+    figure = map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full), printed_success)
     assert not [c for c in figure.axes[0].collections if isinstance(c, QuadContourSet)]
     assert not [t for t in figure.legends[0].get_texts() if "paper" in t.get_text()]
     assert canvas.png(figure) == canvas.png(
-        map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full))
+        map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full), printed_success)
     )
 
 
 def test_every_printed_test_has_its_mark() -> None:
     for robot in ("arq", "quad"):
         for pitch, speed in CONDITIONS:
-            assert printed(robot, pitch, speed) in PRINTED_MARKS
+            assert printed_success(robot, pitch, speed) in PRINTED_MARKS
     assert set(SUCCESS) | set(SUCCESS_WORDS) == {
         (r, *c) for r in ("arq", "quad") for c in CONDITIONS
     }
-    assert printed("quad", 0.0, 3.5) == "none succeed"
-    assert printed("quad", -45.0, 2.0) != printed("quad", -30.0, 2.0)
-    assert printed("arq-lumped", 0.0, 2.0) == ""
+    assert printed_success("quad", 0.0, 3.5) == "none succeed"
+    assert printed_success("quad", -45.0, 2.0) != printed_success("quad", -30.0, 2.0)
+    assert printed_success("arq-lumped", 0.0, 2.0) == ""
 
 
 def test_cells_end_halfway_between_their_centres() -> None:

@@ -22,6 +22,7 @@ from experiments.campaign.made_up import filled
 from interfaces.legible import complaints
 from springback.experiments.campaign.marginals import field_map, fields_of, marginal
 from springback.experiments.campaign.reading import Campaign
+from springback.experiments.paper.printed import printed_success
 from springback.experiments.run_ups import CONDITIONS
 from springback.experiments.why import RANGES, ROBOTS, VARIANTS, Cell, WhyResults
 from springback.interfaces import (
@@ -93,7 +94,7 @@ def figures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Figure]:
         "touching": plots.flight_figure(FLIGHTS["touching"](flight)),
         "overview": plots_overview.overview_figure(report_overview.groups(rows)),
         "robots drawn": plots_drawing.robots_figure(),
-        "map": plots_map.map_figure(MAPS["plane_map"]()),
+        "map": plots_map.map_figure(MAPS["plane_map"](), printed_success),
         "ablation": plots_why.ablation_figure(why_results()),
         "ranges": plots_why.ranges_figure(why_results()),
         **campaign_figures(tmp_path_factory.mktemp("campaign") / "c"),

@@ -16,7 +16,8 @@ import pytest
 from interfaces.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces import files
-from springback.interfaces.files import FLIGHT_FILES, output_folder
+from springback.interfaces.files import output_folder
+from springback.interfaces.flight_files import FLIGHT_FILES
 
 MINE = ("summary.json", "trajectory.parquet")
 
@@ -231,7 +232,7 @@ def test_a_file_that_ends_early_is_not_ctrl_c() -> None:
         ("raise OSError(errno.ENOSPC, 'No space left on device', 'x.csv')", "error: x.csv: No space left on device\n"),
         ("raise OSError(errno.EROFS, 'Read-only file system')", "error: Read-only file system\n"),
         ("raise MemoryError('Unable to allocate 8 TiB')", "error: out of memory (Unable to allocate 8 TiB)\n"),
-        ("cli._say('error: \\x1b[2Jgone \\udcff\\u202e', False); sys.exit(1)", "error: \ufffd[2Jgone \ufffd\ufffd\n"),
+        ("cli.note('error: \\x1b[2Jgone \\udcff\\u202e', False); sys.exit(1)", "error: \ufffd[2Jgone \ufffd\ufffd\n"),
     ],
 )  # fmt: skip
 def test_the_systems_troubles_are_one_line(body: str, said: str) -> None:

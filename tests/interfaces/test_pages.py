@@ -16,6 +16,7 @@ from experiments.campaign.made_up import filled
 from springback.experiments.campaign.reading import Campaign
 from springback.experiments.campaign.statistics import summary
 from springback.experiments.comparison import Mark, Row
+from springback.experiments.paper.printed import printed_success
 from springback.interfaces import (
     canvas,
     plots,
@@ -64,11 +65,15 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
             for name in [name for name in dir(module) if name.endswith("_figure")]:
                 wide = 8.0 if name == "readme_figure" else canvas.WIDTH
                 patch.setattr(module, name, lambda *_, wide=wide: Figure(figsize=(wide, 3.0)))
-        text = page(told.title, report.report_sections(told, {"springback": "x"}))
+        text = page(
+            told.title, report.report_sections(told, {"springback": "x"}), report.REPRODUCTION
+        )
     (place / "report.html").write_text(text, encoding="utf-8")
     filled(place / "campaign")
     write_summary(summary(Campaign(place / "campaign")), place)
-    (place / "map.html").write_text(map_page(MAPS["plane_map"]()), encoding="utf-8")
+    (place / "map.html").write_text(
+        map_page(MAPS["plane_map"](), printed_success), encoding="utf-8"
+    )
     return {name: place / f"{name}.html" for name in ("report", "summary", "map")}
 
 

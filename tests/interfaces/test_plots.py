@@ -16,6 +16,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import springback
+from springback.errors import InputError
 from springback.experiments.comparison import Mark, Row
 from springback.experiments.paper.printed import SWEEP_SPEEDS, TABLE_III
 from springback.experiments.paper.slider import (
@@ -315,6 +317,21 @@ def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None
         capture_output=True, text=True, check=True, env={"PYTHONHASHSEED": "7", "PYTHONPATH": ":".join(sys.path)},
     )  # fmt: skip
     assert done.stdout.split() == [hashlib.sha256(f.read_bytes()).hexdigest() for f in files]
+
+
+def test_a_flight_is_plotted_in_one_call() -> None:
+    flight = made_up_flight()
+    shown = canvas.png(springback.plot(flight))
+    assert shown == canvas.png(plots.flight_figure(flight))
+
+
+def test_what_cannot_be_plotted_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    flight = made_up_flight()
+    with pytest.raises(InputError, match="trajectory=True"):
+        springback.plot(replace(flight, columns={}))
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(InputError, match=r"this needs matplotlib.*plot"):
+        springback.plot(flight)
 
 
 def test_notebooks_show_figures() -> None:

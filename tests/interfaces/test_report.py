@@ -286,6 +286,6 @@ def test_a_reading_that_no_c_a_can_fit_is_said_so(results: SliderResults) -> Non
         if not (row.reading == "A" and row.dissipation_from.startswith("ARQ"))
     ]  # fmt: skip
     sections = report_slider.slider_sections(replace(results, rows=kept))
-    text = report_page.page("x", sections)
+    text = report_page.page("x", sections, "lead")
     assert "no <var>c<sub>a</sub></var> gives this COR" in text
     assert "none does" in text

@@ -24,8 +24,7 @@ from springback.experiments.result import Flight, fly
 from springback.experiments.scenario import expanded
 from springback.experiments.sealed import file_digest, sealed
 from springback.experiments.tables import WorldSettings
-from springback.interfaces import scene_instants
-from springback.interfaces.files import write_flight
+from springback.interfaces.flight_files import write_flight
 from springback.interfaces.scene import Scene, plain, read_result, scene_of
 from springback.interfaces.scene_geometry import drawn
 from springback.interfaces.scene_instants import (
@@ -41,6 +40,7 @@ from springback.interfaces.scene_instants import (
     kept,
 )
 from springback.kernels.vectors import Vec
+from springback.simulation import playback
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NORMAL = np.array([-1.0, 0.0, 0.6]) / math.hypot(1.0, 0.6)
@@ -269,7 +269,7 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """In plain Python: compiling for a test's own shape takes longer than flying."""
-    monkeypatch.setattr(scene_instants, "own_executor", lambda function, *_, **__: function)
+    monkeypatch.setattr(playback, "own_executor", lambda function, *_, **__: function)
     own = [(Ball(Vec(2.9, 0.0, 1.0), 0.2), springback.WALL)]
     tables = {key: value for key, value in TILTED.items() if key != "world"} | {
         "start": {"position": [2.36, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "yaw": math.pi / 4},

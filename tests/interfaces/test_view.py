@@ -23,7 +23,7 @@ import pytest
 
 from springback.errors import InputError
 from springback.experiments.result import Flight, fly
-from springback.interfaces.files import write_flight
+from springback.interfaces.flight_files import write_flight
 from springback.interfaces.page import in_script, page_of, part
 from springback.interfaces.saved import read_result
 from springback.interfaces.scene_labels import difference, labels_of, scenes_of

@@ -12,7 +12,7 @@ import pytest
 
 from simulation.impacts import towards_wall
 from springback.experiments.result import Flight, fly
-from springback.experiments.scenario import SimulationSettings
+from springback.experiments.tables import SimulationSettings
 
 COMPARED = ("restitution_at_separation", "peak_acceleration", "contact_time", "travel")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from pydantic_core import PydanticCustomError
 
@@ -21,16 +20,13 @@ from springback.experiments.numbers import (
     true_body,
     unit,
 )
-from springback.experiments.tables import SimulationSettings
+from springback.experiments.tables import ScenarioTables, SimulationSettings
 from springback.kept import Make, afresh
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.settings import problem
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State, arm_pose
-
-if TYPE_CHECKING:
-    from springback.experiments.scenario import Scenario
 
 #: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
 STABLE = 2.5
@@ -44,7 +40,7 @@ MOST_TICKS = 5e6
 AMPLE = 1.01
 
 
-def check_tables(scenario: Scenario, make: Make = afresh) -> None:
+def check_tables(scenario: ScenarioTables, make: Make = afresh) -> None:
     """Refuse what cannot be flown, whoever flies it; `check_start` is the last of these checks."""
     s = scenario
     check_reference(s)
@@ -55,7 +51,7 @@ def check_tables(scenario: Scenario, make: Make = afresh) -> None:
     check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
 
 
-def check_reference(scenario: Scenario) -> None:
+def check_reference(scenario: ScenarioTables) -> None:
     """Refuse what cannot stand beside a reference."""
     if scenario.reference is None:
         return
@@ -68,7 +64,7 @@ def check_reference(scenario: Scenario) -> None:
         raise problem("cannot be given beside a reference: nobody flies on it", "model.slider")
 
 
-def check_without_pilot(scenario: Scenario) -> None:
+def check_without_pilot(scenario: ScenarioTables) -> None:
     """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
     if scenario.reference is None and scenario.air.gusts is not None:
         raise problem(
@@ -77,7 +73,7 @@ def check_without_pilot(scenario: Scenario) -> None:
         )
 
 
-def check_aboard(scenario: Scenario, own: bool) -> None:
+def check_aboard(scenario: ScenarioTables, own: bool) -> None:
     """Refuse what a pilot cannot fly with; ``own`` is one of the user's."""
     from springback.experiments.guidance import board_of
 
@@ -89,7 +85,7 @@ def check_aboard(scenario: Scenario, own: bool) -> None:
         board_of(scenario, model, start, relay=own)
 
 
-def check_clock(scenario: Scenario) -> None:
+def check_clock(scenario: ScenarioTables) -> None:
     """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
     duration, clock = scenario.simulation.duration, scenario.clock
     if clock * duration <= MOST_TICKS:
@@ -108,7 +104,7 @@ def check_clock(scenario: Scenario) -> None:
 
 
 @contextlib.contextmanager
-def _blaming_the_clock(scenario: Scenario) -> Iterator[None]:
+def _blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
     """Where the clock was given and a rate was not, the clock is at fault, not the rate."""
     try:
         yield
@@ -120,7 +116,7 @@ def _blaming_the_clock(scenario: Scenario) -> Iterator[None]:
         raise
 
 
-def check_slider(scenario: Scenario) -> None:
+def check_slider(scenario: ScenarioTables) -> None:
     """Refuse a start that a slider would not let be."""
     axis = scenario.model.slider
     if axis is None:
@@ -165,7 +161,7 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
             )
 
 
-def check_drag(scenario: Scenario, mass: float, thrust: tuple[float, ...]) -> None:
+def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...]) -> None:
     """Refuse steps too long for the drag of a main body of some mass [kg]."""
     if not scenario.air.has_drag:
         return
@@ -179,7 +175,7 @@ def check_drag(scenario: Scenario, mass: float, thrust: tuple[float, ...]) -> No
         )
 
 
-def check_start(scenario: Scenario, model: Model, state: State) -> None:
+def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     """Refuse a start inside an obstacle."""
     if is_clear(model, state):
         return

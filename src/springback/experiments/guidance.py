@@ -6,7 +6,7 @@ import functools
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from pydantic_core import PydanticCustomError
@@ -20,6 +20,8 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import Calm
 from springback.errors import InputError
+from springback.experiments.numbers import true_airframe
+from springback.experiments.tables import ScenarioTables
 from springback.kept import EVER, Make, afresh
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
@@ -42,9 +44,6 @@ from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
-
-if TYPE_CHECKING:
-    from springback.experiments.scenario import Scenario
 
 #: Streams of a flight's luck beside that of its ticks (`springback.simulation.guided`).
 TURN_ON = 2
@@ -76,7 +75,7 @@ def _in_table(table: str) -> Iterator[None]:
         raise problem("; ".join(error.problems), table) from None
 
 
-def propulsion_of(scenario: Scenario, airframe: Airframe | None = None) -> Propulsion:
+def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) -> Propulsion:
     """Rotors of the vehicle; refused where there are none, or where they cannot lift it.
 
     Args:
@@ -89,7 +88,8 @@ def propulsion_of(scenario: Scenario, airframe: Airframe | None = None) -> Propu
             "is missing: a vehicle that is flown by a pilot needs most_thrust at least",
             "vehicle.propulsion",
         )
-    true = airframe or scenario.true_airframe()
+    s = scenario
+    true = airframe or true_airframe(s.vehicle, s.model_error, s.payload)
     share = true.mass * scenario.world.gravity / len(true.arms)
     sides = {"most_thrust": "more", "least_thrust": "less"} if share > 0.0 else {}
     for name, side in sides.items():
@@ -276,7 +276,7 @@ def estimate_at(state: State) -> Estimate:
 
 
 def cascade_of(
-    scenario: Scenario, model: Model, start: State, make: Make = afresh, advises: bool = True
+    scenario: ScenarioTables, model: Model, start: State, make: Make = afresh, advises: bool = True
 ) -> OwnPilot:
     """The pilot of the paper, and its memory at the start."""
     s, gravity, tick = scenario, scenario.world.gravity, make(_tick, scenario.clock)
@@ -333,7 +333,7 @@ def eyes_of(
 
 
 def resilient_of(
-    scenario: Scenario, cascade: Cascade, believed: Believed, make: Make = afresh
+    scenario: ScenarioTables, cascade: Cascade, believed: Believed, make: Make = afresh
 ) -> Resilient:
     """The pilot that recovers from collisions, around the one that flies."""
     s, told, tick = scenario, scenario.recovery, make(_tick, scenario.clock)
@@ -346,7 +346,7 @@ def resilient_of(
 
 
 def board_of(
-    scenario: Scenario,
+    scenario: ScenarioTables,
     model: Model,
     start: State,
     *,
@@ -419,7 +419,7 @@ _PAPERS = ("reference", "control", "estimator", "recovery")
 _PILOTS = ("sensors", "clock", "seed")
 
 
-def uneasy(scenario: Scenario, *, own: bool = False) -> list[str]:
+def uneasy(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
     """What a user had better know before the flight: one sentence each.
 
     Args:
@@ -442,7 +442,7 @@ def _unread(names: list[str], why: str) -> list[str]:
     return [f"{name} is not used: {why}" for name in names]
 
 
-def _circle_shortfalls(scenario: Scenario) -> list[str]:
+def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
     """What a circle at full speed asks for beyond the limits.
 
     The thrust leans inwards by atan(R ω²/g) and turns about the vertical with ω.

@@ -7,7 +7,7 @@ from it (`springback.kept`).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from springback.experiments.tables import (
     ModelError,
     ModelSettings,
     Payload,
+    ScenarioTables,
     SimulationSettings,
     Start,
     WorldSettings,
@@ -33,9 +34,6 @@ from springback.sheet import sqrt
 from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
-
-if TYPE_CHECKING:
-    from springback.experiments.scenario import Scenario
 
 #: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -219,7 +217,7 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
     return Ring(RING_ROUNDING) if model.contact_point == "ring" else ArmTip(0.0)
 
 
-def flight_model(scenario: Scenario, own: Sequence[Own] = (), make: Make = afresh) -> Model:
+def flight_model(scenario: ScenarioTables, own: Sequence[Own] = (), make: Make = afresh) -> Model:
     """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, make)

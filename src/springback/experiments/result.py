@@ -45,7 +45,6 @@ from springback.vehicle.state import State
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from matplotlib.figure import Figure
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -151,24 +150,6 @@ class Flight:
     def _kept(self) -> None:
         if not self.columns:
             raise InputError("this flight kept no trajectory: fly it with trajectory=True")
-
-    def plot(self) -> Figure:
-        """Figure of position, velocity, acceleration, arms and forces over time.
-
-        Raises:
-            InputError: If matplotlib is not installed, or no trajectory was kept.
-        """
-        self._kept()
-        from springback.experiments.extras import needs
-
-        needs("matplotlib", "plot")
-        import importlib
-
-        plots = importlib.import_module(
-            "springback.interfaces.plots"
-        )  # plots come last in the story
-        figure: Figure = plots.flight_figure(self)
-        return figure
 
     def to_dataframe(self) -> pandas.DataFrame:
         """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``.

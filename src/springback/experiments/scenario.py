@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Annotated, Any
+from typing import Any
 
-from pydantic import ConfigDict, Field, ValidationError, ValidationInfo, model_validator
+from pydantic import ValidationError, ValidationInfo, model_validator
 
 from springback.contact.parameters import Own
-from springback.control.parameters import ControlSettings
-from springback.control.reference_parameters import ReferenceSettings
-from springback.dynamics.air import AirSettings
 from springback.errors import InputError
 from springback.experiments.checks import (
     check_aboard,
@@ -29,56 +26,15 @@ from springback.experiments.numbers import (
 from springback.experiments.presets import expanded as expanded
 from springback.experiments.presets import merged as merged
 from springback.experiments.presets import preset as preset
-from springback.experiments.tables import (
-    ModelError,
-    ModelSettings,
-    Payload,
-    Start,
-    WorldSettings,
-)
-from springback.experiments.tables import SimulationSettings as SimulationSettings
+from springback.experiments.tables import ScenarioTables
 from springback.problems import dotted
-from springback.quantities import quantity
-from springback.recovery.parameters import RecoverySettings
-from springback.sensing.estimation import EstimatorSettings
-from springback.sensing.parameters import SensorSettings
-from springback.settings import Name, Settings
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
 
 
-class Scenario(Settings):
-    """Everything one flight needs."""
-
-    # Else pydantic before 2.10 takes model_error for a name of its own.
-    model_config = ConfigDict(protected_namespaces=())
-
-    name: Name = "flight"
-    vehicle: Vehicle
-    world: WorldSettings = WorldSettings()
-    start: Start = Start()
-    thrust: Any = 0.0
-    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
-
-    That is the weight of `vehicle`, whatever it carries in truth.
-    """
-    reference: ReferenceSettings | None = None
-    """Where a pilot should fly; none: the rotors give a constant thrust."""
-    control: ControlSettings = ControlSettings()
-    recovery: RecoverySettings | None = None
-    """How collisions are noticed and answered; none: the pilot flies on as if there were none."""
-    estimator: EstimatorSettings = EstimatorSettings()
-    sensors: SensorSettings = SensorSettings()
-    clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
-    """Ticks per second of everything aboard [Hz]."""
-    seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of the noise."""
-    air: AirSettings = AirSettings()
-    payload: Payload = Payload()
-    model_error: ModelError = ModelError()
-    model: ModelSettings = ModelSettings()
-    simulation: SimulationSettings = SimulationSettings()
+class Scenario(ScenarioTables):
+    """Everything one flight needs, checked to be flyable."""
 
     @model_validator(mode="after")
     def _can_be_flown(self, info: ValidationInfo) -> Scenario:

@@ -1,15 +1,21 @@
-"""The tables of a scenario: the world, the start, what is true of it, and how finely to step."""
+"""The tables of a scenario as a user writes them down, each checked by itself."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from springback.contact.parameters import ObstacleSettings
+from springback.control.parameters import ControlSettings
+from springback.control.reference_parameters import ReferenceSettings
+from springback.dynamics.air import AirSettings
 from springback.quantities import Angle, Duration, quantity, triple
-from springback.settings import Settings, naming, problem
-from springback.vehicle.parameters import check_moments
+from springback.recovery.parameters import RecoverySettings
+from springback.sensing.estimation import EstimatorSettings
+from springback.sensing.parameters import SensorSettings
+from springback.settings import Name, Settings, naming, problem
+from springback.vehicle.parameters import Vehicle, check_moments
 
 #: More obstacles are a slip of the pen (chosen): a flight is compiled for each number of them.
 MOST_OBSTACLES = 64
@@ -101,3 +107,36 @@ class SimulationSettings(Settings):
     """... moving slower than this."""
     dwell: Duration = 0.02
     """Contacts closer together than this are one impact."""
+
+
+class ScenarioTables(Settings):
+    """Everything one flight needs, each table checked by itself."""
+
+    # Else pydantic before 2.10 takes model_error for a name of its own.
+    model_config = ConfigDict(protected_namespaces=())
+
+    name: Name = "flight"
+    vehicle: Vehicle
+    world: WorldSettings = WorldSettings()
+    start: Start = Start()
+    thrust: Any = 0.0
+    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
+
+    That is the weight of `vehicle`, whatever it carries in truth.
+    """
+    reference: ReferenceSettings | None = None
+    """Where a pilot should fly; none: the rotors give a constant thrust."""
+    control: ControlSettings = ControlSettings()
+    recovery: RecoverySettings | None = None
+    """How collisions are noticed and answered; none: the pilot flies on as if there were none."""
+    estimator: EstimatorSettings = EstimatorSettings()
+    sensors: SensorSettings = SensorSettings()
+    clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
+    """Ticks per second of everything aboard [Hz]."""
+    seed: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Of the noise."""
+    air: AirSettings = AirSettings()
+    payload: Payload = Payload()
+    model_error: ModelError = ModelError()
+    model: ModelSettings = ModelSettings()
+    simulation: SimulationSettings = SimulationSettings()

@@ -13,17 +13,16 @@ import click
 
 from springback.errors import InputError
 from springback.interfaces import last_words
-from springback.interfaces.cli import (
+from springback.interfaces.cli_common import (
     FIRST,
     OUT,
-    _have_figures,
-    _patience,
-    _print,
-    _say,
-    cli,
     force_option,
+    have_figures,
     json_option,
+    note,
+    print_result,
     quiet_option,
+    spinner,
 )
 from springback.interfaces.plain_text import plain_text
 
@@ -36,7 +35,7 @@ BETWEEN_LINES = 10.0
 """Seconds between two lines about progress where there is no terminal to draw a bar on."""
 
 
-@cli.command()
+@click.command()
 @click.argument("plan", type=click.Path(path_type=Path), required=False)
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @click.option("--out", type=OUT, help="Folder for the rows: one campaign each.")
@@ -91,7 +90,7 @@ def campaign(
     if plan is None and not (resume and out):
         raise InputError("PLAN is missing: a file such as plan.toml (or --resume with --out)")
     tls = _tls(scheduler, tls_ca, tls_cert, tls_key)
-    with _patience("reading the plan", quiet):
+    with spinner("reading the plan", quiet):
         design = _design(plan, overrides, out)
     if dry_run:
         _foretold(design, workers, as_json, quiet)
@@ -107,8 +106,8 @@ def campaign(
                 tls=tls, device=device, progress=tell, remark=remark,
             )  # fmt: skip
     except Stopped as error:
-        _say(f"error: {error}", False)
-        _say(f"what was flown is kept; go on by: {again}", False)
+        note(f"error: {error}", False)
+        note(f"what was flown is kept; go on by: {again}", False)
         sys.exit(1)
     _finished(flown, out, as_json, quiet)
 
@@ -160,12 +159,12 @@ def _finished(flown: Any, out: Path, as_json: bool, quiet: bool) -> None:
     answer = flown.query(sql)
     if as_json:
         data = {"folder": str(out), "flights": flown.done, "outcomes": answer.as_dicts()}
-        _print(data, as_json)
+        print_result(data, as_json)
     else:
         from springback.interfaces.answers import as_text
 
-        _print(as_text(answer.columns, answer.rows), as_json)
-    _say(f"{flown.done} flights in {out}; see springback summary {out}", quiet)
+        print_result(as_text(answer.columns, answer.rows), as_json)
+    note(f"{flown.done} flights in {out}; see springback summary {out}", quiet)
 
 
 @contextlib.contextmanager
@@ -183,9 +182,9 @@ def _told(quiet: bool) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
     def tell(now: Progress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
-            _say(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT), quiet)
+            note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT), quiet)
 
-    yield tell, lambda text: _say(text, False)
+    yield tell, lambda text: note(text, False)
 
 
 @contextlib.contextmanager
@@ -211,13 +210,13 @@ def _foretold(design: Any, workers: int | None, as_json: bool, quiet: bool) -> N
     """Say what a campaign would take."""
     from springback.experiments.campaign.outlook import outlook
 
-    _say("flying a few of its flights; kinds that are new are compiled first", quiet)
-    with _patience("flying a few", quiet):
+    note("flying a few of its flights; kinds that are new are compiled first", quiet)
+    with spinner("flying a few", quiet):
         coming = outlook(design, workers)
-    _print(coming.as_dict() if as_json else coming.sentence(), as_json)
+    print_result(coming.as_dict() if as_json else coming.sentence(), as_json)
 
 
-@cli.command()
+@click.command()
 @click.argument("folder", type=FOLDER)
 @click.argument("sql", required=False)
 @click.option(
@@ -247,7 +246,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     if out is not None and out.exists() and not force:
         raise InputError(f"--out {out}: is there already; give another, or --force")
     if out is not None and sql is not None and out.suffix == ".parquet":
-        _say(f"{known.save(sql, out)} rows written to {out}", False)
+        note(f"{known.save(sql, out)} rows written to {out}", False)
         return
 
     def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
@@ -264,7 +263,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     else:
         count = known.stream(sql, taken)
     if out is not None:
-        _say(f"{count} rows written to {out}", False)
+        note(f"{count} rows written to {out}", False)
 
 
 def _is_terminal() -> bool:
@@ -284,7 +283,7 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
     ]
 
 
-@cli.command()
+@click.command()
 @click.argument("folder", type=FOLDER)
 @click.argument("row", type=int)
 @click.option("--out", type=OUT, help="Folder for summary.json, trajectory.parquet, figures.")
@@ -310,34 +309,35 @@ def refly(
     springback refly results 1711 --out flight-1711
     """
     from springback.experiments.campaign.reading import Campaign
-    from springback.interfaces.files import FLIGHT_FILES, output_folder, write_flight
+    from springback.interfaces.files import output_folder
+    from springback.interfaces.flight_files import FLIGHT_FILES, write_flight
 
     known = Campaign(folder)
-    with _patience(FIRST, quiet):
+    with spinner(FIRST, quiet):
         again = known.refly(row)
     if out is not None:
         with (
             output_folder(out, force=force, replaces=FLIGHT_FILES) as place,
-            _patience("writing", quiet),
+            spinner("writing", quiet),
         ):
-            figures = not no_figures and _have_figures(quiet)
+            figures = not no_figures and have_figures(quiet)
             names = [path.name for path in write_flight(again.flight, place, figures=figures)]
-        _say(f"written to {out}: {', '.join(names)}", quiet)
+        note(f"written to {out}: {', '.join(names)}", quiet)
     if as_json:
         data = {"flight": row, "identical": not again.differences}
         found = {"differences": list(again.differences), **again.flight.summary()}
-        _print(data | found, as_json)
+        print_result(data | found, as_json)
     else:
-        _print(repr(again.flight), as_json)
+        print_result(repr(again.flight), as_json)
     if not again.differences:
-        _say(f"identical to row {row}: every number, to the last bit", quiet)
+        note(f"identical to row {row}: every number, to the last bit", quiet)
         return
     for line in again.differences:
-        _say(f"not as in row {row}: {line}", False)
+        note(f"not as in row {row}: {line}", False)
     sys.exit(1)
 
 
-@cli.command()
+@click.command()
 @click.argument("folder", type=FOLDER)
 @click.option("--out", type=OUT, help="Folder for summary.html, summary.json and figures.")
 @click.option(
@@ -383,13 +383,13 @@ def summary(
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
     if pairs and out is None:
         raise InputError("--map needs --out: the folder for the figures")
-    with _patience("summing up", quiet):
+    with spinner("summing up", quiet):
         found = summed_up(known)
     if out is not None:
-        figures = not no_figures and _have_figures(quiet)
-        with output_folder(out, force=force) as place, _patience("drawing", quiet):
+        figures = not no_figures and have_figures(quiet)
+        with output_folder(out, force=force) as place, spinner("drawing", quiet):
             files = write_summary(found, place, pairs=asked, scatter=scatter, figures=figures)
             names = [path.name for path in files]
-    _print(found.as_dict() if as_json else summary_text(found), as_json)
+    print_result(found.as_dict() if as_json else summary_text(found), as_json)
     if out is not None:
-        _say(f"written to {out}: {', '.join(names)}", quiet)
+        note(f"written to {out}: {', '.join(names)}", quiet)

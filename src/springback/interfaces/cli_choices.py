@@ -10,14 +10,14 @@ from typing import Any
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli import (
+from springback.interfaces.cli_common import (
     OUT,
-    _have_figures,
-    _print,
-    _progress,
-    _say,
     force_option,
+    have_figures,
     json_option,
+    note,
+    print_result,
+    progress_bar,
     quiet_option,
 )
 
@@ -81,12 +81,12 @@ def choices(
     from springback.interfaces.files import output_folder, write_json
 
     times = _durations(durations)
-    figures = not no_figures and _have_figures(quiet)
+    figures = not no_figures and have_figures(quiet)
     with output_folder(out, force=force) as folder:
-        _say("thousands of flights; minutes, and some more where kernels are to be compiled", quiet)
-        with _progress("sets of choices", quiet) as show:
+        note("thousands of flights; minutes, and some more where kernels are to be compiled", quiet)
+        with progress_bar("sets of choices", quiet) as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
-        with _progress("velocity hidden by clipping", quiet) as show:
+        with progress_bar("velocity hidden by clipping", quiet) as show:
             hidden = hidden_velocity(progress=show)
         data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
         said = choices_sentences(results)
@@ -101,8 +101,8 @@ def choices(
 
             save(choices_figure(results), folder / "choices", numbers=False)
             save(hidden_figure(hidden), folder / "hidden", numbers=False)
-    _print(data if as_json else "\n".join(said), as_json)
-    _say(f"written to {out}", quiet)
+    print_result(data if as_json else "\n".join(said), as_json)
+    note(f"written to {out}", quiet)
 
 
 @click.command()
@@ -138,9 +138,9 @@ def friction(
     from springback.experiments.friction import friction_sentences, friction_study
     from springback.interfaces.files import output_folder, write_json
 
-    figures = not no_figures and _have_figures(quiet)
+    figures = not no_figures and have_figures(quiet)
     with output_folder(out, force=force) as folder:
-        with _progress("impacts and trials", quiet) as show:
+        with progress_bar("impacts and trials", quiet) as show:
             results = friction_study(trials, speed=speed, seed=seed, progress=show)
         impacts = [one.as_dict() for one in results.impacts]
         flown = [one.as_dict() for one in results.flown]
@@ -154,8 +154,8 @@ def friction(
             from springback.interfaces.plots_friction import friction_figure
 
             save(friction_figure(results), folder / "stroke")
-    _print(data if as_json else "\n".join(said), as_json)
-    _say(f"written to {out}", quiet)
+    print_result(data if as_json else "\n".join(said), as_json)
+    note(f"written to {out}", quiet)
 
 
 def _write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:

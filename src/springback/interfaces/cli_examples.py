@@ -7,14 +7,14 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli import OUT, _say, cli, force_option, quiet_option
+from springback.interfaces.cli_common import OUT, force_option, note, quiet_option
 
 #: The package, and the checkout that it may be installed from as it stands.
 PACKAGE = Path(__file__).parents[1]
 PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
 
 
-@cli.command()
+@click.command()
 @click.option(
     "--out", type=OUT, default=Path("examples"), show_default=True, help="Folder to write them to."
 )
@@ -37,4 +37,4 @@ def examples(out: Path, force: bool, quiet: bool) -> None:
     with output_folder(out, force=force) as folder:
         for path in files:
             shutil.copy(path, folder)
-    _say(f"written to {out}: {', '.join(path.name for path in files)}", quiet)
+    note(f"written to {out}: {', '.join(path.name for path in files)}", quiet)

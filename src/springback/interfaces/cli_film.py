@@ -8,18 +8,17 @@ from pathlib import Path
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli import (
+from springback.interfaces.cli_common import (
     OUT,
-    _patience,
-    _progress,
-    _say,
-    cli,
     force_option,
+    note,
+    progress_bar,
     quiet_option,
+    spinner,
 )
 
 
-@cli.command()
+@click.command()
 @click.argument("results", nargs=-1, type=click.Path(path_type=Path), metavar="RESULT [RESULT2]")
 @click.option("--out", type=OUT, required=True, help="The film: .gif, .webp or .mp4.")
 @click.option(
@@ -71,22 +70,22 @@ def animate(
     from springback.interfaces.scene_labels import scenes_of
 
     check(out, wanted, fps)
-    with _patience("reading", quiet):
+    with spinner("reading", quiet):
         scenes = scenes_of([read_result(folder) for folder in results], results)
     for scene in scenes:
-        for note in scene.notes:
-            _say(f"{scene.label}: {note}", quiet)
+        for doubt in scene.notes:
+            note(f"{scene.label}: {doubt}", quiet)
     from springback.experiments.drafts import drafted
 
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        with drafted(out, suffix=out.suffix) as draft, _progress("drawing", quiet) as show:
+        with drafted(out, suffix=out.suffix) as draft, progress_bar("drawing", quiet) as show:
             count = write_film(
                 scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
             )
     except OSError as error:
         raise InputError(f"--out {out}: cannot be written ({error.strerror})") from None
-    _say(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB", quiet)
+    note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB", quiet)
 
 
 def _size(text: str | None) -> tuple[int, int] | None:

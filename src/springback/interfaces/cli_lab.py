@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import click
 
-from springback.interfaces.cli import cli
 
-
-@cli.command()
+@click.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
 @click.option("--port", type=int, default=0, help="Port to serve on; by default any that is free.")
 @click.option("--no-browser", is_flag=True, help="Open no browser.")

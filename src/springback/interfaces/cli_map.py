@@ -7,21 +7,20 @@ from typing import Any
 
 import click
 
-from springback.interfaces.cli import (
+from springback.interfaces.cli_common import (
     OUT,
-    _have_figures,
-    _patience,
-    _print,
-    _progress,
-    _say,
-    cli,
     force_option,
+    have_figures,
     json_option,
+    note,
+    print_result,
+    progress_bar,
     quiet_option,
+    spinner,
 )
 
 
-@cli.command(name="map")
+@click.command(name="map")
 @click.argument("x", default="speed=1:5:9", metavar="[X=FROM:TO:COUNT]")
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
 @click.option(
@@ -68,25 +67,25 @@ def map_command(
     from springback.experiments.mapping import fly_envelope, outlook, plan_envelope
     from springback.interfaces.files import output_folder
 
-    with _patience("reading", quiet):
+    with spinner("reading", quiet):
         plan = plan_envelope(x, y, robots=robots, trials=trials, seed=seed, settings=settings)
     if dry_run:
         coming = outlook(plan)
-        _print(coming._asdict() if as_json else coming.sentence(), as_json)
+        print_result(coming._asdict() if as_json else coming.sentence(), as_json)
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     with output_folder(out, force=force) as folder:
-        _say(outlook(plan).sentence(), quiet)
-        with _progress("flying the map", quiet) as show:
+        note(outlook(plan).sentence(), quiet)
+        with progress_bar("flying the map", quiet) as show:
             envelope = fly_envelope(plan, show)
-        with _patience("writing", quiet):
-            written = _write(envelope, folder, not no_figures and _have_figures(quiet))
+        with spinner("writing", quiet):
+            written = _write(envelope, folder, not no_figures and have_figures(quiet))
         names = [path.name for path in written]
     text = "\n\n".join(envelope.table(robot) for robot in envelope.robots)
     sentences = "\n".join(envelope.sentence(robot) for robot in envelope.robots)
-    _print(envelope.as_dict() if as_json else f"{text}\n\n{sentences}", as_json)
-    _say(f"written to {out}: {', '.join(names)}", quiet)
+    print_result(envelope.as_dict() if as_json else f"{text}\n\n{sentences}", as_json)
+    note(f"written to {out}: {', '.join(names)}", quiet)
 
 
 def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
@@ -104,13 +103,14 @@ def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
         writer.writeheader()
         writer.writerows(rows)
     if figures:
+        from springback.experiments.paper.printed import printed_success
         from springback.interfaces import canvas
         from springback.interfaces.plots_map import map_figure
 
-        written += canvas.save(map_figure(envelope), folder / "map", numbers=False)
+        written += canvas.save(map_figure(envelope, printed_success), folder / "map", numbers=False)
         if find_spec("jinja2") is not None:
             from springback.interfaces.report_map import map_page
 
             written.append(folder / "map.html")
-            written[-1].write_text(map_page(envelope), encoding="utf-8")
+            written[-1].write_text(map_page(envelope, printed_success), encoding="utf-8")
     return written

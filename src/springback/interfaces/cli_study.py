@@ -8,22 +8,21 @@ from typing import Any
 
 import click
 
-from springback.interfaces.cli import (
+from springback.interfaces.cli_choices import choices, friction
+from springback.interfaces.cli_common import (
     OUT,
-    _have_figures,
-    _print,
-    _progress,
-    _say,
-    cli,
     force_option,
+    have_figures,
     json_option,
+    note,
+    print_result,
+    progress_bar,
     quiet_option,
 )
-from springback.interfaces.cli_choices import choices, friction
 from springback.interfaces.cli_why import why
 
 
-@cli.group()
+@click.group()
 def study() -> None:
     """Studies of what the paper leaves open."""
 
@@ -65,15 +64,15 @@ def detection(
     from springback.experiments.detection_tables import detection_data
     from springback.interfaces.files import output_folder
 
-    figures = not no_figures and _have_figures(quiet)
+    figures = not no_figures and have_figures(quiet)
     with output_folder(out, force=force) as folder:
-        _say("hundreds of flights; the first run compiles for minutes", quiet)
-        with _progress("collisions and free flight", quiet) as show:
+        note("hundreds of flights; the first run compiles for minutes", quiet)
+        with progress_bar("collisions and free flight", quiet) as show:
             results = detection_study(flights, free=free, seed=seed, progress=show)
         data = detection_data(results)
         _written(results, data, folder, figures)
-    _print(data if as_json else "\n".join(data["sentences"]), as_json)
-    _say(f"written to {out}", quiet)
+    print_result(data if as_json else "\n".join(data["sentences"]), as_json)
+    note(f"written to {out}", quiet)
 
 
 def _written(results: Any, data: dict[str, Any], folder: Path, figures: bool) -> None:

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli import _patience, _say, cli, quiet_option
+from springback.interfaces.cli_common import note, quiet_option, spinner
 
 
-@cli.command()
+@click.command()
 @click.argument(
     "results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=click.Path(path_type=Path)
 )
@@ -51,14 +51,14 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with _patience(
+    with spinner(
         "reading; the first flight of a kind is compiled: some 15 s, with a pilot a minute or two",
         quiet,
     ):
         page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
         exported(page, export, force=force)
-        _say(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)
+        note(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)
         return
     from springback.interfaces.serving import serve
 

@@ -7,14 +7,14 @@ from typing import Any
 
 import click
 
-from springback.interfaces.cli import (
+from springback.interfaces.cli_common import (
     OUT,
-    _have_figures,
-    _print,
-    _progress,
-    _say,
     force_option,
+    have_figures,
     json_option,
+    note,
+    print_result,
+    progress_bar,
     quiet_option,
 )
 
@@ -51,19 +51,19 @@ def why(
     from springback.experiments.why_pairs import fly_pairs
     from springback.interfaces.files import output_folder
 
-    figures = not no_figures and _have_figures(quiet)
+    figures = not no_figures and have_figures(quiet)
     with output_folder(out, force=force) as folder:
-        _say("some variants are of a kind of their own; the first run compiles for minutes", quiet)
+        note("some variants are of a kind of their own; the first run compiles for minutes", quiet)
         ranges = () if no_ranges else RANGES
-        with _progress("what if", quiet) as show:
+        with progress_bar("what if", quiet) as show:
             results = explained(trials, ranges=ranges, seed=seed, progress=show)
-        with _progress("two at a time", quiet) as show:
+        with progress_bar("two at a time", quiet) as show:
             pairs = fly_pairs(trials, seed=seed, progress=show)
         _written(results, pairs, folder, figures)
     rows = [cell.as_dict() for cell in (*results.cells, *results.ranges)]
     rows += [pair.as_dict() for pair in pairs.pairs]
-    _print(rows if as_json else "\n".join(sentences(results, pairs)), as_json)
-    _say(f"written to {out}", quiet)
+    print_result(rows if as_json else "\n".join(sentences(results, pairs)), as_json)
+    note(f"written to {out}", quiet)
 
 
 def _written(results: Any, pairs: Any, folder: Path, figures: bool) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,9 +15,12 @@ from matplotlib.patches import Patch, Rectangle
 
 from springback.experiments.axes import Axis
 from springback.experiments.envelope import LEVEL, Envelope, Place, Values
-from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS
 from springback.experiments.run_ups import CONDITIONS
 from springback.interfaces.canvas import GREY, INK, RED, SHADE, HouseFigure, styled
+
+#: What is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
+#: or nothing.
+Printed = Callable[[str, float, float], str]
 
 ROBOTS = {"quad": "Quad", "arq": "ARQ"}
 #: What an axis means, for parameters whose name does not say it.
@@ -25,7 +28,7 @@ MEANINGS = {
     "speed": "Speed at contact [m/s]",
     "pitch": "Pitch at contact, nose down [deg]",
 }
-#: Marks of what the paper prints of its tests, section Impact Resilience: a share, or words.
+#: Marks of what is printed of tests.
 PRINTED_MARKS = {
     "all succeed": "o", "“fairly good”": "D", "success rate “drops”": "v", "none succeed": "X",
 }  # fmt: skip
@@ -39,23 +42,8 @@ PANEL = (3.5, 3.5)
 """Of one robot [in]."""
 
 
-def printed(robot: str, pitch: float, speed: float) -> str:
-    """What the paper prints of a test, a key of `PRINTED_MARKS`; empty if it prints nothing.
-
-    Args:
-        robot: Preset.
-        pitch: Positive nose down [deg].
-        speed: At contact [m/s].
-    """
-    share = SUCCESS.get((robot, pitch, speed))
-    if share is not None:
-        return "all succeed" if share == 1.0 else "none succeed"
-    word = SUCCESS_WORDS.get((robot, pitch, speed), "")
-    return next((mark for mark in PRINTED_MARKS if word and word in mark), "")
-
-
 @styled
-def map_figure(envelope: Envelope) -> Figure:
+def map_figure(envelope: Envelope, printed: Printed) -> Figure:
     """Success share over both axes, the line of 95 %, and the paper's tests where they lie.
 
     The line is linear between the centres of neighbouring cells, and ends where a neighbour was not
@@ -63,6 +51,7 @@ def map_figure(envelope: Envelope) -> Figure:
 
     Args:
         envelope: Of one or more robots.
+        printed: What the paper prints of its tests.
     """
     count = len(envelope.robots)
     figure = HouseFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))
@@ -72,7 +61,7 @@ def map_figure(envelope: Envelope) -> Figure:
     for ax, robot in zip(axes, envelope.robots, strict=True):
         image = _cells(ax, envelope, robot)
         keys |= _line(ax, envelope, robot) | _grounded(ax, envelope, robot)
-        keys |= _tests(ax, envelope, robot)
+        keys |= _tests(ax, envelope, robot, printed)
         ax.set_title(ROBOTS.get(robot, robot))
         ax.set_xlabel(_meaning(envelope.x))
         if len(envelope.x.shown) <= LABELLED:
@@ -150,7 +139,7 @@ def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Pa
     return {"not flown": Patch(**look)}
 
 
-def _tests(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
+def _tests(ax: Axes, envelope: Envelope, robot: str, printed: Printed) -> dict[str, Line2D | Patch]:
     """The paper's tests, where the axes are speed and pitch."""
     names = (envelope.x.name, envelope.y.name)
     if set(names) != {"speed", "pitch"}:

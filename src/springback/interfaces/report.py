@@ -44,6 +44,9 @@ from springback.interfaces.report_slider import slider_data, slider_sections, sw
 WORDS = Words.of("report")
 Rows = Sequence[Mapping[str, Any]]
 
+#: What the page is.
+REPRODUCTION = f"A reproduction of {PAPER}"
+
 
 @dataclass(frozen=True)
 class Results:
@@ -95,7 +98,7 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
     folder.mkdir(parents=True, exist_ok=True)
     tables, sections = _tables(results), report_sections(results, about)
     written = [folder / name for name in ("report.html", "comparison.json", "comparison.csv")]
-    written[0].write_text(page(results.title, sections), encoding="utf-8")
+    written[0].write_text(page(results.title, sections, REPRODUCTION), encoding="utf-8")
     write_json(written[1], _data(results, about))
     _write_csv(written[2], [row.as_dict() for row in results.rows])
     for name, rows in tables.items():

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from springback.experiments.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
 from springback.experiments.paper.choices import Cell as Chosen
+from springback.experiments.paper.printed import printed_success
 from springback.experiments.paper.resilience import ROBOTS, ResilienceResults
 from springback.interfaces import plots_choices, plots_map
 from springback.interfaces.plots_choices import ORDER
@@ -85,4 +86,4 @@ def map_blocks(results: ResilienceResults) -> Blocks:
         return ()
     words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
     pictured = WORDS.say("map_picture", trials=envelope.trials)
-    return (words, Picture("map", pictured, plots_map.map_figure(envelope)))
+    return (words, Picture("map", pictured, plots_map.map_figure(envelope, printed_success)))

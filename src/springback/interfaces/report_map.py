@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from springback.experiments.envelope import LEVEL, Envelope, Place
-from springback.interfaces.plots_map import ROBOTS, map_figure
+from springback.interfaces.plots_map import ROBOTS, Printed, map_figure
 from springback.interfaces.report_page import (
     Blocks,
     Cell,
@@ -18,17 +18,18 @@ from springback.interfaces.report_page import (
 WORDS = Words.of("map")
 
 
-def map_page(envelope: Envelope) -> str:
+def map_page(envelope: Envelope, printed: Printed) -> str:
     """The HTML page of a map, which refers to nothing outside itself.
 
     Args:
         envelope: Of one or more robots.
+        printed: What the paper prints of its tests.
     """
     axes = {"x": envelope.x.label, "y": envelope.y.label}
     picture = WORDS.say("picture", level=plain(100 * LEVEL), **axes)
     reaches = tuple(_named(envelope.sentence(robot) + ".") for robot in envelope.robots)
     asked = WORDS.say("asked", robots=_names(envelope), trials=envelope.trials, **axes)
-    short: Blocks = (asked, *reaches, Picture("map", picture, map_figure(envelope)))
+    short: Blocks = (asked, *reaches, Picture("map", picture, map_figure(envelope, printed)))
     tables = tuple(_table(envelope, robot) for robot in envelope.robots)
     sections = [
         Section("overview", WORDS.title("overview"), short, summary=True),

@@ -19,11 +19,7 @@ from markupsafe import Markup, escape
 from matplotlib.figure import Figure
 
 from springback.experiments.comparison import Mark
-from springback.experiments.paper.printed import PAPER
 from springback.interfaces import canvas
-
-#: What a page is that says nothing else.
-REPRODUCTION = f"A reproduction of {PAPER}"
 
 
 @dataclass(frozen=True)
@@ -139,7 +135,7 @@ class Section:
         return words[1] if self.answers and len(words) > 1 else ""
 
 
-def page(title: str, sections: Sequence[Section], lead: str = REPRODUCTION) -> str:
+def page(title: str, sections: Sequence[Section], lead: str) -> str:
     """The HTML page of some sections; it refers to nothing outside itself.
 
     Args:

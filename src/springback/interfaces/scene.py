@@ -30,7 +30,8 @@ from springback.experiments.result import Flight
 from springback.interfaces.saved import read_result as read_result
 from springback.interfaces.scene_events import Event, events_of, impacts_of
 from springback.interfaces.scene_geometry import Drawable, drawn
-from springback.interfaces.scene_instants import Felt, departure, felt, kept, parts_of
+from springback.interfaces.scene_instants import departure, kept
+from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -139,8 +140,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     model = flight.scenario.flight_model(own)
     c, count = flight.columns, len(model.airframe.arms)
     places = kept(c, count)
-    feels = felt(model, c, places)
-    touches = feels.point[np.isfinite(feels.point).all(axis=2)]
+    loads = load_history(model, c, places)
+    touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     world = flight.scenario.world
     things = drawn(world.obstacles, own, place, touches, flight.own_surfaces)
@@ -164,15 +165,15 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         attitude=np.stack([c[f"q{part}"][places] for part in "wxyz"], axis=1),
         arm_length=np.stack([c[f"l{j}"][places] for j in range(1, count + 1)], axis=1),
         thrust=thrust,
-        force=feels.force,
-        point=np.nan_to_num(feels.point, nan=0.0),
-        series=_series(flight, model, feels, thrust, places),
+        force=loads.force,
+        point=np.nan_to_num(loads.point, nan=0.0),
+        series=_series(flight, model, loads, thrust, places),
         events=events_of(flight),
         impacts=impacts_of(flight),
         measures=dict(flight.measures),
         units={name: known[name] for name in flight.measures if name in known},
         departure=departure(c, count, places),
-        notes=things.notes + _doubts(flight, feels, places),
+        notes=things.notes + _doubts(flight, loads, places),
     )
 
 
@@ -200,7 +201,7 @@ def _thrust(flight: Flight, model: Model, t: Array) -> Array:
 
 
 def _series(
-    flight: Flight, model: Model, feels: Felt, thrust: Array, places: Any
+    flight: Flight, model: Model, loads: LoadHistory, thrust: Array, places: Any
 ) -> tuple[Series, ...]:
     """What is plotted over time."""
     c = {name: values[places] for name, values in flight.columns.items()}
@@ -221,7 +222,7 @@ def _series(
     if np.any(c.get("fn_body", np.zeros(1)) > 0.0):
         whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
         found.append(Series("Contact force", "main body", "N", whole))
-    stored = dict(feels.energy)
+    stored = dict(loads.energy)
     stored["gravity"] = stored["gravity"] - stored["gravity"][0]
     words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
              "contact": "contacts", "gravity": "height"}  # fmt: skip
@@ -235,15 +236,15 @@ def _series(
     return tuple(found)
 
 
-def _doubts(flight: Flight, feels: Felt, places: Any) -> tuple[str, ...]:
+def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
     """Where the picture cannot tell what the trajectory says."""
-    parts = parts_of(flight.columns)
-    columns = [np.stack([flight.columns[f"{kind}{part}"][places] for part in parts], axis=1)
-               for kind in ("fn", "ff")]  # fmt: skip
+    arms = loads.normal.shape[1]
+    columns = [np.stack([flight.columns[f"{k}{j}"][places] for j in range(1, arms + 1)], axis=1)
+               for k in ("fn", "ff")]  # fmt: skip
     peak = max(float(columns[0].max()), float(columns[1].max()), 1.0)
     off = max(
-        float(np.abs(feels.normal - columns[0]).max()),
-        float(np.abs(feels.friction - columns[1]).max()),
+        float(np.abs(loads.normal - columns[0]).max()),
+        float(np.abs(loads.friction - columns[1]).max()),
     )
     if off <= AGREES * peak:
         return ()

@@ -55,6 +55,8 @@ SUCCESS_WORDS = {
     ("quad", 15.0, 2.0): "fairly good", ("quad", -45.0, 2.0): "drops",
 }  # fmt: skip
 """The same where it has words and no number."""
+#: How these words are quoted.
+_QUOTED = {"fairly good": "“fairly good”", "drops": "success rate “drops”"}
 RECOVERY_PITCH = (-66.0, 49.0)
 """[deg], largest nose up and nose down of a recovery from 3.5 m/s, section Impact Resilience."""
 WALL_DISTANCE = 2.75
@@ -63,3 +65,17 @@ RECOVERY_DISTANCE = 0.1
 """[m], section on recovery, L_c."""
 COLLISIONS_IN_A_ROW = 10
 """Of ARQ at -45 deg, 2 m/s, 'without landing', section Impact Resilience."""
+
+
+def printed_success(robot: str, pitch: float, speed: float) -> str:
+    """What the paper prints of the success of a test, in words; empty if it prints nothing.
+
+    Args:
+        robot: Preset.
+        pitch: Positive nose down [deg].
+        speed: At contact [m/s].
+    """
+    share = SUCCESS.get((robot, pitch, speed))
+    if share is not None:
+        return "all succeed" if share == 1.0 else "none succeed"
+    return _QUOTED.get(SUCCESS_WORDS.get((robot, pitch, speed), ""), "")

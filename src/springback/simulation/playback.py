@@ -1,0 +1,177 @@
+"""Contact forces and energies along a trajectory, evaluated again by the flight's own laws.
+
+A trajectory has lengths of arms and sums of forces; where each cage touches, and how each force
+points, follows from the states by the same kernels that flew it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.cage import Meeting, meeting
+from springback.contact.hull import hull_meeting
+from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.dynamics.energy import Energy, energy
+from springback.kernels.compiler import executor, kernel, own_executor
+from springback.kernels.layout import Buffer, Like, read, write
+from springback.kernels.trees import each, leaves, total
+from springback.kernels.vectors import Mat, Quat, Vec, rotation
+from springback.simulation.flight import own_types, sources
+from springback.simulation.record import Model
+from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Places = np.ndarray[Any, np.dtype[np.intp]]
+
+#: Contact forces below this count as none [N].
+NO_FORCE = 1e-9
+
+
+class ContactLoad(NamedTuple):
+    """What one cage, or the hull, feels of all obstacles."""
+
+    force: Vec  # on it, world [N]
+    normal: float  # sum of the f_n [N]
+    friction: Vec  # sum of the f_f, world [N]
+    point: Vec  # where the normal forces act, the mean weighted with them; world [m], times N
+
+
+class Instant(NamedTuple):
+    """What is asked at one instant."""
+
+    airframe: Airframe
+    world: World
+    contact_point: Any
+    state: State
+
+
+class Evaluation(NamedTuple):
+    """What is answered."""
+
+    parts: tuple[ContactLoad, ...]  # cages, then the hull if there is one
+    stored: Energy
+
+
+@kernel
+def _cage_load(
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
+) -> ContactLoad:
+    """One cage against one obstacle, in body axes from the main body."""
+    return _load(meeting(obstacle, contact_point, radius, arm, omega, vertical))
+
+
+@kernel
+def _load(met: Meeting) -> ContactLoad:
+    f_n = met.touch.normal
+    return ContactLoad(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
+
+
+@kernel
+def _sphere_load(
+    obstacle: Obstacle, hull: Sphere, velocity: Vec, omega: Vec, vertical: Vec
+) -> ContactLoad:
+    return _load(hull_meeting(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
+
+
+@kernel
+def _arm_load(
+    arm: Arm,
+    length: float,
+    rate: float,
+    obstacles: tuple[Obstacle, ...],
+    contact_point: Any,
+    state: State,
+    r: Mat,
+) -> ContactLoad:
+    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
+    pose = arm_pose(arm, length, rate, state.velocity @ r)
+    loads = each(_cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical))
+    return _in_world(total(loads), state, r)
+
+
+@kernel
+def _in_world(p: ContactLoad, state: State, r: Mat) -> ContactLoad:
+    point = r @ p.point + p.normal * state.position
+    return ContactLoad(r @ p.force, p.normal, r @ p.friction, point)
+
+
+@kernel
+def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat) -> ContactLoad:
+    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
+    loads = each(_sphere_load, (obstacles,), (hull, state.velocity @ r, omega, vertical))
+    return _in_world(total(loads), state, r)
+
+
+@kernel
+def _evaluate(at: Instant) -> Evaluation:
+    state = at.state
+    r = rotation(state.attitude)
+    obstacles = each(obstacle_seen, (at.world.obstacles,), (state.position, r))
+    arms = each(
+        _arm_load,
+        (at.airframe.arms, state.arm_length, state.arm_rate),
+        (obstacles, at.contact_point, state, r),
+    )
+    parts = arms + each(_hull_load, (at.airframe.hull,), (obstacles, state, r))
+    return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
+
+
+@executor(nogil=True)
+def _evaluate_all(like: Like, instants: Buffer, out: Buffer) -> None:
+    """`Evaluation` at every instant; a row of each buffer is the leaves of one."""
+    for i in range(instants.shape[0]):
+        write(_evaluate(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
+
+
+class LoadHistory(NamedTuple):
+    """Contacts and energies over time."""
+
+    force: Array  # on each cage, then the hull, world [N], shape (instants, parts, 3)
+    normal: Array  # f_n [N], shape (instants, parts)
+    friction: Array  # |f_f| [N], shape (instants, parts)
+    point: Array  # where it acts, world [m], shape (instants, parts, 3); NaN where nothing touches
+    energy: dict[str, Array]  # `Energy` by name [J], each of shape (instants,)
+
+
+def _states(columns: Mapping[str, Array], arms: int, places: Places) -> Array:
+    """Leaves of `State`, a row an instant."""
+    names = [*"xyz", *(f"q{p}" for p in "wxyz"), *(f"v{a}" for a in "xyz"), *("wx", "wy", "wz")]
+    names += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
+    return np.stack([columns[name][places] for name in names], axis=1)
+
+
+def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> LoadHistory:
+    """Contacts and energies at some instants of a trajectory.
+
+    Args:
+        model: Of the flight.
+        columns: Its trajectory.
+        places: Of the instants.
+    """
+    arms = len(model.airframe.arms)
+    states = _states(columns, arms, places)
+    zero, lengths = Vec(0.0, 0.0, 0.0), (0.0,) * arms
+    still = State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, lengths)
+    asked = Instant(model.airframe, model.world, model.contact_point, still)
+    constants = np.array(leaves(asked)[: -states.shape[1]])
+    instants = np.concatenate(
+        [np.broadcast_to(constants, (len(states), len(constants))), states], 1
+    )
+    parts = arms + len(model.airframe.hull)
+    out = np.zeros((len(states), 10 * parts + len(Energy._fields)))
+    own = own_types(asked)
+    plain = getattr(_evaluate_all, "py_func", _evaluate_all)
+    run = own_executor(plain, sources(own), nogil=True) if own else _evaluate_all
+    run(Like(asked), np.ascontiguousarray(instants), out)
+    each_part = out[:, : 10 * parts].reshape(len(out), parts, 10)
+    normal = each_part[:, :, 3]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        point = np.where(
+            normal[..., None] > NO_FORCE, each_part[:, :, 7:] / normal[..., None], np.nan
+        )
+    stored = {name: out[:, 10 * parts + k] for k, name in enumerate(Energy._fields)}
+    friction = np.linalg.norm(each_part[:, :, 4:7], axis=2)
+    return LoadHistory(each_part[:, :, :3], normal, friction, point, stored)
