@@ -71,6 +71,12 @@ def test_what_was_found_aloft(path: tuple[str | int, ...], value: Any) -> None:
         scenario_tables(put(SCENARIOS[1], path, value))
 
 
+def test_a_run_up_without_gravity_is_refused() -> None:
+    """Was a warning of 0/0, and then any run-up."""
+    with pytest.raises(InputError, match=r"run-up to 3\.5 m/s at 0 deg needs gravity"):
+        scenario_tables(put(SCENARIOS[3], ("world", "gravity"), 0.0))
+
+
 @pytest.mark.parametrize(
     ("path", "value"), FOUND, ids=[".".join(map(str, path)) for path, _ in FOUND]
 )

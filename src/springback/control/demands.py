@@ -100,11 +100,8 @@ def shortfalls(asked: Demands, limits: Limits, who: str) -> list[str]:
 
 
 def leaning(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
-    """Tilt [rad] and tilt rate [rad/s] of level flight along a line: atan(a/g), g ȧ/(g² + a²).
-
-    Without gravity there is no tilt rate, at rest either.
-    """
-    square = np.maximum(gravity**2 + np.square(acceleration), np.finfo(float).tiny)
+    """Tilt [rad] and tilt rate [rad/s] of level flight along a line: atan(a/g), g ȧ/(g² + a²)."""
+    square = gravity**2 + np.square(acceleration)
     return np.arctan2(acceleration, gravity), gravity * jerk / square
 
 

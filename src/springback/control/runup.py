@@ -101,6 +101,8 @@ def run_up(
         raise InputError(
             f"{who} must end level with its start, apart from it, moving, below 90 deg"
         )
+    if limits.gravity == 0.0:
+        raise InputError(f"{who} needs gravity: it is gained by leaning the thrust that bears it")
     a = limits.gravity * math.tan(pitch)
     breaks, rows = approach(distance, speed, a, steady, limits, who, advises)
     touching = len(breaks)
