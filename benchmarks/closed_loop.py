@@ -23,10 +23,9 @@ import numba
 import numpy as np
 
 from benchmarks.rivals.vehicle import quad
-from springback.experiments.guidance import board_of
-from springback.experiments.scenario import scenario_from
 from springback.kernels.layout import Buffer, Like
-from springback.simulation.aboard import Draw
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import loaded, shape_of
 from springback.simulation.guided import (
     GUST_NOISE,
@@ -37,6 +36,7 @@ from springback.simulation.guided import (
     ticked,
     ticks_of,
 )
+from springback.simulation.onboard import Draw
 
 ESTIMATORS = ("kalman", "complementary", "perfect")
 DURATION = 10.0  # [s]

@@ -19,16 +19,16 @@ from typing import Any
 import numpy as np
 
 from benchmarks.job import reference_model, starts
-from springback.experiments.bulk import made_ready
-from springback.experiments.campaign.design import laid_out
-from springback.experiments.campaign.plan import read_plan
-from springback.experiments.campaign.running import run_campaign
-from springback.kept import Kept
-from springback.kernels.cuda import device
+from springback.batch.scenarios import made_ready
+from springback.campaign.design.layout import laid_out
+from springback.campaign.design.plan import read_plan
+from springback.campaign.running import run_campaign
+from springback.kernels.gpu.cuda import device
 from springback.kernels.layout import Buffer, rows
-from springback.simulation.abreast import GUIDED_LANES, fly_groups
+from springback.kernels.memo import Kept
 from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
 from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import Loader
 from springback.simulation.record import Model
 from springback.vehicle.state import State

@@ -24,7 +24,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from benchmarks.rivals.contenders import STEP, Contender
 from benchmarks.rivals.report import machine, spread
 from benchmarks.rivals.rounds import Failed, run
-from springback.interfaces.canvas import BLUE, INK, ORANGE, HouseFigure, save, styled
+from springback.interfaces.figures.style import BLUE, INK, ORANGE, HouseFigure, save, styled
 
 #: The point from which one thing is varied: flights, duration [s], arms, obstacles.
 USUAL = {"flights": 256, "duration": 6.0, "arms": 4, "obstacles": 2}

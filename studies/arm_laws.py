@@ -8,7 +8,7 @@ Prints the table that stands in studies/README.md.
 
 from __future__ import annotations
 
-from springback.experiments.paper.arm_laws import BASES, VARIANTS, deviations, fitted
+from springback.paper.arm_laws import BASES, VARIANTS, deviations, fitted
 
 
 def row(name: str, number: str, off: list[float]) -> str:

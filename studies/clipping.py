@@ -20,14 +20,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import springback
-from springback.experiments.estimate_errors import (
+from springback.interfaces.figures import style
+from springback.results.estimate_errors import (
     EstimateErrors,
     clipped_area,
     estimate_errors,
     felt_force,
 )
-from springback.experiments.result import Flight
-from springback.interfaces import canvas
+from springback.results.flight import Flight
 
 RANGE, HUGE = 16.0 * 9.80665, 2e3  # [m/s²]
 SPEED = 3.5  # [m/s], the faster of the paper's impacts
@@ -102,19 +102,19 @@ def table(rows: list[dict[str, float | str]]) -> str:
     return "\n".join(lines)
 
 
-@canvas.styled
+@style.styled
 def figure(made: dict[str, tuple[Flight, EstimateErrors]]) -> Figure:
     """Force felt and read; errors of velocity and of attitude over time after first touch."""
-    drawn = canvas.HouseFigure(figsize=(canvas.WIDTH, 5.6), layout="constrained")
+    drawn = style.HouseFigure(figsize=(style.WIDTH, 5.6), layout="constrained")
     top, middle, bottom = drawn.subplots(3, 1)
     flight, errors = made[CASES[0].name]
     start = flight.touch_time or 0.0
     time = 1e3 * (errors.time - start)
-    top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=canvas.INK, label="felt")
-    top.plot(time, flight.diary["imu_ax"] / 9.80665, color=canvas.RED, ls="--", label="read")
+    top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=style.INK, label="felt")
+    top.plot(time, flight.diary["imu_ax"] / 9.80665, color=style.RED, ls="--", label="read")
     top.set(xlim=(-10.0, 50.0), ylabel="force along x [g]", xlabel="time after first touch [ms]")
     top.legend(loc="lower right")
-    for (name, (_, e)), (colour, dashes) in zip(made.items(), canvas.LOOKS, strict=False):
+    for (name, (_, e)), (colour, dashes) in zip(made.items(), style.LOOKS, strict=False):
         late = 1e3 * (e.time - start)
         middle.semilogy(late, e.velocity, color=colour, ls=dashes, label=name)
         bottom.plot(late, np.degrees(e.attitude), color=colour, ls=dashes)
@@ -138,7 +138,7 @@ def main() -> None:
         writer.writerows(rows)
     made = {case.name: flown(case, SEEDS[0]) for case in CASES}
     shown = {name: (flight, estimate_errors(flight)) for name, flight in made.items()}
-    (out / "clipping.png").write_bytes(canvas.png(figure(shown)))
+    (out / "clipping.png").write_bytes(style.png(figure(shown)))
     print(table(rows))
 
 

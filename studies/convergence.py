@@ -17,7 +17,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from springback.experiments.result import fly
+from springback.results.flight import fly
 
 #: The page with the tables, and what stands before and after them.
 PAGE = Path(__file__).with_name("README.md")

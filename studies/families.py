@@ -33,10 +33,10 @@ from springback.contact.surfaces import (
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
 from springback.errors import InputError
-from springback.experiments.checks import STABLE
-from springback.experiments.numbers import RING_ROUNDING, settle_step
-from springback.experiments.tables import SimulationSettings
 from springback.kernels.vectors import Quat, Vec
+from springback.scenario.checks import STABLE
+from springback.scenario.model import RING_ROUNDING, settle_step
+from springback.scenario.tables import SimulationSettings
 from springback.simulation.flight import fly_many
 from springback.simulation.measures import Outcome, measures_of, outcome_of
 from springback.simulation.record import Model, Timing

@@ -25,7 +25,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 import springback
-from springback.experiments.paper.flight import (
+from springback.paper.free_flight import (
     CIRCLE_TIME,
     PERIODS,
     QUANTITIES,
@@ -34,7 +34,7 @@ from springback.experiments.paper.flight import (
     TABLE_IV_STEPS,
     circle_tables,
 )
-from springback.experiments.paper.responses import (
+from springback.paper.responses import (
     circle_errors,
     mean_square_error,
     rise_time,

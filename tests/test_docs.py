@@ -271,7 +271,7 @@ def test_resolution_of_arm_lengths_is_as_told() -> None:
 def test_scatter_is_as_told() -> None:
     import math
 
-    from springback.experiments.trials import Scatter
+    from springback.studies.trials import Scatter
 
     text, s = (DOCS / "story/experiments.md").read_text(), Scatter()
     assert "| start: position, velocity, heading | 3 cm, 5 cm/s, 2° |" in text

@@ -22,10 +22,10 @@ import numpy as np
 import pytest
 
 import springback
-from experiments.campaign.made_up import filled
-from springback.experiments.campaign.plan import read_plan
-from springback.experiments.campaign.running import run_campaign
-from springback.interfaces.cli import cli
+from campaign.made_up import filled
+from springback.campaign.design.plan import read_plan
+from springback.campaign.running import run_campaign
+from springback.interfaces.cli.app import cli
 
 ROOT = Path(__file__).parents[1]
 PAGES = [
@@ -35,14 +35,14 @@ PAGES = [
 #: Commands that are not run, and why.
 LOOKED_AT = {
     "reproduce": "minutes; tests/paper flies what it compares",
-    "study": "minutes; tests/experiments/test_why.py and test_detection_study.py",
-    "map": "a minute; tests/interfaces/test_cli_map.py",
-    "campaign": "thousands of flights; tests/interfaces/test_cli_campaign.py",
-    "refly": "needs such a campaign; tests/interfaces/test_cli_campaign.py",
+    "study": "minutes; tests/studies/test_ablation.py and test_detection_study.py",
+    "map": "a minute; tests/interfaces/cli/test_map_command.py",
+    "campaign": "thousands of flights; tests/interfaces/cli/test_campaign_commands.py",
+    "refly": "needs such a campaign; tests/interfaces/cli/test_campaign_commands.py",
     "check": "thousands of ticks in plain Python; tests/test_examples.py",
-    "view": "serves until it is stopped; tests/interfaces/test_view.py",
-    "lab": "serves until it is stopped; tests/interfaces/test_lab_served.py",
-    "animate": "half a minute; tests/interfaces/test_animation.py",
+    "view": "serves until it is stopped; tests/interfaces/replay/test_view.py",
+    "lab": "serves until it is stopped; tests/interfaces/lab/test_lab_served.py",
+    "animate": "half a minute; tests/interfaces/animation/test_animation.py",
 }
 #: Commands that come with other parts of the program.
 AWAITED: set[str] = set()

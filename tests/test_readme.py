@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from interfaces.interrupts import heed_interrupts
-from springback.experiments.extras import packages
+from springback.extras import packages
 from test_examples import Typed, typed
 
 ROOT = Path(__file__).parents[1]

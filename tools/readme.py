@@ -11,8 +11,9 @@ import json
 from pathlib import Path
 from statistics import mean
 
-from springback.experiments.comparison import Mark, Row
-from springback.experiments.paper.choices import (
+from springback.interfaces.figures.style import png
+from springback.interfaces.reproduction.figures.slider import readme_figure
+from springback.paper.choices import (
     BOTH,
     CHOICES,
     EKF2,
@@ -23,23 +24,22 @@ from springback.experiments.paper.choices import (
     ChoiceResults,
     fly_choices,
 )
-from springback.experiments.paper.choices import ROBOTS as RESILIENT
-from springback.experiments.paper.flight import (
+from springback.paper.choices import ROBOTS as RESILIENT
+from springback.paper.free_flight import (
     QUANTITIES as CIRCLE_QUANTITIES,
 )
-from springback.experiments.paper.flight import (
+from springback.paper.free_flight import (
     ROBOTS,
     TABLE_IV_CIRCLES,
     TABLE_IV_STEPS,
     FlightResults,
     flight_experiments,
 )
-from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS
-from springback.experiments.paper.slider import READINGS, SliderResults, slider_experiments
-from springback.experiments.run_ups import CONDITIONS
-from springback.experiments.trials import DURATION
-from springback.interfaces.canvas import png
-from springback.interfaces.plots_slider import readme_figure
+from springback.paper.printed import SUCCESS, SUCCESS_WORDS
+from springback.paper.slider import READINGS, SliderResults, slider_experiments
+from springback.studies.comparison import Mark, Row
+from springback.studies.run_ups import CONDITIONS
+from springback.studies.trials import DURATION
 
 README = Path(__file__).parents[1] / "README.md"
 PAGE = README.parent / "docs/paper/choices.md"

@@ -11,7 +11,7 @@ from benchmarks.rivals.environments import RECIPES, VARIABLE, folder
 from benchmarks.rivals.figure import contest_figure
 from benchmarks.rivals.report import machine, markdown, summarised
 from benchmarks.rivals.rounds import Settings, contest
-from springback.interfaces.canvas import save
+from springback.interfaces.figures.style import save
 
 
 def _source(text: str) -> tuple[str, str]:

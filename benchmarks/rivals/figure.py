@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from benchmarks.rivals.report import horizon
-from springback.interfaces.canvas import BLUE, GREY, INK, ORANGE, HouseFigure, styled
+from springback.interfaces.figures.style import BLUE, GREY, INK, ORANGE, HouseFigure, styled
 
 RATE = "flight-seconds per second"
 #: Height of a row, and what a panel needs besides [in].

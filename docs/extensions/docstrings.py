@@ -144,7 +144,7 @@ def words() -> set[str]:
     from settings_tables import choices
 
     from springback.contact.library import SURFACES
-    from springback.experiments.scenario import Scenario
+    from springback.scenario.scenario import Scenario
     from springback.vehicle.library import VEHICLES
 
     return {*VEHICLES, *SURFACES, *choices(Scenario)}

@@ -8,7 +8,7 @@ from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 
-from springback.experiments.recovery_measures import RECOVERY_MEASURES
+from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import MEASURES, Outcome
 
 

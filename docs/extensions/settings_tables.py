@@ -217,7 +217,7 @@ def choices(cls: type[Settings]) -> set[str]:
 
 
 class Tables(Directive):
-    """`.. settings:: springback.experiments.scenario.Scenario`: all tables below it, with links."""
+    """`.. settings:: springback.scenario.scenario.Scenario`: all tables below it, with links."""
 
     required_arguments = 1
 

@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 
 import springback
 from springback.contact.surfaces import normal_force
-from springback.interfaces import canvas
+from springback.interfaces.figures import style as canvas
 from springback.recovery.response import Quintic, planned
 from springback.sensing.hall import output, resolution
 from springback.sensing.parameters import HallSettings

@@ -9,6 +9,10 @@ from springback.version import __version__ as __version__
 
 TYPE_CHECKING = False  # not taken from typing: until the program listens, Ctrl-C is a traceback
 if TYPE_CHECKING:
+    from springback.campaign.access import Campaign as Campaign
+    from springback.campaign.design.plan import Plan as Plan
+    from springback.campaign.errors import Stopped as Stopped
+    from springback.campaign.running import run_campaign as run_campaign
     from springback.contact.library import MAT as MAT
     from springback.contact.library import WALL as WALL
     from springback.contact.obstacles import outward_normal as outward_normal
@@ -20,31 +24,27 @@ if TYPE_CHECKING:
     from springback.contact.restitution import dissipation_for as dissipation_for
     from springback.contact.restitution import restitution as restitution
     from springback.errors import InputError as InputError
-    from springback.experiments.campaign.plan import Plan as Plan
-    from springback.experiments.campaign.reading import Campaign as Campaign
-    from springback.experiments.campaign.running import run_campaign as run_campaign
-    from springback.experiments.campaign.stopped import Stopped as Stopped
-    from springback.experiments.guidance import OwnPilot as OwnPilot
-    from springback.experiments.paper.slider import Reading as Reading
-    from springback.experiments.paper.slider import slider_experiments as slider_experiments
-    from springback.experiments.pilot_check import Finding as Finding
-    from springback.experiments.pilot_check import check_pilot as check_pilot
-    from springback.experiments.result import Flight as Flight
-    from springback.experiments.result import fly as fly
-    from springback.experiments.scenario import Scenario as Scenario
-    from springback.experiments.scenario_file import read_scenario as read_scenario
-    from springback.interfaces.plot import plot as plot
+    from springback.interfaces.figures.plot import plot as plot
     from springback.kernels.compiler import kernel as kernel
     from springback.kernels.vectors import Quat as Quat
     from springback.kernels.vectors import Vec as Vec
     from springback.kernels.vectors import rotation as rotation
+    from springback.paper.slider import Reading as Reading
+    from springback.paper.slider import slider_experiments as slider_experiments
+    from springback.results.flight import Flight as Flight
+    from springback.results.flight import fly as fly
+    from springback.scenario.avionics import OwnPilot as OwnPilot
+    from springback.scenario.files import read_scenario as read_scenario
+    from springback.scenario.scenario import Scenario as Scenario
     from springback.sensing.measurement import Measurement as Measurement
-    from springback.simulation.aboard import Piloted as Piloted
-    from springback.simulation.aboard import piloted as piloted
-    from springback.simulation.aboard import told as told
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
     from springback.simulation.measures import Outcome as Outcome
+    from springback.simulation.onboard import Piloted as Piloted
+    from springback.simulation.onboard import piloted as piloted
+    from springback.simulation.onboard import told as told
+    from springback.studies.pilot_check import Finding as Finding
+    from springback.studies.pilot_check import check_pilot as check_pilot
     from springback.vehicle.library import ARQ as ARQ
     from springback.vehicle.library import QUAD as QUAD
     from springback.vehicle.library import VEHICLES as VEHICLES
@@ -63,16 +63,16 @@ _PUBLIC = {
     "kernel": "kernels.compiler", "Vec": "kernels.vectors", "Quat": "kernels.vectors",
     "rotation": "kernels.vectors",
     "Measurement": "sensing.measurement",
-    "piloted": "simulation.aboard", "Piloted": "simulation.aboard", "told": "simulation.aboard",
-    "OwnPilot": "experiments.guidance",
-    "check_pilot": "experiments.pilot_check", "Finding": "experiments.pilot_check",
-    "Scenario": "experiments.scenario", "read_scenario": "experiments.scenario_file",
-    "fly": "experiments.result", "Flight": "experiments.result",
-    "fly_many": "simulation.flight", "plot": "interfaces.plot",
-    "Plan": "experiments.campaign.plan", "run_campaign": "experiments.campaign.running",
-    "Campaign": "experiments.campaign.reading", "Stopped": "experiments.campaign.stopped",
+    "piloted": "simulation.onboard", "Piloted": "simulation.onboard", "told": "simulation.onboard",
+    "OwnPilot": "scenario.avionics",
+    "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
+    "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
+    "fly": "results.flight", "Flight": "results.flight",
+    "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
+    "Plan": "campaign.design.plan", "run_campaign": "campaign.running",
+    "Campaign": "campaign.access", "Stopped": "campaign.errors",
     "Outcome": "simulation.measures", "MEASURES": "simulation.measures",
-    "slider_experiments": "experiments.paper.slider", "Reading": "experiments.paper.slider",
+    "slider_experiments": "paper.slider", "Reading": "paper.slider",
     "InputError": "errors",
 }  # fmt: skip
 

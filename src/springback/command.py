@@ -17,21 +17,21 @@ def run() -> None:
     """
     code: object = 1
     try:
-        from springback.interfaces import last_words
+        from springback.interfaces.output import interrupts
 
         try:
-            last_words.listen()
-            from springback.interfaces.cli import main
+            interrupts.listen()
+            from springback.interfaces.cli.app import main
 
             main()
             code = 0
         except SystemExit as done:
             code = done.code
         except BaseException:
-            if not last_words.came():
+            if not interrupts.came():
                 raise
-            last_words.deafen()
-            _last(last_words.words())
+            interrupts.deafen()
+            _last(interrupts.words())
             code = 130
     except KeyboardInterrupt:  # while it was being loaded, or being answered
         _last("interrupted; nothing was written")

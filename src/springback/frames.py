@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.sheet import cos, sin
+from springback.kernels.tracing import cos, sin
 
 
 def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:

@@ -27,15 +27,15 @@ from attack.damage import cut_off, one_byte
 from attack.interrupting import COMMANDS, command, prepared, removed, timed, tried
 from attack.table import Row
 from attack.test_corners import IMPACT, PILOTED, corners, is_flown
-from experiments.campaign.made_up import filled
-from experiments.campaign.plans import THROW, plan
+from campaign.made_up import filled
+from campaign.plans import THROW, plan
+from springback.campaign import manifest, store
+from springback.campaign.access import Campaign, check_conditions
+from springback.campaign.design.layout import laid_out
 from springback.errors import InputError
-from springback.experiments.campaign import ledger, store
-from springback.experiments.campaign.design import laid_out
-from springback.experiments.campaign.reading import Campaign, check_conditions
-from springback.experiments.result import fly
-from springback.interfaces.flight_files import write_flight
-from springback.interfaces.saved import read_result
+from springback.interfaces.reports.flight_files import write_flight
+from springback.results.flight import fly
+from springback.results.saved import read_result
 
 ROOT = Path(__file__).parents[2]
 CAMPAIGN = """
@@ -70,8 +70,8 @@ def of(what: str, found: Counter[str], remark: str = "") -> Row:
 
 def damaged_campaigns(folder: Path, cases: int) -> Iterator[Row]:
     filled(folder / "c")
-    part = ledger.file_of(10)
-    for name in (part, ledger.NAME, store.ABOUT, store.PLAN):
+    part = manifest.file_of(10)
+    for name in (part, manifest.NAME, store.ABOUT, store.PLAN):
         what = "a part" if name == part else name
         yield of(f"one byte of {what} changed", one_byte(folder / "c", name, all_said, cases))
     for name in (part, store.ABOUT, store.PLAN):
@@ -103,7 +103,7 @@ def questions(folder: Path) -> Iterator[Row]:
     (folder / "secret").write_text("x\n1\n")
     files = {
         "secret": folder / "secret", "target": folder / "target",
-        "part": folder / "a" / ledger.file_of(0), "other": folder / "b" / ledger.file_of(0),
+        "part": folder / "a" / manifest.file_of(0), "other": folder / "b" / manifest.file_of(0),
     }  # fmt: skip
     names = {name: str(path) for name, path in files.items()}
     before = contents(folder)

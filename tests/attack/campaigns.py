@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from springback.experiments.campaign.reading import Campaign
-from springback.experiments.campaign.statistics import summary
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.statistics import summary
 
 
 def all_said(folder: Path, *, summed: bool = True) -> Any:

@@ -16,13 +16,13 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from springback.campaign.design.layout import laid_out
+from springback.campaign.design.plan import Source, plan_from
 from springback.errors import InputError
-from springback.experiments.campaign.design import laid_out
-from springback.experiments.campaign.plan import Source, plan_from
-from springback.experiments.scenario import Scenario
-from springback.experiments.scenario_file import checked_scenario, overridden
-from springback.experiments.source_text import toml_tables
 from springback.kernels.trees import leaves
+from springback.scenario.files import checked_scenario, overridden
+from springback.scenario.scenario import Scenario
+from springback.scenario.source_text import toml_tables
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 #: Longest that one input may take [s]: a run-up that is sought in vain takes about 1 s here.

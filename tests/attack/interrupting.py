@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from interfaces.interrupts import heed_interrupts
+from springback.campaign import store
+from springback.campaign.access import Campaign
 from springback.errors import InputError
-from springback.experiments.campaign import store
-from springback.experiments.campaign.reading import Campaign
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

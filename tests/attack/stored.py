@@ -24,24 +24,24 @@ from hypothesis import strategies as st
 
 from attack.campaigns import all_said
 from attack.inputs import paths_of, plain_values, put
-from experiments.campaign.made_up import filled
-from experiments.campaign.plans import THROW
+from campaign.made_up import filled
+from campaign.plans import THROW
+from springback.campaign import manifest, store
+from springback.campaign.access import Campaign
+from springback.campaign.design.layout import laid_out
+from springback.campaign.design.plan import plan_from
+from springback.campaign.store import opened, stored_plan
 from springback.errors import InputError
-from springback.experiments.campaign import ledger, store
-from springback.experiments.campaign.design import laid_out
-from springback.experiments.campaign.plan import plan_from
-from springback.experiments.campaign.reading import Campaign
-from springback.experiments.campaign.store import opened, stored_plan
-from springback.experiments.parquet import write_parquet
-from springback.experiments.result import fly
-from springback.experiments.sealed import SEAL, sealed
-from springback.interfaces.cli import environment
-from springback.interfaces.files import write_flight
-from springback.interfaces.saved import read_result
-from springback.interfaces.scene_labels import scenes_of
+from springback.interfaces.cli.app import environment
+from springback.interfaces.output.folders import write_flight
+from springback.interfaces.replay.labels import scenes_of
+from springback.results.flight import fly
+from springback.results.parquet import write_parquet
+from springback.results.saved import read_result
+from springback.results.sealed_json import SEAL, sealed
 
 SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "diary.parquet"
-PART = ledger.file_of(10)
+PART = manifest.file_of(10)
 Files = dict[str, bytes]
 Columns = dict[str, Any]
 
@@ -211,7 +211,7 @@ def ledgers(draw: st.DrawFn) -> Changed:
     files = campaign()[1]
     how = draw(st.sampled_from(["bytes", "about", "plan", "lines", "lines"]))
     if how == "bytes":
-        name = draw(st.sampled_from([ledger.NAME, store.ABOUT, store.PLAN]))
+        name = draw(st.sampled_from([manifest.NAME, store.ABOUT, store.PLAN]))
         return Changed(told, {name: draw(_bytes(files[name], told))})
     if how == "about":
         about = draw(_changed(json.loads(files[store.ABOUT]), told))
@@ -223,7 +223,7 @@ def ledgers(draw: st.DrawFn) -> Changed:
         with contextlib.suppress(Exception):  # no plan at all: the reader is to say so
             about["plan_sha256"] = plan_from(json.loads(plan)).digest()
         return Changed(told, {store.PLAN: plan, store.ABOUT: _json(_sealed(about))})
-    lines = [json.loads(line) for line in files[ledger.NAME].splitlines()]
+    lines = [json.loads(line) for line in files[manifest.NAME].splitlines()]
     for _ in range(draw(st.integers(1, 3))):
         k = draw(st.integers(0, len(lines) - 1))
         line = _sealed(draw(_changed(lines[k], told))) if draw(st.booleans()) else lines[k]
@@ -232,7 +232,7 @@ def ledgers(draw: st.DrawFn) -> Changed:
         put_in = {"replaced": [line], "put in": [lines[k], line], "left out": []}[how]
         lines = [*lines[:k], *put_in, *lines[k + 1 :]] or [line]
     end = draw(st.sampled_from([b"\n", b"", b"\n{", b"\n\n"]))
-    return Changed(told, {ledger.NAME: b"\n".join(map(_json, lines)) + end})
+    return Changed(told, {manifest.NAME: b"\n".join(map(_json, lines)) + end})
 
 
 @st.composite
@@ -243,9 +243,9 @@ def parts(draw: st.DrawFn) -> Changed:
     columns = draw(st.booleans()) or draw(st.booleans())
     data = draw(_tables(_columns("part"), told) if columns else _bytes(files[PART], told))
     fitting = {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
-    lines = [json.loads(line) for line in files[ledger.NAME].splitlines()]
+    lines = [json.loads(line) for line in files[manifest.NAME].splitlines()]
     lines = [_sealed(line | fitting) if line["file"] == PART else line for line in lines]
-    return Changed(told, {PART: data, ledger.NAME: b"\n".join(map(_json, lines)) + b"\n"})
+    return Changed(told, {PART: data, manifest.NAME: b"\n".join(map(_json, lines)) + b"\n"})
 
 
 # -- what is promised -----------------------------------------------------------------------------
@@ -288,6 +288,6 @@ def campaign_files(changed: Changed) -> None:
             said = environment(error)
             raise error if said is None else InputError(said) from error
         if PART not in changed.files:  # forged: its digest vouches for it, not its rows
-            assert len(rows.rows) == ledger.held(ledger.read(folder / ledger.NAME))
+            assert len(rows.rows) == manifest.held(manifest.read(folder / manifest.NAME))
         with opened(folder, laid_out(stored_plan(folder)), resume=True):
             pass

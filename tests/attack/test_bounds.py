@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import pytest
 
 from springback import fly
+from springback.campaign.design.plan import read_plan
 from springback.errors import LONGEST_LINE, InputError, plain, shown_value
-from springback.experiments.campaign.plan import read_plan
-from springback.experiments.pilots import read_pilot, wrong
-from springback.experiments.scenario_file import read_scenario
-from springback.experiments.source_text import MOST_BYTES
+from springback.scenario.files import read_scenario
+from springback.scenario.source_text import MOST_BYTES
+from springback.scenario.user_pilots import read_pilot, wrong
 from springback.simulation import flight as flights
 
 GOOD = 'vehicle = "arq"\nthrust = "hover"\n'

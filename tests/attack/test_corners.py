@@ -14,7 +14,7 @@ import pytest
 
 from attack.inputs import WHOLE, check_lines, paths_of, put, value_at
 from springback.errors import FlightWarning, InputError
-from springback.experiments.result import fly
+from springback.results.flight import fly
 from springback.simulation.measures import Outcome
 
 #: An impact at once.

@@ -36,9 +36,9 @@ from attack.stored import (
     result_files,
     results,
 )
+from springback.campaign import store
 from springback.errors import InputError
-from springback.experiments.campaign import store
-from springback.experiments.sealed import sealed
+from springback.results.sealed_json import sealed
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
 FOUND: list[tuple[tuple[str | int, ...], Any]] = [

@@ -10,17 +10,17 @@ import pytest
 
 from contact.own_obstacles import Pole
 from contact.scenes import surface
+from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, Meeting
 from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Again, Obstacle, Plane
 from springback.contact.restitution import restitution
 from springback.control.runup import reach
 from springback.errors import InputError
-from springback.experiments.bulk import fly_scenarios
-from springback.experiments.numbers import contact_point_of
-from springback.experiments.result import Flight, fly
-from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import Vec
+from springback.results.flight import Flight, fly
+from springback.scenario.model import contact_point_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.measures import Outcome
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import Sphere

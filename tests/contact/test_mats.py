@@ -9,8 +9,8 @@ from springback.contact.library import MAT, WALL
 from springback.contact.obstacles import Forces, Plane, World
 from springback.contact.parameters import Mat, faces, obstacles
 from springback.contact.surfaces import ThreeHalves
-from springback.experiments.result import fly
 from springback.kernels.vectors import Vec
+from springback.results.flight import fly
 from springback.simulation.flight import Flown, fly_one
 from springback.simulation.measures import Outcome, measures_of
 

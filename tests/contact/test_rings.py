@@ -25,9 +25,9 @@ from springback.contact.obstacles import (
 )
 from springback.contact.parameters import SurfaceSettings, obstacles
 from springback.contact.rings import ARCS, FAR, STEPS, TRIES, lowest_on_ring
-from springback.experiments.result import fly
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Mat, Quat, Vec, positive_part, rotation
+from springback.results.flight import fly
 from springback.vehicle.state import ArmPose
 
 with warnings.catch_warnings():  # it compiles something of its own at once, and says so

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from springback.contact.cage import Ring
-from springback.experiments.numbers import RING_ROUNDING, flight_model, start_state
-from springback.experiments.scenario import scenario_from
+from springback.scenario.model import RING_ROUNDING, flight_model, start_state
+from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import Flown, fly_one
 
 PAGE = Path(__file__).parents[2] / "docs" / "story" / "contact.md"

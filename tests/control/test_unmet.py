@@ -6,9 +6,9 @@ import pytest
 
 from springback.control.mixing import wrench_of
 from springback.control.rate import turn
-from springback.experiments.guidance import board_of
-from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import ZERO, Vec, norm
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.ticks import decided
 
 

@@ -16,10 +16,10 @@ from springback.dynamics.gusts import Calm, first_gust, gust
 from springback.dynamics.impulse import struck
 from springback.dynamics.motion import Motion, rates
 from springback.errors import InputError
-from springback.experiments.result import as_scenario
-from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, rotation
+from springback.results.flight import as_scenario
+from springback.scenario.scenario import scenario_from
 from springback.simulation.executor import settled
 from springback.simulation.flight import Flown, fly_one, still_work
 from springback.simulation.measures import measures_of

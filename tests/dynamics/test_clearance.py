@@ -9,8 +9,8 @@ import pytest
 
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import rates
-from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import Quat, Vec
+from springback.scenario.scenario import scenario_from
 from springback.vehicle.state import State
 
 WORLDS: dict[str, Any] = {

@@ -11,9 +11,9 @@ from springback.dynamics.air import Air, Still
 from springback.dynamics.energy import energy
 from springback.dynamics.motion import rates
 from springback.dynamics.rigid import Flight, as_one_body, flight_rates, flown_on, stepped
-from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
+from springback.scenario.scenario import scenario_from
 from springback.simulation import executor, record
 from springback.simulation.flight import fly_one
 from springback.vehicle.state import State

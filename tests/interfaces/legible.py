@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator
 
-from springback.interfaces import canvas
-from springback.interfaces.figure_data import axis_label
+from springback.interfaces.figures import style as canvas
+from springback.interfaces.figures.data import axis_label
 
 LEAST = 6.5
 """Size of type in print [pt]."""

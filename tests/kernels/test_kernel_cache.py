@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 
 from springback.errors import CacheWarning
-from springback.kernels import compiler, kernel_cache, ptx
+from springback.kernels import compiler, kernel_cache
 from springback.kernels.compiler import STRICT, _entry
 from springback.kernels.frozen import frozen_digest
-from springback.kernels.private_memory import reached_over
+from springback.kernels.gpu import ptx
+from springback.kernels.gpu.private_memory import reached_over
 
 
 def doubled(x: float) -> float:

@@ -63,7 +63,7 @@ CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/mot
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
 HULL_CONTACT, HULL_STATE, TOUCHES = "contact/hull.py", "dynamics/hull.py", "dynamics/touches.py"
-RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/grip.py"
+RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/friction_rate.py"
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from springback.experiments.paper.arm_laws import BASES, VARIANTS, bounce
-from springback.experiments.paper.slider import READINGS, fitted_dissipation, slider_tables
-from springback.experiments.result import fly
+from springback.paper.arm_laws import BASES, VARIANTS, bounce
+from springback.paper.slider import READINGS, fitted_dissipation, slider_tables
+from springback.results.flight import fly
 
 
 @pytest.mark.parametrize("base", list(BASES))

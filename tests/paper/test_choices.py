@@ -11,9 +11,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from springback.batch.scenarios import fly_scenarios
 from springback.errors import InputError
-from springback.experiments.bulk import fly_scenarios
-from springback.experiments.paper.choices import (
+from springback.interfaces.cli.app import cli
+from springback.interfaces.reproduction.figures.choices import choices_figure
+from springback.paper.choices import (
     CHOICES,
     EKF2,
     MEDIANS,
@@ -26,15 +28,13 @@ from springback.experiments.paper.choices import (
     fly_choices,
     is_plausible,
 )
-from springback.experiments.paper.printed import SUCCESS, SUCCESS_WORDS
-from springback.experiments.presets import expanded
-from springback.experiments.result import fly
-from springback.experiments.run_ups import CONDITIONS, run_up_scenario
-from springback.experiments.scenario import scenario_from
-from springback.experiments.trials import Condition, Scatter, fly_trials, trial_tables
-from springback.interfaces.cli import cli
-from springback.interfaces.plots_choices import choices_figure
+from springback.paper.printed import SUCCESS, SUCCESS_WORDS
+from springback.results.flight import fly
+from springback.scenario.presets import expanded
+from springback.scenario.scenario import scenario_from
 from springback.sensing.library import ESTIMATORS, PX4_EKF2, SOURCES
+from springback.studies.run_ups import CONDITIONS, run_up_scenario
+from springback.studies.trials import Condition, Scatter, fly_trials, trial_tables
 
 FAST = (0.0, 3.5)
 PAPERS = {(c.friction, c.estimator): c for c in CHOICES}

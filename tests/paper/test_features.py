@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from springback.experiments.comparison import Mark, Row
-from springback.experiments.paper.features import (
+from springback.paper.features import (
     TABLE_I,
     feature_rows,
     predicted_hover_time,
 )
+from springback.studies.comparison import Mark, Row
 
 
 def row(robot: str, quantity: str, reading: str | None = None) -> Row:

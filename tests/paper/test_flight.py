@@ -14,8 +14,7 @@ import pytest
 
 from springback.control.parameters import ControlSettings
 from springback.errors import InputError
-from springback.experiments.comparison import Mark
-from springback.experiments.paper.flight import (
+from springback.paper.free_flight import (
     CIRCLE_TIME,
     DROP_TILTS,
     PERIODS,
@@ -27,12 +26,13 @@ from springback.experiments.paper.flight import (
     flight_experiments,
     flown_steps,
 )
-from springback.experiments.paper.responses import (
+from springback.paper.responses import (
     circle_errors,
     mean_square_error,
     rise_time,
     step_response,
 )
+from springback.studies.comparison import Mark
 from springback.vehicle.library import VEHICLES
 
 TIME = np.linspace(0.0, 5.0, 5001)

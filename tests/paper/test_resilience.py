@@ -12,11 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from springback.experiments.comparison import Mark
-from springback.experiments.paper import resilience
-from springback.experiments.paper.choices import EKF2
-from springback.experiments.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
-from springback.experiments.paper.resilience import (
+from springback.frames import attitude_from_euler
+from springback.interfaces.reproduction.report import Results, write_report
+from springback.paper import resilience
+from springback.paper.choices import EKF2
+from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
+from springback.paper.resilience import (
     FASTEST,
     RETURN_TOLERANCE,
     ROBOTS,
@@ -30,11 +31,10 @@ from springback.experiments.paper.resilience import (
     resilience_experiments,
     wilson,
 )
-from springback.experiments.run_ups import CONDITIONS
-from springback.experiments.trials import HOME, Scatter
-from springback.frames import attitude_from_euler
-from springback.interfaces.report import Results, write_report
 from springback.simulation.measures import Outcome
+from springback.studies.comparison import Mark
+from springback.studies.run_ups import CONDITIONS
+from springback.studies.trials import HOME, Scatter
 
 
 @pytest.fixture(scope="module")

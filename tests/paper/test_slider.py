@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from springback.experiments.comparison import Mark
-from springback.experiments.paper.slider import (
+from springback.paper.slider import (
     READINGS,
     SliderResults,
     fitted_dissipation,
     named_reading,
     slider_experiments,
 )
+from springback.studies.comparison import Mark
 
 
 @pytest.fixture(scope="module")

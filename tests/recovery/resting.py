@@ -2,10 +2,10 @@
 
 import functools
 
-from springback.experiments.guidance import cascade_of
-from springback.experiments.run_ups import run_up_scenario
-from springback.experiments.scenario import scenario_from
 from springback.recovery.pilot import ResilientMemory
+from springback.scenario.avionics import cascade_of
+from springback.scenario.scenario import scenario_from
+from springback.studies.run_ups import run_up_scenario
 
 
 @functools.cache

@@ -7,7 +7,6 @@ import numba
 import numpy as np
 import pytest
 
-from springback.experiments.receiver import Judged, alarms, curve, delay, quiet
 from springback.kernels.vectors import Vec
 from springback.recovery.detection import (
     NOT_TRIGGERED,
@@ -18,6 +17,7 @@ from springback.recovery.detection import (
     triggered,
 )
 from springback.recovery.parameters import HallTrigger, TriggerSettings
+from springback.studies.roc import Judged, alarms, curve, delay, quiet
 from springback.vehicle.library import VEHICLES
 
 TICK = 1e-3

@@ -7,15 +7,15 @@ import pytest
 
 import springback
 from springback.errors import InputError
-from springback.experiments.guidance import cascade_of
-from springback.experiments.result import Flight
-from springback.experiments.run_ups import run_up_scenario
-from springback.experiments.scenario import scenario_from
 from springback.kernels.trees import leaves, rebuilt
 from springback.kernels.vectors import Vec
-from springback.recovery.journey import CRUISE, HOVER, LOOK, RECOVER, RETURN
+from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER, RETURN
+from springback.results.flight import Flight
+from springback.scenario.avionics import cascade_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.measures import Outcome
 from springback.simulation.ticks import decided
+from springback.studies.run_ups import run_up_scenario
 
 GROUND = {"type": "ground", "surface": "wall"}
 

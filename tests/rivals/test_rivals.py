@@ -19,8 +19,8 @@ from benchmarks.rivals.figure import contest_figure
 from benchmarks.rivals.report import markdown, ratios, summarised
 from benchmarks.rivals.rounds import Failed, Field, Settings, run
 
-from springback.experiments.scenario import scenario_from
-from springback.interfaces.canvas import png
+from springback.interfaces.figures.style import png
+from springback.scenario.scenario import scenario_from
 
 OURS = "springback, run-up, impact, recovery, complementary"
 ROTORPY, CRAZYFLOW = "RotorPy, one by one, 100 Hz", "Crazyflow, contact flags at 100 Hz"

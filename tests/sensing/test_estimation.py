@@ -15,7 +15,7 @@ from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.complementary import Complementary
 from springback.sensing.estimation import EstimatorSettings, KalmanSettings, Rhythm
-from springback.sensing.kalman import Kalman
+from springback.sensing.kalman.filter import Kalman
 from springback.sensing.measurement import (
     Estimate,
     Inertial,

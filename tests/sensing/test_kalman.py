@@ -14,7 +14,7 @@ from oracles.estimating import estimate_at, readings, run
 from oracles.inertial_flight import G, Noise, at_rest, flight, without_poses
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
-from springback.sensing.kalman import Deviations, Kalman, kalman_memory
+from springback.sensing.kalman.filter import Deviations, Kalman, kalman_memory
 
 TICK = 1e-3
 RANGE = 16.0 * 9.80665

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from springback.experiments.result import Flight, fly
+from springback.results.flight import Flight, fly
 
 
 def towards_wall(vehicle: str = "arq", speed: float = 2.0, **start: Any) -> dict[str, Any]:

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.experiments.guidance import board_of
-from springback.experiments.scenario import scenario_from
 from springback.kernels.layout import Buffer
 from springback.kernels.trees import leaves
-from springback.simulation.aboard import Cabin, Draw
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
+from springback.simulation.onboard import Cabin, Draw
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 

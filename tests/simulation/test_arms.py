@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulation.impacts import flown, value
-from springback.experiments.result import as_scenario, fly
+from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import Outcome
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.experiments.bulk import fly_scenarios
-from springback.experiments.result import fly
+from springback.batch.scenarios import fly_scenarios
+from springback.results.flight import fly
 from springback.simulation.measures import Outcome
 
 LAWS: dict[str, dict[str, Any]] = {

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from simulation.impacts import towards_wall
-from springback.experiments.result import Flight, fly
-from springback.experiments.tables import SimulationSettings
+from springback.results.flight import Flight, fly
+from springback.scenario.tables import SimulationSettings
 
 COMPARED = ("restitution_at_separation", "peak_acceleration", "contact_time", "travel")
 

@@ -10,7 +10,7 @@ import pytest
 
 from simulation.impacts import flown, towards_wall
 from springback.errors import LedgerWarning
-from springback.experiments.result import Flight, as_scenario
+from springback.results.flight import Flight, as_scenario
 from springback.simulation.flight import fly_many, fly_one
 from springback.simulation.measures import Outcome, outcome_of
 

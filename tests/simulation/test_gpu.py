@@ -17,26 +17,26 @@ import pytest
 from simulation.impacts import towards_wall
 from simulation.pilots_aloft import AT_WALL, WALL, Lane, lane, same, tables
 from springback.errors import InputError
-from springback.experiments.result import as_scenario
-from springback.kernels import cuda
 from springback.kernels.compiler import rebound
-from springback.kernels.layout import Like, rows
-from springback.kernels.nvptx import device_function
-from springback.kernels.private_memory import reached_over
-from springback.kernels.ptx import (
+from springback.kernels.gpu import cuda
+from springback.kernels.gpu.nvptx import device_function
+from springback.kernels.gpu.private_memory import reached_over
+from springback.kernels.gpu.ptx import (
     Constants,
     PtxError,
     kernel_of,
     parameter,
     program,
 )
+from springback.kernels.layout import Like, rows
 from springback.kernels.trees import leaves, rebuilt
-from springback.simulation import gpu, threads
+from springback.results.flight import as_scenario
+from springback.simulation import gpu, gpu_thread
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import fly_many, loaded, shape_of, unloaded
 from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
 from springback.simulation.guided import cabins_loaded, fly_guided
-from springback.simulation.luck import deal
+from springback.simulation.noise import deal
 from springback.simulation.ticks import powered, ticked
 
 WIDTH = 2
@@ -221,12 +221,12 @@ def test_what_a_gpu_does_not_have_is_said() -> None:
 
 def test_parts_of_an_entry_point_are_named() -> None:
     """All that an entry point calls by name is given to it; else the processor's would be used."""
-    for entry in (threads.fly_impact, threads.fly_ticks):
+    for entry in (gpu_thread.fly_impact, gpu_thread.fly_ticks):
         called = {advance, to_tick, ticked, powered, deal} & {
-            threads.__dict__.get(name) for name in entry.__code__.co_names
+            gpu_thread.__dict__.get(name) for name in entry.__code__.co_names
         }
         names = {one.__name__ for one in called}
-        assert names == ({"advance"} if entry is threads.fly_impact else
+        assert names == ({"advance"} if entry is gpu_thread.fly_impact else
                          {"to_tick", "ticked", "powered", "deal"})  # fmt: skip
     assert device_function(advance).py_func.__name__ == "advance"
 

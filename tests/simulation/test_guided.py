@@ -11,9 +11,9 @@ from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, read
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided
-from springback.simulation.aboard import Draw
-from springback.simulation.abreast import fly_guided_many
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table
+from springback.simulation.guided_batch import fly_guided_many
+from springback.simulation.onboard import Draw
 
 VARIANTS: dict[str, dict[str, Any]] = {
     "sensors and Kalman filter, into a wall": {

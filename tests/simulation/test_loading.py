@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from springback.dynamics.gusts import Calm
-from springback.experiments.guidance import board_of
-from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import Vec
-from springback.simulation.aboard import Cabin
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import loaded, shape_of
 from springback.simulation.guided import cabins_loaded
 from springback.simulation.loading import PATIENCE, Loader, Unlike
+from springback.simulation.onboard import Cabin
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 

@@ -8,9 +8,9 @@ import pytest
 
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Motion
-from springback.experiments.numbers import flight_model, start_state
-from springback.experiments.scenario import scenario_from
 from springback.kernels.vectors import Vec
+from springback.scenario.model import flight_model, start_state
+from springback.scenario.scenario import scenario_from
 from springback.simulation import record as rules
 from springback.simulation.executor import rates_of
 from springback.simulation.flight import still_work

@@ -9,7 +9,7 @@ import pytest
 
 from contact.scenes import FACE, approaching, one_arm, surface
 from simulation.impacts import flown, towards_wall, value
-from springback.experiments.result import as_scenario, fly
+from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import MEASURES, Outcome, measures_of
 

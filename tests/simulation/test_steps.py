@@ -6,15 +6,15 @@ import math
 
 import numpy as np
 import pytest
-from studies import families
 
 from contact.scenes import FACE, approaching, one_arm, surface
 from simulation.impacts import flown, towards_wall, value
+from springback.batch.scenarios import fly_scenarios
 from springback.errors import LedgerWarning
-from springback.experiments.bulk import fly_scenarios
-from springback.experiments.result import fly
+from springback.results.flight import fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import Outcome, measures_of
+from studies import families
 
 COARSE = (towards_wall("quad", 6.0, yaw="30 deg", pitch="15 deg"), "simulation.impact_step=8e-4")
 

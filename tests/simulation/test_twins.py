@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from simulation.impacts import towards_wall
-from springback.experiments.result import as_scenario
 from springback.kernels.layout import Like
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, normalised
+from springback.results.flight import as_scenario
 from springback.simulation.executor import advance
 from springback.simulation.flight import (
     Flown,

@@ -1,4 +1,4 @@
-// Colours of Okabe and Ito, as in springback.interfaces.canvas; lighter ones of the same hues where
+// Colours of Okabe and Ito, as in springback.interfaces.figures.style; lighter ones of the same hues where
 // the page is dark.
 export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
 

@@ -1,4 +1,4 @@
-// A flight as it comes from springback.interfaces.scene, made ready to be asked for any instant.
+// A flight as it comes from springback.interfaces.replay.scene, made ready to be asked for any instant.
 
 const KINDS = { f4: Float32Array, f8: Float64Array, i4: Int32Array };
 

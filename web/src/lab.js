@@ -1,5 +1,5 @@
 // The impact lab: settings on one side, the flight they make on the other; its page and its data
-// are springback.interfaces.lab.
+// are springback.interfaces.lab.app.
 import "./lab.css";
 import { touchOf } from "./flight.js";
 import { createControls } from "./lab_controls.js";

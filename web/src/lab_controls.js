@@ -102,7 +102,7 @@ function chosen(control, changed) {
 /**
  * A form with all controls.
  *
- * @param controls the table, from springback.interfaces.lab_settings.controls
+ * @param controls the table, from springback.interfaces.lab.settings.controls
  * @param changed gets name, text and {moving, typing, settled}
  * @returns {element, values, query, show, tellProblems}: values are texts as they stand
  */

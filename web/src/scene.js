@@ -37,7 +37,7 @@ export function together(scenes, colours, align = true) {
  * A picture of flights inside an element.
  *
  * @param element is filled; its size is the picture's
- * @param options.flights scenes as springback.interfaces.scene.plain gives them, or flights
+ * @param options.flights scenes as springback.interfaces.replay.scene.plain gives them, or flights
  * @param options.compare "side" or "ghost"
  * @param options.align whether flights that touch at different times are shown as touching together
  * @param options.onCamera gets the view, one of CAMERAS, when it is taken, and "" when the user has turned away from it

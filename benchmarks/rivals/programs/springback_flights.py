@@ -12,7 +12,7 @@ from typing import Any
 
 import protocol
 
-from springback.experiments.bulk import fly_scenarios
+from springback.batch.scenarios import fly_scenarios
 
 #: The paper's collision: speed at contact [m/s] and pitch [deg].
 SPEED, PITCH = 2.0, 0.0
@@ -53,7 +53,7 @@ def collision_tables(told: Mapping[str, Any], count: int) -> list[dict[str, Any]
         told: With ``arms`` or ``obstacles``, where those are not ARQ's and the test's own.
         count: Flights.
     """
-    from springback.experiments.trials import Scatter, trial_tables
+    from springback.studies.trials import Scatter, trial_tables
 
     changes = {
         "simulation": {"duration": told["task"]["duration"]},

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.grip import Grip, Press, grip_of, press_of
+from springback.contact.friction_rate import Grip, Press, grip_of, press_of
 from springback.contact.obstacles import (
     Again,
     Obstacle,

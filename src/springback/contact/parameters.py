@@ -19,11 +19,11 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
-from springback.kept import Make, afresh
+from springback.kernels.memo import Make, afresh
+from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, quantity, triple
 from springback.settings import Settings, problem
-from springback.sheet import sqrt
 
 Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 

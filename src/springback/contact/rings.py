@@ -23,7 +23,7 @@ FAR = 1e9
 #: of 7.5 deg miss a lower minimum beside another one 20 times, by up to 0.5 mm).
 ARCS, STEPS = 32, 4
 #: A distance changes by no more than the way, from the middle of an arc to its end here; 5 % more,
-#: as a shape's own functions may be off (`springback.experiments.own_obstacles`).
+#: as a shape's own functions may be off (`springback.scenario.user_obstacles`).
 REACH = 1.05 * math.pi / ARCS
 #: Slopes below this are none: those of a ring that lies flat are rounding (chosen).
 FLAT = 1e-12

@@ -15,9 +15,9 @@ from springback.control.parameters import Schedule
 from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
-from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, got, put
+from springback.kernels.memo import Make, afresh
 from springback.kernels.trees import Seldom, each, largest, pick
 from springback.kernels.vectors import ZERO, Mat, Vec
 from springback.sensing.measurement import (
@@ -27,7 +27,7 @@ from springback.sensing.measurement import (
     due,
     how_many_due,
 )
-from springback.simulation.aboard import told
+from springback.simulation.onboard import told
 from springback.simulation.ticks import decide
 from springback.vehicle.state import Airframe
 

@@ -14,11 +14,11 @@ from typing import Any, Literal, NamedTuple
 from springback.control.attitude import FullQuaternion, LeeSO3, Reduced
 from springback.control.position import PositionLaw
 from springback.control.rate import RateLaw
+from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, quantity
 from springback.sensing.measurement import Pace, paced
 from springback.settings import Settings, problem
-from springback.sheet import sqrt
 
 #: Part of the weight that the position loop always lifts, so that it has a direction to aim at
 #: (chosen: nearly free fall is still allowed).

@@ -28,7 +28,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import meeting_while
-from springback.contact.grip import ArmGrip, Grip, Stiffness, contact_rate, rest_rate
+from springback.contact.friction_rate import ArmGrip, Grip, Stiffness, contact_rate, rest_rate
 from springback.contact.obstacles import Obstacle, World, obstacle_seen
 from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.contact.cage import LANDED, Meeting, Touch, slip_velocity
-from springback.contact.grip import Press
+from springback.contact.friction_rate import Press
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel

@@ -53,7 +53,7 @@ class Vec(NamedTuple):
         return _cross(self, other)
 
 
-#: One object, so that flights which have nothing somewhere share it (`springback.kept`).
+#: One object, so that flights which have nothing somewhere share it (`springback.kernels.memo`).
 ZERO = Vec(0.0, 0.0, 0.0)
 
 

@@ -15,9 +15,9 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Length, Speed, quantity, triple
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection, Trigger
-from springback.recovery.journey import Route
-from springback.recovery.referee import Referee
+from springback.recovery.evaluator import Referee
 from springback.recovery.response import Quintic, Staged, TimeOptimal
+from springback.recovery.state_machine import Route
 from springback.recovery.wrench import Observer
 from springback.settings import Settings, problem
 

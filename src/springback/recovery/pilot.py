@@ -19,9 +19,9 @@ from springback.control.cascade import (
     steered,
 )
 from springback.control.target import Target
-from springback.kept import Make, afresh
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, Like, got, put
+from springback.kernels.memo import Make, afresh
 from springback.kernels.trees import pick
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -40,7 +40,9 @@ from springback.recovery.detection import (
     DetectionMemory,
     detected,
 )
-from springback.recovery.journey import (
+from springback.recovery.response import Staged
+from springback.recovery.stages import staged
+from springback.recovery.state_machine import (
     LOOK,
     RECOVER,
     STAGES,
@@ -54,8 +56,6 @@ from springback.recovery.journey import (
     struck,
     turned,
 )
-from springback.recovery.response import Staged
-from springback.recovery.stages import staged
 from springback.recovery.wrench import (
     ExternalWrench,
     Observer,
@@ -64,7 +64,7 @@ from springback.recovery.wrench import (
     renewed_wrench,
 )
 from springback.sensing.measurement import Estimate, Measurement, any_due, believe, due
-from springback.simulation.aboard import told
+from springback.simulation.onboard import told
 from springback.simulation.ticks import decide
 
 

@@ -19,8 +19,8 @@ from typing import NamedTuple
 from springback.control.mixing import wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
-from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
+from springback.kernels.memo import Make, afresh
 from springback.kernels.trees import each, pick
 from springback.kernels.vectors import ZERO, Mat, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement

@@ -12,7 +12,7 @@ from pydantic_core import PydanticCustomError
 
 from springback.sensing.memory import MOST_PERIODS
 from springback.settings import problem
-from springback.simulation.aboard import Draw
+from springback.simulation.onboard import Draw
 
 #: A period or delay may miss a whole number of ticks by this share of a tick: rounding of decimals.
 WHOLE = 1e-6

@@ -14,8 +14,8 @@ from springback.sensing.complementary import (
     ComplementaryMemory,
     complementary_memory,
 )
-from springback.sensing.kalman import Deviations, Kalman, KalmanMemory, kalman_memory
-from springback.sensing.kalman_memory import ROUNDING
+from springback.sensing.kalman.filter import Deviations, Kalman, KalmanMemory, kalman_memory
+from springback.sensing.kalman.memory import ROUNDING
 from springback.sensing.measurement import Estimate
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import Settings

@@ -17,7 +17,7 @@ from springback.kernels.vectors import ZERO, Quat, Vec, renormalised, rotation
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Inertial, Pace, Truth, due, paced
 from springback.sensing.memory import Nothing
-from springback.simulation.aboard import Draw
+from springback.simulation.onboard import Draw
 from springback.vehicle.state import State
 
 #: Ticks from one step of a wandering bias to the next (chosen): at 1 kHz the accelerometer of

@@ -12,9 +12,9 @@ from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, Like, got, put
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.aboard import Sensed as Sensed
-from springback.simulation.aboard import Truth as Truth
-from springback.simulation.aboard import sensed as sensed
+from springback.simulation.onboard import Sensed as Sensed
+from springback.simulation.onboard import Truth as Truth
+from springback.simulation.onboard import sensed as sensed
 
 
 class Inertial(NamedTuple):

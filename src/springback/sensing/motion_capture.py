@@ -12,7 +12,7 @@ from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
-from springback.simulation.aboard import Draw
+from springback.simulation.onboard import Draw
 from springback.simulation.ticks import motion_of, truth_of
 from springback.vehicle.state import State
 

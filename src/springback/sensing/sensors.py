@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.kept import Make, afresh
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, Like, got, put, rows
+from springback.kernels.memo import Make, afresh
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
 from springback.sensing.inertial import InertialNoise, felt, inertial_at_start
 from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
 from springback.sensing.motion_capture import capture, captured, motion_capture_at_start, noise_of
-from springback.simulation.aboard import Draw
+from springback.simulation.onboard import Draw
 from springback.simulation.ticks import look, motion_of, truth_of
 from springback.vehicle.state import State
 

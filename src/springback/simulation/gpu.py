@@ -1,7 +1,7 @@
 """Flights on a GPU: what lies in their buffers goes there, is flown, and comes back.
 
 The rows that come back are those of the processor, bit for bit: the same source is compiled with
-the same rounding, see `springback.kernels.ptx`.
+the same rounding, see `springback.kernels.gpu.ptx`.
 """
 
 from __future__ import annotations
@@ -13,24 +13,24 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.kernels.compiler import Origin
-from springback.kernels.cuda import Loaded, Memory
-from springback.kernels.layout import Buffer, Like, rows, structure
-from springback.kernels.nvptx import device_function
-from springback.kernels.ptx import (
+from springback.kernels.gpu.cuda import Loaded, Memory
+from springback.kernels.gpu.nvptx import device_function
+from springback.kernels.gpu.ptx import (
     Constants,
     kernel_of,
     one_at_a_time,
     parameter,
     program,
 )
-from springback.simulation.aboard import Cabin, Draw
+from springback.kernels.layout import Buffer, Like, rows, structure
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE, own_types, shape_of, sources
+from springback.simulation.gpu_thread import fly_impact, fly_ticks
 from springback.simulation.guided import ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
-from springback.simulation.luck import deal, key_of, plan_of
+from springback.simulation.noise import deal, key_of, plan_of
+from springback.simulation.onboard import Cabin, Draw
 from springback.simulation.record import FLYING, Model
-from springback.simulation.threads import fly_impact, fly_ticks
 from springback.simulation.ticks import GUST_NOISE, powered, ticked
 from springback.vehicle.state import State
 

@@ -17,14 +17,6 @@ from springback.dynamics.gusts import Calm, first_gust
 from springback.kernels.compiler import Origin, executor, own_executor, rebound
 from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
-from springback.simulation.aboard import (
-    Aboard,
-    Cabin,
-    Guidance,
-    Truth,
-    sensed,
-    told,
-)
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
@@ -40,8 +32,16 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
-from springback.simulation.luck import Luck, deal, dealt_before
-from springback.simulation.luck import noise_table as noise_table
+from springback.simulation.noise import Luck, deal, dealt_before
+from springback.simulation.noise import noise_table as noise_table
+from springback.simulation.onboard import (
+    Aboard,
+    Cabin,
+    Guidance,
+    Truth,
+    sensed,
+    told,
+)
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, powered, ticked
 from springback.vehicle.state import State

@@ -16,10 +16,10 @@ import numpy as np
 
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import function_of
-from springback.simulation.aboard import Cabin
 from springback.simulation.flight import first_phase, loaded, shape_of
 from springback.simulation.guided import cabins_loaded
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups
+from springback.simulation.onboard import Cabin
 from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from springback.simulation.columns import Array, as_columns
 from springback.simulation.flight import Flown
-from springback.simulation.reading import Array, as_columns
 from springback.simulation.record import NOT_FINITE, Record
 
 

@@ -1,7 +1,7 @@
 """A tick of the clock aboard: sensors look, pilots decide, witnesses judge, rotors follow.
 
 Each is done for all flights of a group, lane by lane.  Sensors, pilots and witnesses of a user's
-own are asked one flight at a time, by the functions of `springback.simulation.aboard`.  Types that
+own are asked one flight at a time, by the functions of `springback.simulation.onboard`.  Types that
 register a `look`, `decide` or `judge` of their own do better: they go over the lanes several times,
 each time with something short and without branches, which the compiler lays abreast in vector
 registers, and attend to single lanes only where something rare has happened.
@@ -18,7 +18,8 @@ from springback.dynamics.gusts import gust
 from springback.kernels.compiler import executor, generic, guard, kernel
 from springback.kernels.layout import Buffer, Like, got, put, read, row_of, rows, write
 from springback.kernels.trees import leaves, pick, square
-from springback.simulation.aboard import (
+from springback.simulation.lanes import places
+from springback.simulation.onboard import (
     NoWitness,
     Piloted,
     Touch,
@@ -28,7 +29,6 @@ from springback.simulation.aboard import (
     told,
     witnessed,
 )
-from springback.simulation.lanes import places
 from springback.simulation.record import FINISHED, FLYING, NOT_FINITE
 from springback.vehicle.rotors import all_lagged
 from springback.vehicle.state import State

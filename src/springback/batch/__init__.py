@@ -1,0 +1,1 @@
+"""Many scenarios at once, set up together and flown in lanes."""

@@ -1,0 +1,309 @@
+"""Flights by the thousand: outcomes and measures of many scenarios, flown abreast.
+
+Making a flight ready and reading what it left would take longer than flying it, were each made
+ready alone.  Here flights share what their tables share, are laid into the buffers by what differs,
+and are read column by column; every number is that of the flight flown alone.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import partial
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from springback.batch.templates import Alike, Many, made_together, pace_of
+from springback.batch.validation import UNCHECKED, Ready, made_ready, settings_of
+from springback.errors import InputError
+from springback.kernels.layout import Buffer, row_of, rows, structure
+from springback.kernels.memo import Kept
+from springback.recovery.evaluator import RefereeMemory
+from springback.results.recovery_measures import (
+    RECOVERY_MEASURES,
+    recovery_columns,
+    recovery_outcomes,
+)
+from springback.scenario.avionics import turn_on_normals
+from springback.simulation.columns import Array, columns_of, energies
+from springback.simulation.flight import LANES, fly_buffers
+from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
+from springback.simulation.loading import Laid, Loader, Unlike
+from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.onboard import Cabin
+
+#: Outcome of a flight that was not flown, because its scenario cannot be.
+REFUSED = "refused"
+#: Flights that are made ready together (chosen: their buffers then take some 100 MB).
+BLOCK = 4096
+#: The same for a GPU: as many as are in the air at a time on one of 132 processors (measured).
+GPU_BLOCK = 33_792
+
+Device = Literal["cpu", "gpu"]
+"""Where flights fly: in lanes of the processor, or one in each thread of an NVIDIA GPU."""
+#: Groups of flights that another one may be like, those lately met (chosen).
+MOST_TRIED = 8
+#: Tables by which flights are put in order, that those which share much follow one another.
+ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
+
+
+class Rows(NamedTuple):
+    """What is kept of many flights, in their order."""
+
+    outcomes: list[str]
+    """Words of `springback.simulation.measures.Outcome`, or `REFUSED`."""
+    measures: dict[str, Array]
+    """Of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN for what did not happen."""
+    problems: list[str]
+    """Why a flight was refused; empty for those that were not."""
+
+
+class _Fly(NamedTuple):
+    """What flies buffers to their end."""
+
+    impacts: Callable[..., None]
+    guided: Callable[..., None]
+
+
+class _Kind(NamedTuple):
+    """Flights that fly abreast, as they are collected."""
+
+    loader: Loader
+    first: Ready
+    numbers: list[int]
+    seeds: list[int]
+
+
+def fly_scenarios(
+    tables: Sequence[Mapping[str, Any]],
+    *,
+    threads: int = 1,
+    device: Device = "cpu",
+    progress: Callable[[float], None] | None = None,
+) -> Rows:
+    """Fly many scenarios; each flight's numbers depend on its own tables alone.
+
+    It is fast where flights share tables: the very objects, at any depth.
+
+    Args:
+        tables: Whole scenarios, as plain tables.
+        threads: That fly at a time, on the processor.
+        device: Where they fly; the numbers are the same.
+        progress: Called now and then with the share done.
+
+    Raises:
+        InputError: If the device is not there.
+    """
+    count, make = len(tables), Kept()
+    out = Rows(
+        [REFUSED] * count,
+        {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
+        [""] * count,
+    )
+    order, most = _ordered(tables), BLOCK if device == "cpu" else GPU_BLOCK
+    fly = _on_processor(threads) if device == "cpu" else _on_gpu()
+    for first in range(0, count, most):
+        block = order[first : first + most]
+
+        def share(x: float, first: int = first, size: int = len(block)) -> None:
+            if progress is not None:
+                progress((first + x * size) / count)
+
+        with no_collection():
+            _fly_block(tables, block, make, fly, share, out)
+            make.forget()
+        share(1.0)
+    return out
+
+
+@contextmanager
+def no_collection() -> Iterator[None]:
+    """Without the garbage collector, which would walk all trees again and again for nothing."""
+    running = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if running:
+            gc.enable()
+
+
+def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Flights that share tables one after another."""
+    known: dict[Hashable, int] = {}
+
+    def number(value: Any) -> int:
+        return known.setdefault(value if isinstance(value, str) else id(value), len(known))
+
+    keys = [tuple(number(table.get(name)) for name in ORDER) for table in tables]
+    return sorted(range(len(tables)), key=keys.__getitem__)
+
+
+def _fly_block(
+    tables: Sequence[Mapping[str, Any]],
+    block: list[int],
+    make: Kept,
+    fly: _Fly,
+    progress: Callable[[float], None],
+    out: Rows,
+) -> None:
+    """Make some flights ready, fly them kind by kind, and read what they left."""
+    biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
+
+    def one(number: int) -> Ready:
+        return made_ready(tables[number], make, biases[number])
+
+    kinds: dict[Any, _Kind] = {}
+    alike, alone = _sorted_out(tables, block, make)
+    for group in alike:
+        many = made_together(group, [biases[k] or [] for k in group.flights], one)
+        if many is None:
+            alone += group.flights
+        else:
+            _add_many(many, [tables[k].get("seed", 0) for k in many.flights], kinds)
+            alone += set(group.flights).difference(many.flights)
+    last: _Kind | None = None
+    for number in filter({*alone}.__contains__, block):
+        try:
+            ready = one(number)
+        except InputError as error:
+            out.problems[number] = "; ".join(error.problems)
+            continue
+        last = _sorted_in(ready, last, kinds)
+        last.numbers.append(number)
+        last.seeds.append(ready.seed)
+    done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
+    for kind in kinds.values():
+
+        def share(x: float, done: int = done, size: int = len(kind.numbers)) -> None:
+            progress((done + x * size) / all_ready)
+
+        _fly_kind(kind, fly, share, out)
+        done += len(kind.numbers)
+
+
+def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
+    """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
+    seeds = [table.get("seed", 0) for table in tables]
+    different = list({seed for seed in seeds if type(seed) is int and seed >= 0})
+    drawn = dict(zip(different, turn_on_normals(different), strict=True))
+    return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
+
+
+def _sorted_out(
+    tables: Sequence[Mapping[str, Any]], block: Sequence[int], make: Kept
+) -> tuple[list[Alike], list[int]]:
+    """Flights that are alike but for numbers, and those that something is wrong with."""
+    alike: list[Alike] = []
+    wrong: list[int] = []
+    before: tuple[Mapping[str, Any], Mapping[str, Any]] = {}, {}
+    for number in block:
+        try:
+            settings = settings_of(tables[number], make, before)
+        except UNCHECKED:
+            wrong.append(number)
+            continue
+        del settings["seed"]
+        before = tables[number], settings
+        for k, group in enumerate(alike[:MOST_TRIED]):
+            if group.takes(number, settings):
+                alike.insert(0, alike.pop(k))  # the next one will be like this one
+                break
+        else:
+            alike.insert(0, Alike(number, settings, make))
+    return alike, wrong
+
+
+def _add_many(many: Many, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
+    """Add flights that were made ready together to those of their kind."""
+    kind = _kind_of(many.first, kinds)
+    cabin = many.first.board.cabin if many.first.board else None
+    kind.loader.add_alike(many.first.model, many.first.start, cabin, many.flown, many.aboard)
+    kind.numbers.extend(many.flights)
+    kind.seeds.extend(seeds)
+
+
+def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
+    """The kind that a flight was added to: that of the flight before it, if it is like that."""
+    cabin = one.board.cabin if one.board else None
+    if last is not None and pace_of(one) == pace_of(last.first):
+        try:
+            last.loader.add(one.model, one.start, cabin)
+        except Unlike:
+            pass
+        else:
+            return last
+    kind = _kind_of(one, kinds)
+    kind.loader.add(one.model, one.start, cabin)
+    return kind
+
+
+def _kind_of(one: Ready, kinds: dict[Any, _Kind]) -> _Kind:
+    """The kind of a flight, which may be the first of it."""
+    cabin = one.board.cabin if one.board else None
+    key = structure(one.model), structure(cabin), pace_of(one)
+    if key not in kinds:
+        width = LANES if cabin is None else GUIDED_LANES
+        kinds[key] = _Kind(Loader(one.model, one.start, cabin, width), one, [], [])
+    return kinds[key]
+
+
+def _on_processor(threads: int) -> _Fly:
+    """Flies what is laid out in lanes, on so many threads."""
+    return _Fly(partial(fly_buffers, threads=threads), partial(fly_groups, threads=threads))
+
+
+def _on_gpu() -> _Fly:
+    """Flies what is laid out on a GPU, if there is one."""
+    from springback.kernels.gpu.cuda import device
+    from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+
+    device()
+    return _Fly(fly_buffers_on_gpu, fly_groups_on_gpu)
+
+
+def _fly_kind(kind: _Kind, fly: _Fly, progress: Callable[[float], None], out: Rows) -> None:
+    """Fly all flights of one kind, and keep what they left."""
+    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    before = energies(laid.shape, laid.buffers, width, count)
+    board = kind.first.board
+    if board is None or laid.cabin is None or laid.aboard is None:
+        fly.impacts(laid.shape, laid.buffers, width, progress=progress)
+    else:
+        fly.guided(
+            laid.model, laid.start, laid.cabin, laid.buffers, laid.aboard, board.noise, kind.seeds,
+            width=width, progress=progress,
+        )  # fmt: skip
+    words, columns = _read(laid, before, width, count)
+    numbers = np.array(kind.numbers)
+    for number, word in zip(kind.numbers, words, strict=True):
+        out.outcomes[number] = word
+    for name, column in columns.items():
+        out.measures[name][numbers] = column
+
+
+def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+    """Outcomes and measures of all flights of one kind."""
+    shape, buffers = laid.shape, laid.buffers
+    work_row = rows(shape.model) + row_of(shape.motion, "work")
+    record = columns_of(shape.record, buffers, -rows(shape.record), width, count)
+    work = columns_of(shape.motion.work, buffers, work_row, width, count)
+    after = energies(shape, buffers, width, count)
+    columns = measure_columns(record, work, before, after)
+    if laid.cabin is None or laid.aboard is None:
+        return [one.word for one in outcomes_of(record)], columns
+    if not isinstance(laid.cabin.aboard.witness, RefereeMemory):
+        return [one.word for one in outcomes_of(record)], columns
+    seen = _aboard(laid.cabin, laid.aboard, width, count, "witness")
+    memory = _aboard(laid.cabin, laid.aboard, width, count, "pilot")
+    words = [one.word for one in recovery_outcomes(record, seen)]
+    return words, columns | recovery_columns(record, seen, memory)
+
+
+def _aboard(cabin: Cabin, buffers: Buffer, width: int, count: int, name: str) -> Any:
+    """One part of what was aboard, in columns."""
+    row = rows(cabin.guidance) + row_of(cabin.aboard, name)
+    return columns_of(getattr(cabin.aboard, name), buffers, row, width, count)

@@ -1,0 +1,241 @@
+"""Scenarios alike but for numbers: one is made ready on a sheet, the others follow its formulas.
+
+A campaign's flights differ by some dozens of numbers each.  Where the functions that make a flight
+ready take cells for them (`springback.kernels.tracing`), all flights are made ready by one pass
+through these very functions, and each gets the bits that it gets alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from operator import itemgetter
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.batch.validation import UNCHECKED, Ready, ready_of, scenario_with
+from springback.kernels.memo import EVER, Kept, Make
+from springback.kernels.tracing import NO_FORMULA, Cell, Filled, Sheet
+from springback.kernels.trees import leaves
+from springback.settings import Settings
+from springback.simulation.flight import first_phase
+
+#: Numbers of leaves, and what stands there in each flight, shape (flights, leaves).
+Leaves = tuple[list[int], Any]
+#: Fewer flights than this are made ready one by one (chosen: a sheet takes as long as some do).
+FEW = 8
+#: What is alike only where it is equal, and has no number in it.
+PLAIN = (str, int, bool, type(None))
+
+
+class Template:
+    """Where the numbers of a value stand: floats within tuples and settings, nested."""
+
+    def __init__(self, first: Any) -> None:
+        """Of the first value."""
+        self.first = first
+        self.is_plain: bool
+        self._fields = _fields(first)
+        branches = {key: Template(branch) for key, branch in self._fields.items()}
+        self._floats = [key for key, one in branches.items() if type(one.first) is float]
+        plain = [key for key, one in branches.items() if one.is_plain]
+        self._inner = [
+            (key, one) for key, one in branches.items() if key not in {*self._floats, *plain}
+        ]
+        self.is_plain = type(first) in PLAIN or (
+            isinstance(first, tuple) and len(plain) == len(branches)
+        )
+        self._given = _given(first)
+        self._floats_in, self._plain_in = _getter(self._floats), _getter(plain)
+        self._same = self._plain_in(self._fields)
+        #: The numbers of the first value, in the order in which they are taken.
+        self.own: list[float] = [first] if type(first) is float else []
+        self.own += [self._fields[key] for key in self._floats]
+        self.own += [x for _, one in self._inner for x in one.own]
+
+    def numbers(self, other: Any) -> list[float] | None:
+        """The numbers of another value, if it is like the first but for these."""
+        found: list[float] = []
+        return found if self._takes(other, found) else None
+
+    def _takes(self, other: Any, found: list[float]) -> bool:
+        """Append the numbers of a value; whether it is like the first."""
+        if other is self.first:
+            found += self.own
+            return True
+        if type(other) is not type(self.first):
+            return False
+        if type(other) is float:
+            found.append(other)
+            return True
+        if self.is_plain:
+            return bool(other == self.first)
+        fields = _fields(other)
+        if not fields or fields.keys() != self._fields.keys() or _given(other) != self._given:
+            return False
+        floats = self._floats_in(fields)
+        if {*map(type, floats)} - {float} or self._plain_in(fields) != self._same:
+            return False
+        found += floats
+        return all(one._takes(fields[key], found) for key, one in self._inner)
+
+    def filled(self, numbers: Iterator[Any]) -> Any:
+        """The first value with other numbers, taken in order; cells may stand for them."""
+        if not self.own:
+            return self.first
+        if type(self.first) is float:
+            return next(numbers)
+        changed = {key: next(numbers) for key in self._floats}
+        changed |= {key: one.filled(numbers) for key, one in self._inner}
+        if isinstance(self.first, tuple):
+            return tuple((self._fields | changed).values())
+        new = self.first.model_copy()
+        new.__dict__.update(changed)  # nothing is checked, and nothing counts as given anew
+        return new
+
+
+def _fields(value: Any) -> dict[Any, Any]:
+    """Parts of a tuple or of settings, by place or name."""
+    if isinstance(value, tuple):
+        return dict(enumerate(value))
+    return value.__dict__ if isinstance(value, Settings) else {}
+
+
+def _given(value: Any) -> Any:
+    """Which of its settings were given."""
+    return value.model_fields_set if isinstance(value, Settings) else None
+
+
+def _getter(keys: list[Any]) -> Callable[[dict[Any, Any]], tuple[Any, ...]]:
+    """Takes some values out of a dictionary."""
+    if len(keys) > 1:
+        return itemgetter(*keys)
+    return lambda fields: tuple(fields[key] for key in keys)
+
+
+class Alike:
+    """Flights whose settings differ in numbers only, as they are collected."""
+
+    def __init__(self, number: int, first: Mapping[str, Any], make: Make) -> None:
+        """Of the first flight: its number, and its settings by the name of their table."""
+        self._first, self._make = first, make
+        self._templates: dict[str, Template] = {}
+        self._numbers: dict[str, list[list[float]]] = {}
+        self.flights = [number]
+
+    def takes(self, number: int, settings: Mapping[str, Any]) -> bool:
+        """Add a flight, if it is like the others; whether it is."""
+        if settings.keys() != self._first.keys():
+            return False
+        found: dict[str, list[float]] = {}
+        for name, part in settings.items():
+            first = self._first[name]
+            if part is not first:
+                if name not in self._templates:  # robots have tables of a sample in common
+                    self._templates[name] = self._make(Template, first, place=EVER)
+                numbers = self._make(self._templates[name].numbers, part, place=EVER)
+                if numbers is None:
+                    return False
+                found[name] = numbers
+        for name in found.keys() - self._numbers.keys():
+            self._numbers[name] = [self._templates[name].own] * len(self.flights)
+        for name, rows in self._numbers.items():
+            rows.append(found.get(name, self._templates[name].own))
+        self.flights.append(number)
+        return True
+
+    def on_sheet(self, more: Sequence[Sequence[float]]) -> tuple[Sheet, dict[str, Any], list[Any]]:
+        """Settings with cells for the numbers that are not all the same.
+
+        Args:
+            more: Other numbers of each flight.
+
+        Returns:
+            The sheet, one row a flight; settings as of the first flight; and cells for the other
+            numbers.
+        """
+        tables = [np.array(numbers) for numbers in self._numbers.values()]
+        rows = np.hstack([*tables, np.array(more)])
+        bits = rows.view(np.int64)  # −0 is not 0
+        sheet, differs = Sheet(rows), (bits != bits[0]).any(axis=0).tolist()
+        cells = iter(
+            [cell if one else cell.value for cell, one in zip(sheet.first, differs, strict=True)]
+        )
+        changed = {name: self._templates[name].filled(cells) for name in self._numbers}
+        return sheet, {**self._first, **changed}, [*cells]
+
+
+class Many(NamedTuple):
+    """Flights made ready together."""
+
+    flights: list[int]
+    """Their numbers."""
+    first: Ready
+    """The first of them."""
+    flown: Leaves
+    """Leaves of model and start in which they differ from the first."""
+    aboard: Leaves
+    """The same for what is aboard."""
+
+
+def made_together(
+    alike: Alike, biases: Sequence[Sequence[float]], one: Callable[[int], Ready]
+) -> Many | None:
+    """Flights that are alike, made ready by one pass.
+
+    Args:
+        alike: The flights.
+        biases: `springback.scenario.avionics.turn_on_normals` of each.
+        one: Makes a flight ready, by its number.
+
+    Returns:
+        Those that go the way of the first; None where all are to be made ready one by one: they are
+        few, the first cannot be flown, or something asks more of a number than a cell knows.
+    """
+    if len(alike.flights) < FEW:
+        return None
+    sheet, settings, normals = alike.on_sheet(biases)
+    try:
+        first = one(alike.flights[0])
+        # The seed is a number to nobody, lest luck be taken for a formula.
+        on_sheet = ready_of(scenario_with({**settings, "seed": object()}), Kept(), normals)
+        first_phase(on_sheet.model, on_sheet.start)
+        filled = sheet.filled()
+        rows = np.flatnonzero(filled.holds)
+        last = one(alike.flights[rows[-1]])
+    except (*NO_FORMULA, *UNCHECKED):
+        return None
+    # Functions might have taken a cell for something else than a float: two flights are compared.
+    if not (_agree(on_sheet, filled, 0, first) and _agree(on_sheet, filled, rows[-1], last)):
+        return None
+    flown, aboard = _trees(on_sheet)
+    numbers = [alike.flights[row] for row in rows]
+    return Many(numbers, first, _cells(flown, filled, rows), _cells(aboard, filled, rows))
+
+
+def _cells(tree: Any, filled: Filled, rows: Any) -> Leaves:
+    """Where cells stand in a tree, and what they are in some rows."""
+    cells = {k: x for k, x in enumerate(leaves(tree)) if isinstance(x, Cell)}
+    columns = [filled.of(x, rows) for x in cells.values()]
+    return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
+
+
+def _agree(on_sheet: Ready, filled: Filled, row: int, plain: Ready) -> bool:
+    """Whether a row of a sheet is the very flight made ready alone."""
+    if any(isinstance(x, Cell) for x in leaves(pace_of(on_sheet))):
+        return False
+    cells, floats = leaves(_trees(on_sheet)), leaves(_trees(plain))
+    there = np.array([filled.of(x, row) for x in cells])
+    return pace_of(on_sheet) == pace_of(plain) and there.tobytes() == np.array(floats).tobytes()
+
+
+def _trees(ready: Ready) -> tuple[Any, Any]:
+    """All numbers of a flight: model and start, and what is aboard."""
+    return (ready.model, ready.start), ready.board.cabin if ready.board else ()
+
+
+def pace_of(ready: Ready) -> tuple[Any, ...]:
+    """What flights abreast have in common beside their types; without pilots, nothing."""
+    if ready.board is None:
+        return ()
+    return ready.model.timing.until, ready.board.cabin.guidance.period, ready.board.noise

@@ -1,0 +1,1 @@
+"""Campaigns: many flights by a plan, kept in a folder, resumed and queried."""

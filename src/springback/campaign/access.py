@@ -1,0 +1,340 @@
+"""Asking a campaign: rows by SQL, and any of its flights flown again."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from springback.campaign import manifest
+from springback.campaign.columns import known_columns
+from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.plan import Source
+from springback.campaign.store import (
+    about,
+    empty_rows,
+    is_disk,
+    rows_of,
+    stored_plan,
+    written,
+)
+from springback.errors import InputError
+from springback.results.atomic_files import drafted
+from springback.results.database import (
+    in_database,
+    in_one_line,
+    locked,
+    one_expression,
+    one_select,
+    parquet,
+    quoted,
+)
+from springback.results.flight import Flight, fly
+from springback.results.parquet import write_parquet
+from springback.version import __version__
+
+if TYPE_CHECKING:
+    import pandas
+
+T = TypeVar("T")
+Numbers = npt.NDArray[np.float64]
+KEPT = "kept"
+#: Rows of an answer that are taken at once (chosen).
+STRETCH = 1000
+
+
+class Answer(NamedTuple):
+    """What a query found."""
+
+    columns: list[str]
+    rows: list[tuple[Any, ...]]
+
+    def as_dicts(self) -> list[dict[str, Any]]:
+        """Rows by name of column."""
+        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+
+
+class Reflown(NamedTuple):
+    """A flight of a campaign, flown again alone with its trajectory."""
+
+    flight: Flight
+    differences: tuple[str, ...]
+    """Columns that are not what the row says, bit for bit; none if it is the same flight."""
+
+
+class Campaign:
+    """A campaign in a folder, finished or not."""
+
+    def __init__(self, folder: str | Path) -> None:
+        """Of a folder that a campaign was flown into; every byte of its parts is checked.
+
+        Raises:
+            InputError: If there is none, or parts of it are missing or damaged.
+        """
+        self.folder = Path(folder)
+        self.about = about(self.folder)
+        self.parts = manifest.read(self.folder / manifest.NAME)
+        flights = self.about["flights"]
+        if self.parts and self.parts[-1].last > flights:
+            raise InputError(
+                f"{self.folder / manifest.NAME}: holds flights up to {self.parts[-1].last - 1}, "
+                f"and the campaign has {flights}"
+            )
+        for part in manifest.damaged(self.parts, self.folder):
+            path = self.folder / part.file
+            raise InputError(
+                f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
+                "campaign by --resume to fly it again"
+            )
+
+    @functools.cached_property
+    def design(self) -> Design:
+        """What was flown."""
+        return laid_out(stored_plan(self.folder), tried=False)
+
+    @property
+    def done(self) -> int:
+        """Number of flights that are there."""
+        return manifest.held(self.parts)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all are."""
+        return self.done == int(self.about["flights"])
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of all columns, SI."""
+        known = {name: unit for name, (unit, _) in known_columns().items()}
+        return known | dict(self.about["units"])
+
+    def _asked(
+        self,
+        sql: str,
+        parameters: Sequence[Any],
+        found: Callable[[Any], T],
+        writes: Sequence[Path] = (),
+    ) -> T:
+        """What is found in the answer to a question to all rows, the view ``flights``."""
+        files = [(self.folder / part.file).absolute() for part in self.parts]
+
+        def ask(connection: Any) -> T:
+            if files:
+                source = f"SELECT * FROM {parquet(files)}"
+            else:
+                connection.register("given", empty_rows(self.design))
+                source = rows_of(self.design)
+            connection.execute(f"CREATE VIEW flights AS {source}")
+            with in_words():
+                return found(connection.execute(sql, list(parameters)))
+
+        return in_database(ask, locked([*files, *writes]))
+
+    def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
+        """Ask in SQL; the table is ``flights``.
+
+        All rows of the answer are kept; `stream` keeps few.
+
+        Args:
+            sql: One SELECT.
+            parameters: For its question marks.
+
+        Raises:
+            InputError: If it cannot be understood, or is something else.
+        """
+        return self._asked(one_select(sql), parameters, _answer)
+
+    def stream(self, sql: str, taken: Callable[[list[str], Iterator[list[Any]]], T]) -> T:
+        """Ask in SQL, and take the answer in stretches, however long it is.
+
+        Args:
+            sql: One SELECT.
+            taken: Given names of columns, and stretches of rows, at most `STRETCH` long.
+
+        Returns:
+            What ``taken`` returns.
+
+        Raises:
+            InputError: If it cannot be understood, or is something else.
+        """
+
+        def take(found: Any) -> T:
+            names = [column[0] for column in found.description]
+            return taken(names, iter(lambda: found.fetchmany(STRETCH), []))
+
+        return self._asked(one_select(sql), (), take)
+
+    def count(self, sql: str) -> int:
+        """Number of rows of an answer."""
+        counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
+        return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
+
+    def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
+        """What a query finds, as arrays of floats by column; NaN for what is not there."""
+        select = one_select(sql)
+        found = self._asked(select, parameters, lambda found: found.fetchnumpy())
+        return {
+            name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
+            for name, values in found.items()
+        }
+
+    def save(self, sql: str, path: Path) -> int:
+        """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
+
+        Args:
+            sql: One SELECT.
+            path: Of the file.
+
+        Raises:
+            InputError: If it cannot be understood, or is something else.
+            OSError: If the file cannot be written.
+        """
+        select = one_select(sql)
+        path = path.absolute()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with drafted(path) as draft:
+            copy = (
+                f"COPY (\n{select}\n) TO {quoted(str(draft))} "
+                "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
+            )
+            return self._asked(copy, (), lambda found: int(found.fetchone()[0]), [draft])
+
+    def to_dataframe(self, sql: str = "SELECT * FROM flights ORDER BY flight") -> pandas.DataFrame:
+        """Rows as a pandas DataFrame; units in ``attrs``."""
+        from springback.extras import needs
+
+        needs("pandas", "dataframe")
+        frame: pandas.DataFrame = self._asked(one_select(sql), (), lambda found: found.df())
+        frame.attrs["units"] = self.units
+        return frame
+
+    def row(self, number: int) -> dict[str, Any]:
+        """The row of a flight.
+
+        Raises:
+            InputError: If it is not there.
+        """
+        flights = self.about["flights"]
+        if not 0 <= number < flights:
+            raise InputError(f"flight {number}: must be from 0 to {flights - 1}")
+        found = self.query("SELECT * FROM flights WHERE flight = ?", [number]).as_dicts()
+        if not found:
+            raise InputError(f"flight {number}: is not flown yet; go on by --resume")
+        return found[0]
+
+    def refly(self, number: int, *, trajectory: bool = True) -> Reflown:
+        """Fly one flight again, alone, and compare it with its row.
+
+        Args:
+            number: Of the flight.
+            trajectory: Keep the trajectory.
+
+        Raises:
+            InputError: If it is not there, or could not be flown in the first place.
+        """
+        row = self.row(number)
+        if row["outcome"] == "refused":
+            raise InputError(f"flight {number}: could not be flown: {row['problem']}")
+        dealt = self.design.dealt(number, number + 1)
+        flight = fly(dealt.tables[0], trajectory=trajectory)
+        now = {name: values[0] for name, values in dealt.columns.items()}
+        now |= {"outcome": flight.outcome.word, **flight.measures}
+        skipped = ("success", "problem")
+        different = (
+            f"{name}: {row[name]!r} in the row, {now.get(name)!r} now"
+            for name in row
+            if name not in skipped and not _same(row[name], now.get(name))
+        )
+        return Reflown(flight, tuple(different))
+
+    def keep(self, remark: Callable[[str], None]) -> None:
+        """Keep the trajectories that the plan asks for, the first so many it holds for."""
+        wanted = self.design.plan.keep
+        if wanted is None:
+            return
+        condition = one_expression(wanted.where)
+        sql = f"SELECT flight FROM flights WHERE {condition} AND outcome <> 'refused' "
+        for (number,) in self.query(f"{sql} ORDER BY flight LIMIT {wanted.most}").rows:
+            stem = self.folder / KEPT / f"flight-{number:010d}"
+            summary = stem.with_name(f"{stem.name}.json")
+            if not summary.exists():
+                summary.parent.mkdir(exist_ok=True)
+                again = self.refly(number)
+                for line in again.differences:
+                    remark(f"flight {number}, kept, is not the one of its row: {line}")
+                _write_kept(again.flight, stem)
+                data = {"flight": number, **again.flight.summary()}
+                written(summary, json.dumps(data, indent=2, ensure_ascii=False).encode() + b"\n")
+
+
+def _answer(found: Any) -> Answer:
+    return Answer([column[0] for column in found.description], found.fetchall())
+
+
+def _write_kept(flight: Flight, stem: Path) -> None:
+    """Trajectory and diary; each is there whole before the summary that names them is."""
+    about = {"springback": __version__, "frames": "world NWU, body FLU"}
+    for word, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
+        if columns:
+            path = stem.with_name(f"{stem.name}-{word}.parquet")
+            with drafted(path) as draft:
+                write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
+
+
+def _same(row: Any, now: Any) -> bool:
+    """Whether both are the same number to the last bit, or both are none."""
+    if isinstance(row, float) and isinstance(now, int | float):
+        return float(row).hex() == float(now).hex()
+    return bool(row == now)
+
+
+@contextmanager
+def in_words(whose: str = "SQL") -> Iterator[None]:
+    """Tell what DuckDB does not understand in one line."""
+    import duckdb
+
+    try:
+        yield
+    except duckdb.Error as error:
+        if is_disk(error):
+            raise
+        raise InputError(f"{whose}: {in_one_line(error)}") from None
+
+
+def check_conditions(design: Design, source: Source | None = None) -> None:
+    """Refuse conditions of a plan that SQL does not understand, before anything is flown.
+
+    Args:
+        design: Of the plan.
+        source: Where the plan stands.
+
+    Raises:
+        InputError: That names the entry.
+    """
+    blamed = (source or Source()).blamed
+    keep = design.plan.keep
+    conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
+    for entry, text in conditions.items():
+        try:
+            one_expression(text)
+        except InputError as error:
+            raise InputError(blamed(entry.split("."), str(error))) from None
+    kept = one_expression(conditions["keep.where"])
+    statements = {
+        "success": f"CREATE TABLE flights AS {rows_of(design)}",
+        "keep.where": f"SELECT flight FROM flights WHERE {kept}",
+    }
+
+    def check(connection: Any) -> None:
+        connection.register("given", empty_rows(design))
+        for entry, statement in statements.items():
+            with in_words(blamed(entry.split("."), "").rstrip(": ")):
+                connection.execute(statement)
+
+    in_database(check)

@@ -1,0 +1,86 @@
+"""Intervals of shares, quantiles and differences, all at 95 %.
+
+They take flights for independent draws.  Sobol' and Latin hypercube designs vary less than that,
+so that their intervals are too wide rather than too narrow; repeats of one sample are alike, so
+that with few samples and many repeats they hold for those samples only.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import scipy  # its parts are loaded when first used
+
+from springback.studies.proportions import CONFIDENCE, wilson
+
+Values = npt.NDArray[np.float64]
+
+
+class Estimate(NamedTuple):
+    """A number and its interval; None where there are too few flights."""
+
+    value: float | None
+    low: float | None
+    high: float | None
+
+
+def share(successes: int, flights: int) -> Estimate:
+    """Of successes, with Wilson's interval (1927)."""
+    if not flights:
+        return Estimate(None, None, None)
+    return Estimate(successes / flights, *wilson(successes, flights))
+
+
+def ranks(count: int, part: float) -> tuple[int, int]:
+    """Ranks, from 1, of the ordered values that enclose a quantile.
+
+    Of any continuous law, with at least the confidence (Conover 1999, section 3.2).  Rank 0 and
+    ``count + 1`` stand for no bound.
+
+    Args:
+        count: Of values.
+        part: Below the quantile.
+    """
+    tail = 0.5 * (1.0 - CONFIDENCE)
+    law = scipy.stats.binom(count, part)
+    return int(law.ppf(tail)), int(law.ppf(1.0 - tail)) + 1
+
+
+def quantile(ordered: Values, part: float) -> Estimate:
+    """A quantile of a law, from ordered values of it."""
+    if not len(ordered):
+        return Estimate(None, None, None)
+    low, high = ranks(len(ordered), part)
+    return Estimate(
+        float(np.quantile(ordered, part)),
+        float(ordered[low - 1]) if low >= 1 else None,
+        float(ordered[high - 1]) if high <= len(ordered) else None,
+    )
+
+
+def paired_difference(first_only: int, second_only: int, pairs: int) -> Estimate:
+    """Difference of two shares over the same pairs, the first's less the second's.
+
+    Agresti and Min (2005): Wald's interval after half a pair is added to each of four cells.
+
+    Args:
+        first_only: Pairs in which the first succeeds alone.
+        second_only: In which the second does.
+        pairs: All.
+    """
+    if not pairs:
+        return Estimate(None, None, None)
+    total = pairs + 2.0
+    b, c = (first_only + 0.5) / total, (second_only + 0.5) / total
+    z = float(scipy.stats.norm.ppf(0.5 * (1.0 + CONFIDENCE)))
+    reach = z * math.sqrt((b + c - (b - c) ** 2) / total)
+    difference = (first_only - second_only) / pairs
+    return Estimate(difference, max(-1.0, b - c - reach), min(1.0, b - c + reach))
+
+
+def as_dict(estimate: Estimate) -> dict[str, Any]:
+    """Plain data."""
+    return estimate._asdict()

@@ -1,0 +1,201 @@
+"""What a campaign says: shares of success, quantiles of measures, robots in pairs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.intervals import (
+    Estimate,
+    paired_difference,
+    quantile,
+    share,
+)
+from springback.campaign.columns import known_columns
+from springback.errors import InputError
+from springback.studies.proportions import CONFIDENCE
+
+#: Measures that a summary shows, where any flight has them.
+MAIN = (
+    "touch_speed", "impact_peak_acceleration", "impact_arm_stroke", "contact_time",
+    "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down",
+    "direction_error",
+)  # fmt: skip
+PARTS = (0.1, 0.5, 0.9)
+"""Of flights below the quantiles that are shown."""
+
+
+@dataclass(frozen=True)
+class RobotSummary:
+    """Of one robot."""
+
+    robot: str
+    flights: int
+    """That are there."""
+    refused: int
+    """That could not be flown; they count nowhere else."""
+    ledger_open: int
+    """Whose energy ledger does not close to 1e-4."""
+    successes: int
+    success: Estimate
+    outcomes: dict[str, int]
+    measures: dict[str, tuple[int, tuple[Estimate, ...]]]
+    """Of each: how many flights have it, and its quantiles."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data."""
+        quantiles = {
+            name: {
+                "unit": known_columns()[name][0], "flights": count,
+                **{f"{part:g}": e._asdict() for part, e in zip(PARTS, found, strict=True)},
+            }
+            for name, (count, found) in self.measures.items()
+        }  # fmt: skip
+        return {
+            "robot": self.robot, "flights": self.flights, "refused": self.refused,
+            "ledger_open": self.ledger_open, "successes": self.successes,
+            "success": self.success._asdict(),
+            "outcomes": self.outcomes, "quantiles": quantiles,
+        }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class PairSummary:
+    """Two robots that were dealt the same."""
+
+    robots: tuple[str, str]
+    pairs: int
+    """In which both were flown."""
+    both: int
+    first_only: int
+    """Pairs in which the first succeeded alone."""
+    second_only: int
+    neither: int
+    difference: Estimate
+    """Of the shares of success, the first's less the second's."""
+    medians: dict[str, tuple[int, Estimate]]
+    """Of the difference of each measure: number of pairs that have it, and the median."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data."""
+        medians = {
+            name: {"unit": known_columns()[name][0], "pairs": count, **found._asdict()}
+            for name, (count, found) in self.medians.items()
+        }
+        return {
+            "robots": list(self.robots), "pairs": self.pairs, "both": self.both,
+            "first_only": self.first_only, "second_only": self.second_only,
+            "neither": self.neither, "difference": self.difference._asdict(),
+            "median_differences": medians,
+        }  # fmt: skip
+
+    def sentence(self) -> str:
+        """In words."""
+        first, second = self.robots
+        d = self.difference
+        if d.value is None or d.low is None or d.high is None:
+            return f"{first} and {second}: no pair was flown"
+        return (
+            f"{first} less {second}, over {self.pairs} pairs of the same luck: "
+            f"{100.0 * d.value:+.2f} percentage points "
+            f"({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f}); "
+            f"{first} alone succeeds in {self.first_only}, {second} alone in {self.second_only}"
+        )
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Of a whole campaign."""
+
+    campaign: Campaign = field(repr=False)
+    robots: tuple[RobotSummary, ...]
+    pairs: tuple[PairSummary, ...]
+    refusal: str = ""
+    """How many flights could not be flown, with one of them and the reason; empty if none."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data, for JSON."""
+        about = self.campaign.about
+        return {
+            "name": about["name"], "seed": about["seed"], "plan_sha256": about["plan_sha256"],
+            "versions": about["versions"], "host": about["host"], "cpu": about["cpu"],
+            "flights": self.campaign.done, "of": about["flights"],
+            "success_is": self.campaign.design.success,
+            "confidence": CONFIDENCE,
+            "intervals": "shares: Wilson; quantiles: order statistics; pairs: Agresti and Min",
+            "robots": [robot.as_dict() for robot in self.robots],
+            "pairs": [pair.as_dict() for pair in self.pairs], "refusal": self.refusal,
+        }  # fmt: skip
+
+
+def summary(campaign: Campaign) -> Summary:
+    """Sum a campaign up.
+
+    Raises:
+        InputError: If nothing of it has been flown.
+    """
+    if not campaign.done:
+        raise InputError(f"{campaign.folder}: no flight is there yet")
+    names = campaign.about["robots"]
+    robots = tuple(_robot(campaign, robot) for robot in names)
+    pairs = tuple(
+        _pair(campaign, (first, second))
+        for k, first in enumerate(names)
+        for second in names[k + 1 :]
+    )
+    return Summary(campaign, robots, pairs, _refusal(campaign, sum(one.refused for one in robots)))
+
+
+def _refusal(campaign: Campaign, refused: int) -> str:
+    if not refused:
+        return ""
+    sql = "SELECT flight, robot, problem FROM flights WHERE outcome = 'refused' ORDER BY flight"
+    [(flight, robot, why)] = campaign.query(f"{sql} LIMIT 1").rows
+    return f"{refused} refused, such as flight {flight} ({robot}): {why}"
+
+
+def _robot(campaign: Campaign, robot: str) -> RobotSummary:
+    sql = """SELECT outcome, count(*), coalesce(sum(success), 0) FROM flights WHERE robot = ?
+             GROUP BY outcome ORDER BY outcome"""
+    rows = campaign.query(sql, [robot]).rows
+    wary = "SELECT coalesce(sum(ledger_open), 0) FROM flights WHERE robot = ?"
+    [(ledger_open,)] = campaign.query(wary, [robot]).rows
+    outcomes = {word: int(count) for word, count, _ in rows}
+    refused = outcomes.pop("refused", 0)
+    flown, won = sum(outcomes.values()), int(sum(row[2] for row in rows))
+    columns = ", ".join(MAIN)
+    found = campaign.arrays(f"SELECT {columns} FROM flights WHERE robot = ?", [robot])
+    measures = {}
+    for name, values in found.items():
+        known = np.sort(values[~np.isnan(values)])
+        if len(known):
+            measures[name] = (len(known), tuple(quantile(known, part) for part in PARTS))
+    return RobotSummary(
+        robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
+        measures,
+    )  # fmt: skip
+
+
+def _pair(campaign: Campaign, robots: tuple[str, str]) -> PairSummary:
+    pairs = """FROM flights a JOIN flights b USING (sample, repeat)
+               WHERE a.robot = ? AND b.robot = ?"""
+    sql = f"""SELECT a.success, b.success, count(*) {pairs} AND a.success IS NOT NULL
+              AND b.success IS NOT NULL GROUP BY ALL"""
+    counts = {(a, b): int(n) for a, b, n in campaign.query(sql, robots).rows}
+    both, first, second, neither = (
+        counts.get(key, 0) for key in ((1, 1), (1, 0), (0, 1), (0, 0))
+    )  # fmt: skip
+    total = both + first + second + neither
+    columns = ", ".join(f"a.{name} - b.{name} AS {name}" for name in MAIN)
+    medians = {}
+    for name, values in campaign.arrays(f"SELECT {columns} {pairs}", robots).items():
+        known = np.sort(values[~np.isnan(values)])
+        if len(known):
+            medians[name] = (len(known), quantile(known, 0.5))
+    return PairSummary(
+        robots, total, both, first, second, neither, paired_difference(first, second, total),
+        medians,
+    )  # fmt: skip

@@ -1,0 +1,129 @@
+"""What a campaign will take, from a few of its flights."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.batch.scenarios import fly_scenarios
+from springback.campaign.design.layout import Design
+from springback.campaign.running import in_time
+from springback.campaign.store import write_rows
+from springback.errors import InputError
+from springback.kernels.layout import structure
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
+
+#: Flights that are flown to see how long they take (chosen).
+TRIED = 64
+
+
+@dataclass(frozen=True)
+class Outlook:
+    """What a campaign will take."""
+
+    flights: int
+    samples: int
+    repeats: int
+    robots: tuple[str, ...]
+    dimensions: int
+    tried: int
+    """Flights that were flown to find out."""
+    refused: int
+    """Of these, how many could not be flown."""
+    problem: str
+    """Why the first of them could not."""
+    kinds: int
+    """Of flight, among those tried; each is compiled once."""
+    rate: float
+    """Flights per second on one core, once compiled."""
+    workers: int
+    time: float
+    """Of the whole [s], if this machine had nothing else to do."""
+    bytes: int
+    """Of the whole, on the disk."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data."""
+        return asdict(self)
+
+    def sentence(self) -> str:
+        """In words, line by line."""
+        names = " and ".join(self.robots)
+        lines = [
+            f"{self.flights} flights: {self.samples} samples of {self.dimensions} dimensions, "
+            f"{self.repeats} {'repeat' if self.repeats == 1 else 'repeats'}, {names}",
+            f"{self.kinds} {'kind' if self.kinds == 1 else 'kinds'} of flight; "
+            f"{self.rate:.3g} flights/s on one core, measured on {self.tried} flights just flown",
+            f"about {in_time(self.time)} with {self.workers} "
+            f"{'worker' if self.workers == 1 else 'workers'}, {_size(self.bytes)} on the disk",
+        ]
+        if self.refused:
+            lines.append(f"{self.refused} of {self.tried} cannot be flown, such as: {self.problem}")
+        return "\n".join(lines)
+
+
+def outlook(design: Design, workers: int | None = None) -> Outlook:
+    """Fly a few flights, spread over the whole campaign, twice: once to compile, once to measure.
+
+    Args:
+        design: Of the campaign.
+        workers: Processes; by default as many as there are cores.
+    """
+    crew = workers or os.cpu_count() or 1
+    numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
+    dealt = [design.dealt(k, k + 1) for k in numbers]
+    tables = [one.tables[0] for one in dealt]
+    fly_scenarios(tables, threads=1)
+    begun = time.perf_counter()
+    ended = fly_scenarios(tables, threads=1)
+    rate = len(tables) / (time.perf_counter() - begun)
+    columns = {name: [one.columns[name][0] for one in dealt] for name in dealt[0].columns}
+    rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
+    problems = [problem for problem in ended.problems if problem]
+    return Outlook(
+        design.flights, design.samples, design.plan.repeats, design.robots,
+        sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
+        problems[0] if problems else "", _kinds(tables), rate, crew,
+        design.flights / (rate * crew), round(_bytes_each(rows, design) * design.flights),
+    )  # fmt: skip
+
+
+def _kinds(tables: list[dict[str, Any]]) -> int:
+    """Number of kinds of flight: of equal types, duration and clock."""
+    kinds = set()
+    for given in tables:
+        with contextlib.suppress(InputError):
+            scenario = scenario_from(given, False)
+            model, start = scenario.flight_model(), scenario.start_state()
+            pilot = scenario.reference is not None
+            cabin = board_of(scenario, model, start).cabin if pilot else ()
+            kinds.add((structure((*model, cabin)), model.timing.until, scenario.clock))
+    return len(kinds)
+
+
+def _bytes_each(rows: dict[str, Any], design: Design) -> float:
+    """Bytes of a row on the disk; what is there once for each part is left out."""
+    few, count = {name: values[:1] for name, values in rows.items()}, len(rows["flight"])
+    with tempfile.TemporaryDirectory() as folder:
+        sizes = list[int]()
+        for columns in (rows, few):
+            path = Path(folder) / f"{len(sizes)}.parquet"
+            write_rows(path, columns, design)
+            sizes.append(path.stat().st_size)
+    return (sizes[0] - sizes[1]) / max(1, count - 1)
+
+
+def _size(count: float) -> str:
+    for unit in ("B", "kB", "MB"):
+        if count < 1000.0:
+            return f"{count:.3g} {unit}"
+        count /= 1000.0
+    return f"{count:.3g} GB"

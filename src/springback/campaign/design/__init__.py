@@ -1,0 +1,1 @@
+"""The design of a campaign: its plan, laid out flight by flight."""

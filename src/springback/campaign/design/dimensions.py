@@ -1,0 +1,313 @@
+"""Dimensions of a plan: fields, how their values are spread, and where they go."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from springback.campaign.design.distributions import Bell, BellFactor, Even, Law, Levels
+from springback.campaign.design.plan import FROM, MOST_LEVELS, Plan, Vary
+from springback.campaign.design.targets import (
+    GAINS,
+    WALL_ANGLE,
+    WALL_SHIFT,
+    Place,
+    Target,
+    added,
+    multiplied,
+    target,
+)
+from springback.errors import InputError, shown_value
+from springback.scenario.scenario import Scenario
+from springback.studies.axes import Parameter
+from springback.studies.trials import Scatter
+
+Path = tuple[str | int, ...]
+Blame = Callable[[Path, str], None]
+"""Takes note of a problem: where in the plan, and what."""
+
+#: Names of columns (chosen): dotted paths, and words.
+NAME = re.compile(r"[A-Za-z_][\w.\[\]]*\Z")
+#: A factor that stands for the law of `laws.BellFactor` or `laws.Even`.
+FACTOR = "_factor"
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """One thing that differs from flight to flight."""
+
+    column: str
+    unit: str
+    law: Law
+    table: str
+    """Of the scenario, that the value goes into."""
+    place: Place
+    slot: int = -1
+    """Of scatter, which of the numbers of a flight's luck; -1 where samples decide."""
+    own: tuple[float, ...] = ()
+    """Of each robot, the scenario's own value, where the law's is added to it."""
+    factor: bool = False
+    """Whether it is multiplied by the law's value instead."""
+
+    @property
+    def scatter(self) -> bool:
+        """Whether it is a part of luck."""
+        return self.slot >= 0
+
+    def placed(self, drawn: Any, robot: int) -> Any:
+        """What goes into a robot's scenario, from what the law gave."""
+        if isinstance(self.law, Levels):
+            return self.law.values[drawn]
+        if not self.own:
+            return drawn
+        return self.own[robot] * drawn if self.factor else self.own[robot] + drawn
+
+    @property
+    def text(self) -> bool:
+        """Whether its column holds words."""
+        return isinstance(self.law, Levels) and not all(map(_is_number, self.law.values))
+
+    def shown(self, drawn: Any, robot: int) -> Any:
+        """A value as it stands in the column, from what the law gave."""
+        if not isinstance(self.law, Levels):
+            return drawn if self.factor else self.placed(drawn, robot)
+        value = self.law.values[drawn]
+        if not self.text:
+            return float(value)
+        return value if isinstance(value, str) else json.dumps(value, sort_keys=True)
+
+
+Extremes = tuple[tuple[Path, Any], ...]
+"""Values to be tried out before anything is flown, and where in the plan each stands."""
+
+
+class Found(NamedTuple):
+    """A dimension, its extremes, and the field that it is of."""
+
+    dimension: Dimension
+    extremes: Extremes
+    goal: Target
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def varied(
+    k: int, entry: Vary, plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
+) -> Found | None:
+    """The dimension of an entry of ``vary``; None if it has a problem, which was told.
+
+    Args:
+        k: Number of the entry.
+        entry: As written.
+        plan: That it is in.
+        scenarios: Of each robot.
+        blame: Told of problems.
+    """
+    at: Path = ("vary", k)
+    try:
+        goal = target(entry.field, scenarios[0])
+    except InputError as error:
+        blame((*at, "field"), str(error))
+        return None
+    found = _Reader(at, entry, goal, scenarios, blame)
+    read = found.levels() if entry.values is not None else found.law(plan.method == "grid")
+    if read is None:
+        return None
+    law, extremes = read
+    column = entry.name or goal.column + (FACTOR if entry.factor else "")
+    if not NAME.match(column):
+        blame((*at, "name"), f"must be a word without blanks (got {column!r})")
+        return None
+    unit = goal.number.unit if goal.number and not entry.factor else ""
+    of_own = entry.factor is not None or (entry.normal is not None and entry.normal.mean is None)
+    own = (found.own() if of_own else None) or ()
+    factor = entry.factor is not None
+    table = str(goal.path[0])
+    one = Dimension(column, unit, law, table, goal.place, own=own, factor=factor)
+    return Found(one, extremes, goal)
+
+
+class _Reader:
+    """Reads the values of one entry, and blames what cannot be read."""
+
+    def __init__(
+        self, at: Path, entry: Vary, goal: Target, scenarios: tuple[Scenario, ...], blame: Blame
+    ) -> None:
+        self.at, self.entry, self.goal = at, entry, goal
+        self.scenarios, self.blame = scenarios, blame
+        self.failed = False
+
+    def number(self, key: str, value: Any, difference: bool = False) -> float:
+        """A number in SI; 0 if it is none, which is told."""
+        assert self.goal.number is not None
+        whole = self.goal.number.whole and not difference
+        plain = Parameter(self.entry.field, self.goal.path, self.goal.number.unit, whole)
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            self.say(key, f"must be a number (got {shown_value(value)})")
+            return 0.0
+        try:
+            return plain.read(value if isinstance(value, str) else repr(value))
+        except InputError as error:
+            self.say(key, str(error).removeprefix(f"{self.entry.field}: "))
+            return 0.0
+
+    def say(self, key: str, what: str) -> None:
+        self.failed = True
+        self.blame((*self.at, *([key] if key else [])), what)
+
+    def levels(self) -> tuple[Law, Extremes] | None:
+        """Of values, one by one."""
+        given = self.entry.values or ()
+        if self.goal.number is not None:
+            read = tuple(self.number("values", value) for value in given)
+            given = tuple(int(v) if self.goal.number.whole else v for v in read)
+        labels = [json.dumps(value, sort_keys=True, default=str) for value in given]
+        if len(set(labels)) != len(labels) and not self.failed:
+            self.say("values", "has one twice")
+        where = (*self.at, "values")
+        return None if self.failed else (Levels(given), tuple((where, v) for v in given))
+
+    def law(self, grid: bool) -> tuple[Law, Extremes] | None:
+        """Of from and to, normal or factor."""
+        if self.goal.number is None:
+            self.say("field", "is no single number; give values")
+            return None
+        if self.goal.number.whole and self.entry.from_ is None:
+            self.say("field", "is a whole number: give values, or from, to and step")
+            return None
+        if self.entry.factor is not None:
+            return self.factor()
+        if self.entry.normal is not None:
+            return self.bell()
+        first, last = self.number(FROM, self.entry.from_), self.number("to", self.entry.to)
+        if self.failed:
+            return None
+        if first == last:
+            self.say("to", f"must differ from from (got {self.entry.to!r} twice)")
+        if self.entry.spacing == "logarithmic" and not first * last > 0.0:
+            self.say("spacing", "logarithmic needs from and to of the same sign, and no zero")
+        law = None if self.failed else self.spread(first, last, grid)
+        ends = (((*self.at, FROM), first), ((*self.at, "to"), last))
+        return None if law is None else (law, ends)
+
+    def spread(self, first: float, last: float, grid: bool) -> Law | None:
+        """Levels where they are counted, else evenly."""
+        count, logarithmic = self.entry.count, self.entry.spacing == "logarithmic"
+        whole = self.goal.number is not None and self.goal.number.whole
+        if self.entry.step is not None:
+            step = self.number("step", self.entry.step, difference=True)
+            parts = (last - first) / step if step else math.nan
+            if not self.failed and parts > MOST_LEVELS - 1:
+                least = (last - first) / (MOST_LEVELS - 1)
+                what = f"must be at least {least:.3g}, for {MOST_LEVELS} levels (got {step:g})"
+                self.say("step", what)
+            elif not self.failed and not (parts > 0.5 and abs(parts - round(parts)) < 1e-9):
+                self.say("step", f"does not lead from {self.entry.from_!r} to {self.entry.to!r}")
+            count = 0 if self.failed else round(parts) + 1
+        if self.failed:
+            return None
+        if count is None and whole:
+            self.say("field", "is a whole number: give step, count or values")
+            return None
+        if count is None and grid:
+            self.say("", "needs count or step: a grid has levels")
+            return None
+        law = Even(first, last, logarithmic)
+        if count is None:
+            return law
+        digits = 12 - math.ceil(math.log10(max(abs(first), abs(last))))
+        values = [round(law.at(k / (count - 1)), digits) + 0.0 for k in range(count)]
+        if whole and any(value != round(value) for value in values):
+            self.say("count", f"leads to numbers that are not whole ({values[1]:g})")
+            return None
+        return Levels(tuple(int(v) for v in values) if whole else tuple(values))
+
+    def bell(self) -> tuple[Law, Extremes] | None:
+        """Of a normal law."""
+        given = self.entry.normal
+        assert given is not None
+        deviation = self.number("normal", given.deviation, difference=True)
+        if not self.failed and not deviation > 0.0:
+            self.say("normal", f"deviation must be more than 0 (got {given.deviation!r})")
+        if given.mean is None:
+            return None if self.own() is None or self.failed else (Bell(0.0, deviation), ())
+        mean = self.number("normal", given.mean)
+        middle = (((*self.at, "normal"), mean),)
+        return None if self.failed else (Bell(mean, deviation), middle)
+
+    def factor(self) -> tuple[Law, Extremes] | None:
+        """Of a factor."""
+        given = self.entry.factor
+        assert given is not None
+        if self.goal.relative or self.own() is None:
+            if self.goal.relative:
+                self.say("factor", "cannot multiply a change; give from and to, or normal")
+            return None
+        if given.deviation is not None:
+            return BellFactor(float(given.deviation)), ()
+        assert given.from_ is not None
+        assert given.to is not None
+        return Even(float(given.from_), float(given.to)), ()
+
+    def own(self) -> tuple[float, ...] | None:
+        """Of each robot, the scenario's own value; None if one has none, which is told."""
+        if self.goal.relative:
+            return (0.0,) * len(self.scenarios)
+        found = []
+        for scenario in self.scenarios:
+            value: Any = scenario
+            for key in self.goal.path:
+                value = value[key] if isinstance(key, int) else getattr(value, key, None)
+                if value is None:
+                    break
+            if not _is_number(value):
+                self.say("", "the scenario has no number here to start from; give it one")
+                return None
+            found.append(float(value))
+        return tuple(found)
+
+
+def scattered(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
+    """Dimensions of scatter, as in a trial (`springback.studies.trials.trial_tables`).
+
+    Args:
+        dealt: Standard deviations; what has none is left out.
+        scenario: That has a wall, if walls are scattered.
+
+    Raises:
+        InputError: If it has none.
+    """
+    rows: list[tuple[str, str, float, str, Place | None]] = []
+    for name, unit, deviation in (
+        ("position", "m", dealt.position), ("velocity", "m/s", dealt.velocity)
+    ):  # fmt: skip
+        for k, axis in enumerate("xyz"):
+            rows.append((f"{name}_{axis}", unit, deviation, "start", added((name, k))))
+    rows.append(("heading", "rad", dealt.heading, "start", added(("yaw",))))
+    walls = (dealt.wall_distance, dealt.wall_yaw)
+    moves = [
+        target(word, scenario).place if deviation > 0.0 else None
+        for word, deviation in zip((WALL_SHIFT, WALL_ANGLE), walls, strict=True)
+    ]
+    rows.append(("wall_distance", "m", walls[0], "world", moves[0]))
+    rows.append(("wall_yaw", "rad", walls[1], "world", moves[1]))
+    for name, deviation in (("mass", dealt.mass), ("inertia", dealt.inertia)):
+        rows.append((f"{name}{FACTOR}", "", deviation, "model_error", multiplied((name,))))
+    for name in GAINS:
+        rows.append((f"{name}{FACTOR}", "", dealt.gains, "control", multiplied((name,))))
+    found = []
+    for slot, (word, unit, deviation, table, place) in enumerate(rows):
+        if deviation > 0.0 and place is not None:
+            law = BellFactor(deviation) if word.endswith(FACTOR) else Bell(0.0, deviation)
+            found.append(Dimension(f"scatter_{word}", unit, law, table, place, slot=slot))
+    return found
+
+
+#: Numbers of a flight's luck that scatter needs.
+SLOTS = 16

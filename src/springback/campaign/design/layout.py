@@ -1,0 +1,384 @@
+"""A plan laid out: checked against its scenario, and dealt flight by flight."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from pydantic import ValidationError
+
+from springback.campaign.design.dimensions import (
+    SLOTS,
+    Dimension,
+    Extremes,
+    Found,
+    scattered,
+    varied,
+)
+from springback.campaign.design.plan import (
+    MOST_SAMPLES,
+    Plan,
+    Source,
+    plan_from,
+    with_scenario,
+)
+from springback.campaign.design.sampling import (
+    DRAWN,
+    POINTS,
+    SCATTER,
+    Numbers,
+    grid_point,
+    seeds,
+    uniform_rows,
+)
+from springback.campaign.design.targets import in_numbers
+from springback.control.reference_parameters import ReferenceSettings
+from springback.errors import InputError
+from springback.problems import dotted, problem_paths
+from springback.results.sealed_json import digest_of
+from springback.scenario.scenario import Scenario, preset, scenario_from
+from springback.settings import Settings
+from springback.simulation.measures import FAILURES
+from springback.studies.axes import MOST_VALUES
+from springback.vehicle.library import VEHICLES
+
+Tables = dict[str, Any]
+#: More flights are a slip of the pen (chosen).
+MOST_FLIGHTS = 10**9
+#: Columns of every campaign that say which flight a row is.
+HEAD = ("flight", "sample", "repeat", "robot", "seed")
+
+
+class Dealt(NamedTuple):
+    """A stretch of flights."""
+
+    tables: list[Tables]
+    """A whole scenario of each; tables that are alike are the same object."""
+    columns: dict[str, list[Any]]
+    """Which flights they are, and all that differs between them."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """A plan that can be flown."""
+
+    plan: Plan
+    robots: tuple[str, ...]
+    bases: tuple[Tables, ...]
+    """Of each robot, the scenario where nothing is varied."""
+    dimensions: tuple[Dimension, ...]
+    """In the order of the plan, scatter last."""
+    placing: tuple[int, ...]
+    """Numbers of dimensions, in the order in which they are put into the scenario."""
+    samples: int
+
+    @property
+    def flights(self) -> int:
+        """Number of flights."""
+        return self.samples * self.plan.repeats * len(self.robots)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of the columns of what differs, SI."""
+        return {d.column: d.unit for d in self.dimensions}
+
+    @functools.cached_property
+    def expanded(self) -> list[dict[str, Any]]:
+        """Of each robot, the scenario with every preset and default as numbers, in SI."""
+        return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
+
+    @functools.cached_property
+    def digest(self) -> str:
+        """SHA-256 of `expanded`."""
+        return digest_of({"scenarios": self.expanded})
+
+    @property
+    def success(self) -> str:
+        """What counts as success, in SQL."""
+        if self.plan.success is not None:
+            return self.plan.success
+        if self.bases[0].get("recovery") is not None:
+            return "outcome = 'recovered'"
+        failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
+        return f"outcome NOT IN ({failures})"
+
+    def dealt(self, first: int, last: int) -> Dealt:
+        """Flights from ``first`` to before ``last``, whatever is dealt beside them."""
+        per = self.plan.repeats * len(self.robots)
+        begin, end = first // per, -(-last // per)
+        numbers = _numbers(self, begin, end - begin)
+        tables: list[Tables] = []
+        columns: dict[str, list[Any]] = {name: [] for name in (*HEAD, *self.units)}
+        known: dict[Any, Any] = {}
+        steps: dict[str, list[int]] = {}
+        for k in self.placing:
+            steps.setdefault(self.dimensions[k].table, []).append(k)
+        for flight in range(first, last):
+            rest, robot = divmod(flight, len(self.robots))
+            sample, repeat = divmod(rest, self.plan.repeats)
+            seed, drawn = numbers(sample - begin, repeat)
+            head = (flight, sample, repeat, self.robots[robot], seed)
+            for name, value in zip(HEAD, head, strict=True):
+                columns[name].append(value)
+            for one, value in zip(self.dimensions, drawn, strict=True):
+                columns[one.column].append(one.shown(value, robot))
+            tables.append({**self._with(robot, drawn, steps, known), "seed": seed})
+        return Dealt(tables, columns)
+
+    def _with(
+        self,
+        robot: int,
+        drawn: Sequence[Any],
+        steps: Mapping[str, Sequence[int]],
+        known: dict[Any, Any],
+    ) -> Tables:
+        """A robot's scenario with values; tables made before for the same values are used again.
+
+        Args:
+            robot: Its number.
+            drawn: Values of all dimensions.
+            steps: Of each table, which dimensions go into it, in their order.
+            known: Tables made before; more are added.
+        """
+        tables = dict(self.bases[robot])
+        for name, changes in steps.items():
+            table = tables.get(name, {})
+            # Robots whose own values differ have tables of their own.
+            key = (name, id(table), *[drawn[k] for k in changes])
+            if key not in known:
+                for k in changes:
+                    one = self.dimensions[k]
+                    table = one.place(table, one.placed(drawn[k], robot))
+                known[key] = table
+            tables[name] = known[key]
+        return tables
+
+
+def _numbers(
+    design: Design, begin: int, count: int
+) -> Callable[[int, int], tuple[int, tuple[Any, ...]]]:
+    """Seed and values of some samples, by number from ``begin`` and repeat."""
+    plan, dimensions = design.plan, design.dimensions
+    grid = plan.method == "grid"
+    gridded = [k for k, d in enumerate(dimensions) if not d.scatter and (d.law.levels or not grid)]
+    drawn = [k for k, d in enumerate(dimensions) if not d.scatter and k not in gridded]
+    sizes = tuple(dimensions[k].law.levels for k in gridded)
+    points: Numbers | None = None
+    if not grid:
+        points = POINTS[plan.method](plan.seed, design.samples, len(gridded), begin, count)
+
+    gridded_values: list[list[Any]] = []
+    if points is None:
+        levels = [grid_point(begin + k, sizes) for k in range(count)]
+        gridded_values = [[point[j] for point in levels] for j in range(len(gridded))]
+    else:
+        gridded_values = [dimensions[k].law.of(points[:, j]) for j, k in enumerate(gridded)]
+
+    @functools.cache
+    def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
+        """Seeds and values of one repeat of all these samples."""
+        scatter = uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS)
+        more = uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn))
+        found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
+        found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
+        for k, one in enumerate(dimensions):
+            if one.scatter:
+                found[k] = one.law.of(scatter[:, one.slot])
+        rows = zip(*(found[k] for k in range(len(dimensions))), strict=True)
+        numbers = seeds(plan.seed, repeat, begin, count).tolist()
+        return numbers, list(rows) if dimensions else [()] * count
+
+    return lambda k, repeat: (values(repeat)[0][k], values(repeat)[1][k])
+
+
+@functools.lru_cache(maxsize=4)
+def design_of(text: str) -> Design:
+    """The design of a plan as `Plan.canonical` has it; its dimensions are looked up once."""
+    return laid_out(plan_from(json.loads(text)), tried=False)
+
+
+def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> Design:
+    """Check a plan against its scenario, and lay it out.
+
+    Args:
+        plan: Any; a scenario that is a path is read, relative to the working directory.
+        source: Where the plan stands.
+        tried: Whether extremes are tried out: not those of a plan that was laid out before.
+
+    Raises:
+        InputError: One line for each problem, all that there are.
+    """
+    where = source or Source()
+    plan = with_scenario(plan, Path(), where)
+    problems: list[str] = []
+
+    def blame(path: Sequence[str | int], what: str) -> None:
+        problems.append(where.blamed(path, what))
+
+    bases = _bases(plan, where)
+    scenarios = tuple(
+        _checked(base, robot, plan, where) for robot, base in zip(_named(plan), bases, strict=True)
+    )
+    found = [varied(k, entry, plan, scenarios, blame) for k, entry in enumerate(plan.vary)]
+    fields = [one for one in found if one is not None]
+    luck: list[Dimension] = []
+    try:
+        luck = scattered(plan.scatter.deviations(), scenarios[0]) if plan.scatter else []
+    except InputError as error:
+        blame(("scatter",), str(error))
+    dimensions = [one.dimension for one in fields]
+    _check_columns(plan, found, blame)
+    if luck or any(one.table == "world" for one in dimensions):
+        world = in_numbers(bases[0], scenarios[0])
+        bases = tuple({**world, "vehicle": base["vehicle"]} for base in bases)
+    if not problems and tried:
+        for one in fields:
+            _try_out(one.dimension, one.extremes, bases, plan, blame)
+    if problems:
+        raise InputError(*dict.fromkeys(problems))
+    samples = plan.samples or 1
+    if plan.method == "grid":
+        for one in fields:
+            samples *= max(1, one.dimension.law.levels)
+    design = Design(
+        plan, _named(plan), bases, (*dimensions, *luck), _in_order(fields, len(luck)), samples
+    )
+    if samples > MOST_SAMPLES or design.flights > MOST_FLIGHTS:
+        what = f"{design.flights} flights of {samples} samples are too many; at most {MOST_FLIGHTS}"
+        raise InputError(where.blamed((), f"{what} of {MOST_SAMPLES}"))
+    return design
+
+
+def _in_order(fields: Sequence[Found], luck: int) -> tuple[int, ...]:
+    """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
+    goals = [one.goal for one in fields]
+    order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
+    return (*order, *range(len(goals), len(goals) + luck))
+
+
+# -- robots ---------------------------------------------------------------------------------------
+
+
+def _named(plan: Plan) -> tuple[str, ...]:
+    """Names of the robots, as they stand in rows."""
+    if plan.robots:
+        return plan.robots
+    assert isinstance(plan.scenario, dict)
+    vehicle = plan.scenario.get("vehicle")
+    if isinstance(vehicle, Mapping):  # one's own name for it goes before that of the preset
+        vehicle = vehicle.get("name") or vehicle.get("preset")
+    return (vehicle if isinstance(vehicle, str) else "own",)
+
+
+def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
+    """The scenario with each robot."""
+    assert isinstance(plan.scenario, dict)
+    given: Tables = json.loads(json.dumps(plan.scenario))  # lists, whatever it was made of
+    if not plan.robots:
+        return (given,)
+    vehicle = given.get("vehicle", {})
+    if isinstance(vehicle, Mapping) and vehicle and "preset" not in vehicle:
+        what = "cannot be laid over a vehicle without a preset; leave robots out"
+        raise InputError(where.blamed(("robots",), what))
+    own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
+    bases = []
+    for k, robot in enumerate(plan.robots):
+        try:
+            preset("vehicle", robot, VEHICLES)
+        except InputError as error:
+            raise InputError(where.blamed(("robots", k), str(error))) from None
+        bases.append({**given, "vehicle": {**own, "preset": robot}})
+    return tuple(bases)
+
+
+def _checked(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario:
+    try:
+        return scenario_from(base, False)
+    except InputError as error:
+        of = f" with {robot}" if plan.robots else ""
+        lines = (f"{line}{of}" for line in error.problems)
+        raise InputError(*(where.blamed(("scenario",), line) for line in lines)) from None
+
+
+# -- before anything is flown ---------------------------------------------------------------------
+
+
+def _check_columns(
+    plan: Plan, found: Sequence[Found | None], blame: Callable[[Sequence[str | int], str], None]
+) -> None:
+    """Refuse fields given twice, and columns of one name."""
+    from springback.campaign.columns import known_columns
+
+    taken = {name.lower(): "has a meaning of its own" for name in known_columns()}
+    fields: dict[tuple[Any, ...], int] = {}
+    for k, (entry, one) in enumerate(zip(plan.vary, found, strict=True)):
+        if one is None:
+            continue
+        field, column = (
+            (*one.goal.path, one.goal.relative and one.goal.column),
+            one.dimension.column,
+        )
+        if field in fields:
+            blame(("vary", k, "field"), f"is varied by entry {fields[field] + 1} already")
+        elif column.lower() in taken:
+            what = f"{column!r} as a name of a column {taken[column.lower()]}; give another name"
+            blame(("vary", k, "name" if entry.name else "field"), what)
+        fields.setdefault(field, k)
+        taken.setdefault(column.lower(), f"is that of entry {k + 1}, too")
+
+
+def _try_out(
+    one: Dimension,
+    extremes: Extremes,
+    bases: Sequence[Tables],
+    plan: Plan,
+    blame: Callable[[Sequence[str | int], str], None],
+) -> None:
+    """Blame a field for values with which the scenario, as it is else, cannot be flown.
+
+    Run-ups are not sought, which may take long; a vehicle too weak for one leads to refused rows.
+    """
+    few = extremes if len(extremes) <= MOST_VALUES else (extremes[0], extremes[-1])
+    for path, value in few:
+        for robot, base in enumerate(bases):
+            shown = checked_text(value)
+            problem = _problem({**base, one.table: one.place(base.get(one.table, {}), value)}, one)
+            if problem:
+                whose = len(plan.robots) > 1 and one.table == "vehicle"
+                of = f" with {plan.robots[robot]}" if whose else ""
+                blame(path, f"{one.column} = {shown}{of}: {problem}")
+                return
+
+
+def checked_text(value: Any) -> str:
+    """A value as one would write it."""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+class _Reference(Settings):
+    """A reference alone, to be checked without seeking a run-up."""
+
+    reference: ReferenceSettings
+
+
+def _problem(tables: Tables, one: Dimension) -> str:
+    """Why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
+    reference = tables.get("reference")
+    try:
+        if one.table == "reference":
+            _Reference.model_validate({"reference": reference})
+            return ""
+        hold = {"reference": {"type": "hold"}} if reference is not None else {}
+        scenario_from(tables | hold, False)
+    except ValidationError as error:
+        [(path, what), *_] = problem_paths(error)
+        return f"{dotted(path)}: {what}"
+    except InputError as error:
+        line = error.problems[0]
+        weak = line.startswith("reference: ") or "each rotor's share of the true weight" in line
+        return "" if weak else line
+    return ""

@@ -1,0 +1,298 @@
+"""A plan: which flights a campaign flies, as a user writes it down."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationError, ValidationInfo, model_validator
+
+from springback.errors import InputError, shortened, shown_value
+from springback.problems import dotted, key_path, problem_paths
+from springback.quantities import quantity
+from springback.scenario.files import overridden, place_of, read_scenario
+from springback.scenario.source_text import json_tables, source_text, toml_tables
+from springback.settings import Name, Settings, problem
+from springback.studies.trials import Scatter
+
+Method = Literal["grid", "random", "latin-hypercube", "sobol"]
+#: More samples, or repeats, are a slip of the pen (chosen).
+MOST_SAMPLES = 10**8
+#: More levels of one field, and more fields, are a slip of the pen (chosen).
+MOST_LEVELS, MOST_FIELDS = 100_000, 100
+Count = Annotated[int, Field(ge=1, le=MOST_SAMPLES, strict=True)]
+#: A field whose name is a word of Python is written without the underscore.
+FROM = "from_"
+
+
+class Spaced(Settings):
+    """A table with a key ``from``, which Python knows as ``from_``."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, given: Any) -> Any:
+        """As of all settings, but for ``from``."""
+        if not isinstance(given, dict):
+            return given
+        known = Settings._known_keys.__func__
+        return known(cls, {FROM if key == "from" else key: value for key, value in given.items()})
+
+
+class Normal(Settings):
+    """A normal law."""
+
+    mean: Any = None
+    """By default the scenario's own value."""
+    deviation: Any
+    """Standard deviation."""
+
+
+class FactorLaw(Spaced):
+    """What the scenario's own value is multiplied by."""
+
+    deviation: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
+    """Of the factor's logarithm, normally distributed: 5 % makes factors of about 0.95 to 1.05."""
+    from_: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
+    to: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
+    """With ``from``: evenly between both."""
+
+    @model_validator(mode="after")
+    def _one_way(self) -> FactorLaw:
+        pair = (self.from_ is not None, self.to is not None)
+        if any(pair) if self.deviation is not None else not all(pair):
+            raise problem("needs either deviation, or from and to")
+        return self
+
+
+class Vary(Spaced):
+    """A field of the scenario that differs from sample to sample."""
+
+    field: str
+    """A short name, or the dotted path of any value of the scenario."""
+    name: Name | None = None
+    """Of its column; by default that of the field."""
+    from_: Any = None
+    to: Any = None
+    count: Annotated[int, Field(ge=2, le=MOST_LEVELS, strict=True)] | None = None
+    """Of levels from ``from`` to ``to``, both included; a grid needs it, or ``step``."""
+    step: Any = None
+    """Between levels."""
+    spacing: Literal["linear", "logarithmic"] = "linear"
+    values: tuple[Any, ...] | None = None
+    """Levels, one by one: numbers, names of surfaces, true and false."""
+    normal: Normal | None = None
+    factor: FactorLaw | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> Vary:
+        span = self.from_ is not None or self.to is not None
+        ways = (span, self.values is not None, self.normal is not None, self.factor is not None)
+        if sum(ways) != 1:
+            raise problem("needs one of: from and to, values, normal, factor")
+        if span and (self.from_ is None or self.to is None):
+            raise problem("is missing beside the other end", "from" if self.to else "to")
+        if not span and (self.count or self.step is not None or self.spacing != "linear"):
+            raise problem("count, step and spacing belong to from and to")
+        if self.count and self.step is not None:
+            raise problem("stands beside count; give one of them", "step")
+        if self.step is not None and self.spacing != "linear":
+            raise problem("belongs to linear spacing; give count", "step")
+        if self.values is not None and not self.values:
+            raise problem("needs at least one value", "values")
+        if self.values is not None and len(self.values) > MOST_LEVELS:
+            what = f"must be at most {MOST_LEVELS} values (got {len(self.values)})"
+            raise problem(what, "values")
+        return self
+
+
+class ScatterSettings(Settings):
+    """Standard deviations of a trial's luck, those of `springback.studies.trials.Scatter`.
+
+    ``"trials"`` stands for those of the trials; what is not given is not scattered.
+    """
+
+    position: quantity("m", least=0.0) = 0.0  # type: ignore[valid-type]
+    velocity: quantity("m/s", least=0.0) = 0.0  # type: ignore[valid-type]
+    heading: quantity("rad", least=0.0) = 0.0  # type: ignore[valid-type]
+    wall_distance: quantity("m", least=0.0) = 0.0  # type: ignore[valid-type]
+    wall_yaw: quantity("rad", least=0.0) = 0.0  # type: ignore[valid-type]
+    mass: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
+    inertia: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
+    gains: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _preset(cls, given: Any) -> Any:
+        table = {"preset": given} if isinstance(given, str) else given
+        if not isinstance(table, dict) or "preset" not in table:
+            return table
+        if table["preset"] != "trials":
+            raise problem(f"must be trials (got {shown_value(table['preset'])})", "preset")
+        return Scatter()._asdict() | {key: v for key, v in table.items() if key != "preset"}
+
+    def deviations(self) -> Scatter:
+        """As numbers."""
+        return Scatter(**self.model_dump())
+
+
+class Keep(Settings):
+    """Whose trajectories are kept."""
+
+    where: str
+    """A condition over the columns of a row, in SQL."""
+    most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
+    """The first of those that it holds for."""
+
+
+class Plan(Settings):
+    """Which flights a campaign flies.
+
+    Flight k is robot ``k % robots``, repeat ``k // robots % repeats`` and sample
+    ``k // robots // repeats``.  All robots are dealt the same samples and the same luck.
+    """
+
+    name: Name = "campaign"
+    seed: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Of samples and luck."""
+    scenario: dict[str, Any] | str
+    """What is flown where nothing else is said: tables, or the path of a scenario file."""
+    robots: tuple[str, ...] = ()
+    """Presets laid over the scenario's vehicle; none: the scenario's own."""
+    method: Method
+    samples: Count | None = None
+    """Of a grid its number of points, not to be given."""
+    repeats: Count = 1
+    """Flights of each sample and robot, each with new luck: sensor noise, and scatter."""
+    vary: tuple[Vary, ...] = ()
+    scatter: ScatterSettings | None = None
+    success: str | None = None
+    """A condition over the columns of a row, in SQL; by default that the robot recovered, or
+    without recovery that it neither touched ground, nor ran out of stroke, nor diverged."""
+    keep: Keep | None = None
+
+    @model_validator(mode="after")
+    def _counted(self, info: ValidationInfo) -> Plan:
+        if self.method == "grid" and self.samples is not None:
+            raise problem("cannot be given for a grid, which has its points", "samples")
+        if self.method != "grid" and self.samples is None:
+            raise problem(f"is missing: how many a {self.method} design has", "samples")
+        if len(self.vary) > MOST_FIELDS:
+            raise problem(f"must be at most {MOST_FIELDS} fields (got {len(self.vary)})", "vary")
+        if len(set(self.robots)) != len(self.robots):
+            raise problem(f"names one twice (got {list(self.robots)})", "robots")
+        return self
+
+    @classmethod
+    def in_words(cls, error: ValidationError) -> list[str]:
+        """The problems of a plan made in Python, one line each."""
+        return [Source().blamed(*_named(*found)) for found in problem_paths(error)]
+
+    def canonical(self) -> str:
+        """The plan as JSON, the same text for the same plan."""
+        return json.dumps(
+            self.model_dump(mode="json"), sort_keys=True, ensure_ascii=False, allow_nan=False
+        )
+
+    def digest(self) -> str:
+        """SHA-256 of all that decides what is flown: not of the name, nor of what is kept."""
+        data = self.model_dump(mode="json", exclude={"name", "keep"})
+        text = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+class Source:
+    """Where a plan stands, to blame its problems on."""
+
+    def __init__(self, name: str = "", text: str = "", overrides: Sequence[str] = ()) -> None:
+        """Of a file, its text and overriding words; of nothing if the plan was made in Python."""
+        self.name, self.text, self.overrides = name, text, tuple(overrides)
+
+    def blamed(self, path: Sequence[str | int], what: str) -> str:
+        """A problem in one line."""
+        keys = tuple("from" if key == FROM else key for key in path)
+        said = f"{dotted(keys)}: {what}" if keys else what
+        if not self.name:
+            return said
+        for word in reversed(self.overrides):
+            if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
+                return f"override {shortened(word)}: {said}"
+        return f"{place_of(self.name, self.text, keys)}: {said}"
+
+
+def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, Source]:
+    """Read a plan file and apply overrides; the scenario it names is read in.
+
+    Args:
+        path: TOML file, or JSON as a campaign's folder has it.
+        overrides: Words such as ``samples=100``.
+
+    Raises:
+        InputError: One line for each problem: file and line or override, field, value, range.
+    """
+    path = Path(path)
+    text = source_text(path)
+    tables = json_tables if path.suffix == ".json" else toml_tables
+    given = tables(text, str(path))
+    source = Source(str(path), text, overrides)
+    if any(key_path(word.partition("=")[0])[:1] == ("scenario",) for word in overrides):
+        given = _with_tables(given, path.parent, source)
+    plan = plan_from(overridden(given, overrides), source)
+    return with_scenario(plan, path.parent, source), source
+
+
+def _with_tables(given: dict[str, Any], folder: Path, source: Source) -> dict[str, Any]:
+    """A raw plan with the tables of its scenario, of which some are to be overridden."""
+    if not isinstance(given.get("scenario"), str):
+        return given
+    return {**given, "scenario": _scenario_tables(folder, given["scenario"], source)}
+
+
+def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
+    """A plan from plain tables.
+
+    Raises:
+        InputError: One line for each problem.
+    """
+    blamed = (source or Source()).blamed
+    try:
+        return Plan.model_validate(given)
+    except ValidationError as error:
+        raise InputError(*(blamed(*_named(*found)) for found in problem_paths(error))) from None
+
+
+def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
+    """Without the branches of unions that pydantic names, and with the keys a user knows."""
+    kept = tuple(key for key in path if not (isinstance(key, str) and key.startswith("dict[")))
+    if kept[:1] == ("scenario",):
+        return ("scenario",), "must be a table, or the path of a scenario file"
+    return kept, what.replace(FROM, "from")
+
+
+def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
+    """A plan whose scenario is read in.
+
+    Args:
+        plan: Any.
+        folder: That the scenario's path is relative to.
+        source: Of the plan.
+    """
+    if not isinstance(plan.scenario, str):
+        return plan
+    return plan.with_checked(scenario=_scenario_tables(folder, plan.scenario, source))
+
+
+def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
+    """The raw tables of a scenario file that a plan names."""
+    path = folder / name
+    try:
+        there = path.is_file()
+    except (OSError, ValueError):  # a name that no file can have
+        there = False
+    if not there:
+        what = f"there is no file {shortened(str(path))}"
+        raise InputError(source.blamed(("scenario",), what))
+    read_scenario(path, pilot=False)  # for errors that name its lines
+    return toml_tables(source_text(path), str(path))

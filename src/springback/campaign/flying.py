@@ -1,0 +1,38 @@
+"""Flying a stretch of a campaign: from the plan and two numbers to rows, anywhere."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.batch.scenarios import Device, fly_scenarios, no_collection
+from springback.campaign.design.layout import Design, design_of
+
+Chunk = tuple[int, int]
+"""First flight, and the one after the last."""
+
+
+class Flown(NamedTuple):
+    """A stretch of flights, flown."""
+
+    chunk: Chunk
+    columns: dict[str, Any]
+
+
+def flown(text: str, chunk: Chunk, device: Device = "cpu") -> Flown:
+    """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
+
+    Args:
+        text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
+        chunk: Which flights.
+        device: On which they fly.
+    """
+    return Flown(chunk, rows(design_of(text), chunk, device))
+
+
+def rows(design: Design, chunk: Chunk, device: Device = "cpu") -> dict[str, Any]:
+    """Rows of a stretch of flights, column by column."""
+    with no_collection():
+        dealt = design.dealt(*chunk)
+        ended = fly_scenarios(dealt.tables, threads=1, device=device)
+    tail = {"outcome": ended.outcomes, "problem": ended.problems}
+    return {**dealt.columns, **tail, **ended.measures}

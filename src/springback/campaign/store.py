@@ -1,0 +1,408 @@
+"""The folder of a campaign: parts written whole or not at all, and one process at a time.
+
+plan.json       the plan, its scenario read in
+campaign.json   when and where it was begun, with which versions
+ledger.jsonl    which parts there are
+parts/          rows, in Parquet
+kept/           trajectories of selected flights
+"""
+
+from __future__ import annotations
+
+import contextlib
+import datetime
+import errno
+import functools
+import hashlib
+import json
+import os
+import platform
+import socket
+from collections.abc import Iterator, Mapping, Sequence
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from filelock import FileLock, Timeout
+
+from springback.campaign import manifest
+from springback.campaign.columns import known_columns
+from springback.campaign.design.layout import HEAD, Design
+from springback.campaign.design.plan import Plan, plan_from
+from springback.campaign.errors import Stopped
+from springback.campaign.manifest import PARTS, file_of
+from springback.errors import InputError
+from springback.results.atomic_files import DRAFT, drafted
+from springback.results.database import named, one_expression
+from springback.results.parquet import write_parquet
+from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.results.sealed_json import file_digest, is_sealed, read_object, sealed
+from springback.simulation.measures import MEASURES
+from springback.version import __version__
+
+Columns = Mapping[str, Any]
+PLAN, ABOUT, ASIDE, LOCK, HOLDER = (
+    "plan.json", "campaign.json", "aside", ".lock", ".holder.json",
+)  # fmt: skip
+#: Packages whose versions can change the last digits of a result.
+NUMERICAL = ("numpy", "scipy", "numba")
+#: What may lie in a folder that no campaign has begun in: what one leaves that died at once.
+EARLY = {LOCK, HOLDER, PLAN, PARTS}
+
+
+#: Chapters of the package that no row depends on.
+SHOWING = "interfaces"
+
+
+@functools.cache
+def source() -> str:
+    """Digest of the package's source, as far as rows can depend on it, presets included.
+
+    The version stands still between releases; this does not.
+    """
+    package = Path(__file__).parents[1]
+    digest = hashlib.sha256()
+    for path in sorted(package.rglob("*.py")):
+        name = path.relative_to(package)
+        if name.parts[0] != SHOWING:
+            digest.update(name.as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
+
+
+def versions() -> dict[str, str]:
+    """Of all that decides the bits of a result."""
+    return {
+        "springback": __version__,
+        "source": source(),
+        "python": platform.python_version(),
+        **{name: metadata.version(name) for name in NUMERICAL},
+    }
+
+
+def written(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all, and onto the disk."""
+    with drafted(path, durable=True) as draft:
+        draft.write_bytes(data)
+
+
+class Store:
+    """The folder of a campaign that is being flown, held by one process; see `opened`."""
+
+    def __init__(self, folder: Path, design: Design) -> None:
+        """Of a folder that is there."""
+        self.folder, self.design = folder, design
+        self.parts: list[manifest.Part] = manifest.read(folder / manifest.NAME)
+
+    @property
+    def done(self) -> int:
+        """Number of flights that are kept."""
+        return manifest.held(self.parts)
+
+    def missing(self, chunk: int) -> list[tuple[int, int]]:
+        """Stretches still to be flown."""
+        return manifest.missing(self.parts, self.design.flights, chunk)
+
+    def add(self, first: int, last: int, columns: Columns) -> manifest.Part:
+        """Keep the rows of a stretch of flights.
+
+        Raises:
+            Stopped: If they cannot be written; nothing half-written is left.
+        """
+        name = file_of(first)
+        path = self.folder / name
+        try:
+            path.parent.mkdir(exist_ok=True)
+            with drafted(path, durable=True) as draft:
+                write_rows(draft, columns, self.design)
+                digest, size = file_digest(draft), draft.stat().st_size
+            refused = sum(word == "refused" for word in columns["outcome"])
+            wary = int(sum(value == 1.0 for value in columns["ledger_open"]))
+            part = manifest.Part(first, last, name, size, digest, refused, wary)
+            manifest.append(self.folder / manifest.NAME, part)
+        except Exception as error:
+            if not is_disk(error):
+                raise
+            raise Stopped(f"{name} cannot be written: {_reason(error)}") from error
+        self.parts = sorted([*self.parts, part], key=lambda one: one.first)
+        return part
+
+    def checked_parts(self) -> list[str]:
+        """Move aside what is damaged or not in the ledger; say what was moved, line by line."""
+        said = []
+        manifest.mend(self.folder / manifest.NAME)
+        for part in manifest.damaged(self.parts, self.folder):
+            there = self._set_aside(self.folder / part.file)
+            what = f"is damaged; it is now {there}" if there else "is missing"
+            said.append(f"{part.file} {what}; its flights are flown again")
+            withdrawn = manifest.Part(part.first, part.last, part.file, 0, "", withdrawn=True)
+            manifest.append(self.folder / manifest.NAME, withdrawn)
+            self.parts.remove(part)
+        known = {part.file for part in self.parts}
+        for path in sorted(self.folder.glob(f".*{DRAFT}")):
+            path.unlink()
+        for path in sorted((self.folder / PARTS).glob("*")):
+            if path.name.endswith(DRAFT):
+                path.unlink()
+            elif path.is_file() and f"{PARTS}/{path.name}" not in known:
+                there = self._set_aside(path)
+                said.append(f"{PARTS}/{path.name} is not in the ledger; it is now {there}")
+        return said
+
+    def _set_aside(self, path: Path) -> str:
+        if not path.exists():
+            return ""
+        aside = self.folder / ASIDE
+        aside.mkdir(exist_ok=True)
+        free = (aside / f"{path.name}.{k}" for k in range(10**9))
+        there = next(target for target in free if not target.exists())
+        os.replace(path, there)
+        return str(there.relative_to(self.folder))
+
+
+def write_rows(path: Path, columns: Columns, design: Design) -> None:
+    """Rows as Parquet: numbers that do not exist are empty, success as the plan has it."""
+    units = {name: unit for name, (unit, _) in known_columns().items()} | design.units
+    about = {
+        "springback": __version__, "source": source(), "plan": design.plan.digest(),
+        "scenarios": design.digest, "name": design.plan.name,
+    }  # fmt: skip
+    write_parquet(path, arrays(columns, design), units, about, select=rows_of(design))
+
+
+def arrays(columns: Columns, design: Design) -> dict[str, Any]:
+    """Columns of rows as arrays of their types."""
+    words = {d.column for d in design.dimensions if d.text} | {"robot", "outcome", "problem"}
+    kinds = dict.fromkeys(("flight", "sample", "repeat", "seed"), np.int64)
+    found = {}
+    for name, values in columns.items():
+        kind: Any = object if name in words else kinds.get(name, np.float64)
+        found[name] = np.asarray(values, dtype=kind)
+    return found
+
+
+def rows_of(design: Design) -> str:
+    """The rows of a campaign in SQL, from columns as they were flown."""
+    head = ", ".join(named(name) for name in (*HEAD, *design.units))
+    measures = ", ".join(
+        f"nullif({named(name)}, 'NaN'::DOUBLE) AS {named(name)}"
+        for name in (MEASURES | RECOVERY_MEASURES)
+    )
+    flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
+    try:
+        condition = one_expression(design.success)
+    except InputError as error:
+        raise InputError(f"success: {error}") from None
+    won = f"CASE WHEN outcome <> 'refused' THEN {condition} END"
+    success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
+    rest = ", ".join(named(name) for name in (MEASURES | RECOVERY_MEASURES))
+    return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
+
+
+def empty_rows(design: Design) -> dict[str, Any]:
+    """Columns as they are flown, without rows."""
+    names = (*HEAD, *design.units, "outcome", "problem", *(MEASURES | RECOVERY_MEASURES))
+    return arrays({name: [] for name in names}, design)
+
+
+def is_disk(error: BaseException) -> bool:
+    """Whether the disk is at fault, not the program; DuckDB has errors of its own."""
+    return isinstance(error, OSError) or type(error).__name__ in ("IOException", "FatalException")
+
+
+def _reason(error: BaseException) -> str:
+    text = str(error)
+    if getattr(error, "errno", None) == errno.ENOSPC or "No space left" in text:
+        return "no space is left on the disk"
+    return getattr(error, "strerror", None) or text.partition("\n")[0]
+
+
+# -- begin, or go on ------------------------------------------------------------------------------
+
+
+@contextlib.contextmanager
+def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
+    """The folder of a campaign, new or begun before, held until the block ends.
+
+    Args:
+        folder: Is made if it is not there.
+        design: Of the campaign.
+        resume: Whether a campaign that is in it may be gone on with.
+
+    Raises:
+        InputError: If it holds another campaign or other things, or another process holds it.
+        Stopped: If it cannot be written to.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"--out {folder}: is a file, not a folder")
+    begun = (folder / ABOUT).exists()
+    names = {path.name for path in folder.iterdir()} if folder.exists() else set[str]()
+    others = {name for name in names - EARLY if not name.endswith(DRAFT)}
+    if others and not begun:
+        raise InputError(f"--out {folder}: is not empty, and holds no campaign; give another")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with _held(folder):
+            if begun and not resume:
+                raise InputError(_in_the_way(folder, design))
+            if begun:
+                _check_same(folder, design)
+            else:
+                _begin(folder, design)
+            yield Store(folder, design)
+    except OSError as error:
+        if not is_disk(error):
+            raise
+        raise Stopped(f"--out {folder}: cannot be written to: {_reason(error)}") from error
+
+
+@contextlib.contextmanager
+def _held(folder: Path) -> Iterator[None]:
+    """Hold a folder; the system lets go of it when this process ends, however that comes about."""
+    lock, holder = FileLock(folder / LOCK, timeout=0), folder / HOLDER
+    try:
+        lock.acquire()
+    except Timeout:
+        who = {}
+        with contextlib.suppress(OSError, ValueError):
+            who = json.loads(holder.read_text())
+        by = "process {pid} on {host} since {since}".format_map(who) if who else "another process"
+        raise InputError(f"--out {folder}: is in use by {by}") from None
+    try:
+        who = {"pid": os.getpid(), "host": socket.gethostname(), "since": _now()}
+        written(holder, json.dumps(who).encode())
+        yield
+    finally:
+        with contextlib.suppress(OSError):
+            holder.unlink(missing_ok=True)
+        lock.release()
+
+
+def _now() -> str:
+    return datetime.datetime.now().astimezone().isoformat(timespec="seconds")
+
+
+def _in_the_way(folder: Path, design: Design) -> str:
+    done = manifest.held(manifest.read(folder / manifest.NAME))
+    return (
+        f"--out {folder}: holds a campaign with {done} flights; go on with it by --resume, or give "
+        "another folder"
+    )
+
+
+def _begin(folder: Path, design: Design) -> None:
+    """Write down what is flown, where, and with what."""
+    plan = json.dumps(json.loads(design.plan.canonical()), indent=2, ensure_ascii=False) + "\n"
+    written(folder / PLAN, plan.encode())
+    about = {
+        "name": design.plan.name, "seed": design.plan.seed, "plan_sha256": design.plan.digest(),
+        "plan_file_sha256": hashlib.sha256(plan.encode()).hexdigest(),
+        "flights": design.flights, "robots": list(design.robots), "started": _now(),
+        "versions": versions(), "host": socket.gethostname(), "cpu": _cpu(),
+        "cores": os.cpu_count(), "system": platform.platform(),
+        "units": design.units, "scenarios_sha256": design.digest,
+        "scenarios": dict(zip(design.robots, design.expanded, strict=True)),
+    }  # fmt: skip
+    data = json.dumps(sealed(about), indent=2, ensure_ascii=False, allow_nan=False)
+    written(folder / ABOUT, data.encode() + b"\n")
+
+
+def _cpu() -> str:
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()
+
+
+#: What `campaign.json` must hold for the rows to be asked.
+_NEEDED: dict[str, type] = {
+    "name": str, "flights": int, "seed": int, "host": str, "plan_sha256": str,
+    "plan_file_sha256": str, "versions": dict, "units": dict, "robots": list,
+    "scenarios_sha256": str, "cpu": str,
+}  # fmt: skip
+
+
+def about(folder: Path) -> dict[str, Any]:
+    """What `campaign.json` says.
+
+    Raises:
+        InputError: If there is none, or it cannot be read, or is not as it was written.
+    """
+    path = folder / ABOUT
+    try:
+        found = read_object(path)
+    except FileNotFoundError:
+        raise InputError(f"{folder}: holds no campaign ({ABOUT} is missing)") from None
+    if not is_sealed(found):
+        raise InputError(f"{path}: is damaged, or was written by another version or edited")
+    for name, kind in _NEEDED.items():
+        if type(found.get(name)) is not kind:
+            raise InputError(f"{path}: {name}: is missing or of another kind")
+    return found
+
+
+def stored_plan(folder: Path) -> Plan:
+    """The plan of a campaign, as it was begun.
+
+    Raises:
+        InputError: If it cannot be read, or is not as it was written.
+    """
+    path, known = folder / PLAN, about(folder)
+    try:
+        given = read_object(path)
+        digest = file_digest(path)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if digest != known["plan_file_sha256"]:
+        raise InputError(f"{path}: is damaged or was edited; it is not the one that was begun")
+    if not isinstance(given.get("scenario"), dict):
+        raise InputError(f"{path}: scenario: must be a table")
+    plan = plan_from(given)
+    if plan.digest() != known["plan_sha256"]:
+        raise InputError(f"{path}: is not the plan that {ABOUT} names")
+    return plan
+
+
+def _check_same(folder: Path, design: Design) -> None:
+    """Refuse to go on with another plan, seed, version, source or preset."""
+    known = about(folder)
+    pairs = {
+        "seed": (known["seed"], design.plan.seed),
+        "springback's version": (known["versions"].get("springback"), __version__),
+    }
+    told = [f"its {name} is {old}, not {new}" for name, (old, new) in pairs.items() if old != new]
+    if not told and known["plan_sha256"] != design.plan.digest():
+        told = [_difference(folder, design)]
+    if not told and known["scenarios_sha256"] != design.digest:
+        told = ["a preset or a default that its plan names has other numbers now"]
+    if not told and known["versions"].get("source") != source():
+        told = [
+            f"springback's source is another ({source()}) than it was begun with "
+            f"({known['versions'].get('source')}), though the version is the same; finish it with "
+            "that one, or begin anew"
+        ]
+    if told:
+        raise InputError(f"--out {folder}: holds another campaign: {'; '.join(told)}")
+
+
+def _difference(folder: Path, design: Design) -> str:
+    """Which entries of two plans differ."""
+    before = json.loads(stored_plan(folder).canonical())
+    now = json.loads(design.plan.canonical())
+    keys: Sequence[str] = [key for key in now if before.get(key) != now[key]]
+    return f"its plan differs in {', '.join(keys) or 'something'} (see {folder / PLAN})"
+
+
+def changed_versions(folder: Path) -> list[str]:
+    """What else has changed since the campaign was begun: versions and processor, in words."""
+    known, now = about(folder), versions()
+    before = known["versions"]
+    said = [
+        f"{name} was {before.get(name)} and is {now[name]}; last digits may differ"
+        for name in ("python", *NUMERICAL)
+        if before.get(name) != now[name]
+    ]
+    if known["cpu"] != _cpu():
+        said.append(f"the processor was {known['cpu']} and is {_cpu()}; last digits may differ")
+    return said

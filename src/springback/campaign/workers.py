@@ -1,0 +1,206 @@
+"""Flying on the cores of this machine: processes that each fly a chunk at a time.
+
+The parent hands out chunks and knows which worker flies which, so that when one is killed it is
+clear whose chunk it was.  Workers are made anew by ``spawn`` and share nothing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+import traceback
+from collections import Counter, deque
+from collections.abc import Callable, Generator, Iterable, Iterator
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import SpawnProcess
+from typing import Any, NamedTuple
+
+from springback.batch.scenarios import Device
+from springback.campaign.errors import Stopped
+from springback.campaign.flying import Chunk, Flown, flown
+from springback.campaign.store import source
+from springback.errors import warn_in_one_line
+
+Remark = Callable[[str], None]
+#: A chunk that takes so many workers with it is given up (chosen).
+STRIKES = 3
+#: One thread in each worker: linear algebra must not take the others' cores.
+SINGLE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+
+
+class GivenUp(NamedTuple):
+    """A stretch of flights that could not be flown, and why."""
+
+    chunk: Chunk
+    why: str
+    details: str = ""
+
+
+class _Worker:
+    """A process, and what it is flying."""
+
+    def __init__(self, text: str, device: Device) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.line, theirs = context.Pipe()
+        self.process: SpawnProcess = context.Process(
+            target=SERVED, args=(theirs, text, device), daemon=True, name="springback worker"
+        )
+        with _single_threads(), _deaf():
+            self.process.start()
+        theirs.close()
+        self.chunk: Chunk | None = None
+        self.ready = False
+
+    def fly(self, chunk: Chunk) -> None:
+        self.chunk = chunk
+        with contextlib.suppress(OSError):  # it is dead, which is seen when its line is read
+            self.line.send(chunk)
+
+    def end(self) -> None:
+        self.process.kill()
+        self.process.join()
+        self.line.close()
+
+
+@contextlib.contextmanager
+def _single_threads() -> Iterator[None]:
+    """An environment for children in which libraries use one thread."""
+    before = {name: os.environ.get(name) for name in SINGLE}
+    os.environ.update(dict.fromkeys(SINGLE, "1"))
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+
+
+@contextlib.contextmanager
+def _deaf() -> Iterator[None]:
+    """Children hear no Ctrl-C from their first instant on; this process hears it afterwards."""
+    if sys.platform == "win32":
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # it lets signals through again when it is first started
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def serve(line: Connection, text: str, device: Device) -> None:
+    """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
+    warn_in_one_line()
+    threading.Thread(target=_leave_with_parent, daemon=True).start()
+    with contextlib.suppress(EOFError, OSError):
+        line.send(source())
+        while True:
+            chunk: Chunk = line.recv()
+            answer: Flown | GivenUp
+            try:
+                answer = flown(text, chunk, device)
+            except Exception as error:
+                why = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
+                answer = GivenUp(chunk, why, traceback.format_exc())
+            line.send(answer)
+
+
+#: What a worker runs.
+SERVED = serve
+
+
+def _leave_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
+
+
+def fly_locally(
+    text: str, chunks: Iterable[Chunk], workers: int, remark: Remark, device: Device = "cpu"
+) -> Generator[Flown | GivenUp]:
+    """Fly chunks on this machine; results come in the order in which they are ready.
+
+    Args:
+        text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
+        chunks: To be flown.
+        workers: Processes.
+        remark: Told of workers that were lost.
+        device: On which they fly.
+
+    Raises:
+        Stopped: If workers cannot even start.
+    """
+    waiting, strikes = deque(chunks), Counter[Chunk]()
+    crew = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
+    for worker in crew:
+        worker.fly(waiting.popleft())
+    try:
+        while crew:
+            heard: list[Any] = wait([worker.line for worker in crew])
+            for worker in [worker for worker in crew if worker.line in heard]:
+                try:
+                    answer = worker.line.recv()
+                except (EOFError, OSError):
+                    crew.remove(worker)
+                    lost = _lost(worker, strikes, remark)
+                    if lost is None:
+                        assert worker.chunk is not None
+                        waiting.appendleft(worker.chunk)
+                    if waiting:
+                        crew.append(_Worker(text, device))
+                        crew[-1].fly(waiting.popleft())
+                    if lost is not None:
+                        yield lost
+                    continue
+                if isinstance(answer, str):
+                    worker.ready = True
+                    if answer != source():
+                        raise Stopped("springback's source was changed while it was flying")
+                    continue
+                if waiting:
+                    worker.fly(waiting.popleft())
+                else:
+                    crew.remove(worker)
+                    worker.end()
+                yield answer
+    finally:
+        for worker in crew:
+            worker.end()
+
+
+def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp | None:
+    """Take note that a worker is dead; its chunk, if that is to be given up."""
+    worker.end()
+    pid, how, chunk = worker.process.pid, _ending(worker.process.exitcode), worker.chunk
+    if not worker.ready:
+        raise Stopped(
+            f"a worker could not start ({how}); a script that flies campaigns must do so under "
+            "if __name__ == '__main__'"
+        )
+    assert chunk is not None
+    strikes[chunk] += 1
+    whose = f"flights {chunk[0]} to {chunk[1] - 1}"
+    if strikes[chunk] < STRIKES:
+        remark(f"worker {pid} was lost ({how}); {whose} are flown again by a new one")
+        return None
+    return GivenUp(chunk, f"{STRIKES} workers in a row were lost over them ({how})")
+
+
+def _ending(code: int | None) -> str:
+    """How a process ended, in words."""
+    if code is not None and code < 0:
+        with contextlib.suppress(ValueError):
+            name = signal.Signals(-code).name
+            return f"{name}, out of memory perhaps" if name == "SIGKILL" else name
+    return f"exit code {code}"

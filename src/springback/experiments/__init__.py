@@ -1,1 +1,0 @@
-"""Ask a question: scenarios, their results, and the experiments of the paper."""

@@ -1,1 +1,0 @@
-"""Campaigns: many flights by a plan, kept in a folder, resumed and asked questions of."""

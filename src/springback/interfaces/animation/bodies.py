@@ -1,0 +1,195 @@
+"""Robots and obstacles of a scene as lines in a plane: from the side, or from above."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.interfaces.replay.geometry import Drawable
+from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Chosen: half the width and height of the main body [m], and of the axis drawn upon it.
+BODY, BODY_HEIGHT, MAST = 0.055, 0.018, 0.07
+#: Chosen: coils of a spring, their radius, and where they end before the rotor [m].
+COILS, COIL_RADIUS, COIL_END = 7, 0.013, 0.03
+CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
+HELIX = np.linspace(0.0, 1.0, 16 * COILS + 1)
+EDGE_ON = 0.2
+"""A face whose normal has less than this in a plane is not drawn in it."""
+
+
+class View(NamedTuple):
+    """A plane to look at: its axes to the right and up, and a point it goes through, world."""
+
+    right: Array
+    up: Array
+    through: Array
+
+    def __call__(self, points: Array) -> Array:
+        """World points, shape (..., 3), in the plane, shape (..., 2) [m]."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+
+class Pose(NamedTuple):
+    """A scene at an instant."""
+
+    position: Array  # [m]
+    rotation: Array  # body to world, shape (3, 3)
+    lengths: Array  # of the arms [m]
+    thrust: Array  # [N]
+    force: Array  # on each cage, then the hull [N], shape (parts, 3)
+    point: Array  # where it acts [m], shape (parts, 3)
+
+
+def pose(scene: Scene, t: float) -> Pose:
+    """Where everything is at an instant, linear between those of the scene.
+
+    Args:
+        scene: Of a flight.
+        t: [s]; before the first and after the last instant the flight stands still.
+    """
+    k = int(np.clip(np.searchsorted(scene.t, t, "right") - 1, 0, len(scene.t) - 2))
+    share = float(np.clip((t - scene.t[k]) / max(scene.t[k + 1] - scene.t[k], 1e-12), 0.0, 1.0))
+
+    def between(values: Array) -> Array:
+        return np.asarray((1.0 - share) * values[k] + share * values[k + 1])
+
+    one, other = scene.attitude[k], scene.attitude[k + 1]
+    turned = (1.0 - share) * one + share * np.where(one @ other < 0.0, -1.0, 1.0) * other
+    near = k + (share > 0.5)
+    touching = np.abs(scene.force[[k, k + 1]]).max(axis=2) > 0.0
+    point = np.where(
+        touching.all(axis=0)[:, None], between(scene.point),
+        np.where(touching[0][:, None], scene.point[k], scene.point[k + 1]),
+    )  # fmt: skip
+    return Pose(
+        between(scene.position), rotation(turned), between(scene.arm_length), scene.thrust[near],
+        between(scene.force), point,
+    )  # fmt: skip
+
+
+def rotation(attitude: Array) -> Array:
+    """Body to world of a quaternion wxyz, of any length but zero.
+
+    Args:
+        attitude: Shape (4,).
+    """
+    w, x, y, z = attitude / np.linalg.norm(attitude)
+    return np.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ])  # fmt: skip
+
+
+def views(scene: Scene) -> tuple[View, View]:
+    """From the side, the obstacle that is hit first on the right, and from above.
+
+    Args:
+        scene: Of a flight.
+    """
+    right, through = np.array([1.0, 0.0, 0.0]), scene.position[0]
+    touched = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
+    if len(touched):
+        k = touched[0]
+        j = int(np.argmax(np.abs(scene.force[k]).max(axis=1)))
+        through = scene.position[k]
+        toward = -_normal(scene, scene.point[k, j], scene.force[k, j])
+        level = float(np.hypot(*toward[:2]))
+        if level > 0.5:
+            right = np.array([*(toward[:2] / level), 0.0])
+    up = np.array([0.0, 0.0, 1.0])
+    return View(right, up, through), View(right, np.cross(up, right), through)
+
+
+def _normal(scene: Scene, point: Array, force: Array) -> Array:
+    """Outward normal of the face that a point lies on, or else the direction of the force."""
+    faces = [d for d in scene.obstacles if d.normal]
+    if not faces:
+        return force / np.linalg.norm(force)
+    away = [abs(float(np.dot(np.subtract(point, d.centre), d.normal))) for d in faces]
+    return np.array(faces[int(np.argmin(away))].normal)
+
+
+# -- the robot ------------------------------------------------------------------------------------
+
+
+def ring(centre: Array, radius: float, turn: Array) -> Array:
+    """A circle about a point in the plane of the arms, shape (points, 3)."""
+    return centre + radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1) @ turn[:, :2].T
+
+
+def ends(arms: Sequence[ArmShape], now: Pose, *, free: bool = False) -> Array:
+    """Ends of the arms, where cages and rotors are, as they are or at their free length."""
+    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
+    directions = np.array([arm.direction for arm in arms])
+    return np.asarray(now.position + (lengths[:, None] * directions) @ now.rotation.T)
+
+
+def arm_line(arm: ArmShape, now: Pose, length: float) -> Array:
+    """An arm from the main body to the rotor: a helix if it gives way, else straight."""
+    along = now.rotation @ np.array(arm.direction)
+    if not arm.compliant:
+        return now.position + np.outer([0.0, length], along)
+    across = np.cross(now.rotation[:, 2], along)
+    reach = BODY + HELIX * (length - BODY - COIL_END)
+    turn = 2.0 * np.pi * COILS * HELIX
+    around = np.outer(np.sin(turn), across) + np.outer(1.0 - np.cos(turn), now.rotation[:, 2])
+    spiral = now.position + np.outer(reach, along) + COIL_RADIUS * around
+    return np.vstack([now.position, spiral, now.position + length * along])
+
+
+def body_outline(now: Pose) -> tuple[Array, Array]:
+    """Upper and lower rim of the main body, shape (points, 3) each."""
+    rim, lift = ring(now.position, BODY, now.rotation), BODY_HEIGHT * now.rotation[:, 2]
+    return rim + lift, rim - lift
+
+
+def sphere_outline(hull: HullShape, now: Pose, view: View) -> Array:
+    """Outline of the hull in the plane of a view, shape (points, 2)."""
+    centre = view(now.position + now.rotation @ np.array(hull.centre))
+    return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
+
+
+# -- what is hit ----------------------------------------------------------------------------------
+
+
+def half_plane(thing: Drawable, view: View, depth: float, size: float) -> Array | None:
+    """What lies behind a face in the plane of a view, as a quadrangle [m]; None if edge-on.
+
+    Args:
+        thing: With a normal.
+        view: The plane.
+        depth: How far behind the face it begins [m].
+        size: Half the length of its side, and how far it reaches [m].
+    """
+    normal = np.array(thing.normal)
+    flat = view(normal)
+    long = float(np.linalg.norm(flat))
+    if long < EDGE_ON:
+        return None
+    flat = flat / long
+    away = (float(normal @ np.subtract(thing.centre, view.through)) - depth) / long
+    foot = view(view.through) + away * flat
+    side = size * np.array([-flat[1], flat[0]])
+    return np.array(
+        [foot - side, foot + side, foot + side - size * flat, foot - side - size * flat]
+    )
+
+
+def cut(thing: Drawable, view: View) -> Array:
+    """Where a mesh meets the plane of a view, shape (pieces, 2, 2) [m]."""
+    if thing.vertices is None or thing.triangles is None:
+        return np.zeros((0, 2, 2))
+    out = (thing.vertices - view.through) @ np.cross(view.right, view.up)
+    height, place = out[thing.triangles], view(thing.vertices)[thing.triangles]
+    crossed = np.flatnonzero((height.min(axis=1) < 0.0) & (height.max(axis=1) >= 0.0))
+    pieces = []
+    for h, p in zip(height[crossed], place[crossed], strict=True):
+        sides = [(a, b) for a, b in ((0, 1), (1, 2), (2, 0)) if (h[a] < 0.0) != (h[b] < 0.0)]
+        pieces.append([p[a] + h[a] / (h[a] - h[b]) * (p[b] - p[a]) for a, b in sides])
+    return np.array(pieces).reshape(-1, 2, 2)

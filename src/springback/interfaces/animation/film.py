@@ -1,0 +1,163 @@
+"""Films of flights: GIF, WebP or, with an extra, MP4, drawn without a display.
+
+The same flights give the same file, byte for byte, with the same versions of the libraries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.extras import needs
+from springback.interfaces.animation.timing import timing
+from springback.interfaces.replay.scene import Scene
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Frames = Sequence[Any]
+
+SUFFIXES = (".gif", ".webp", ".mp4")
+SIZES = {1: (600, 540), 2: (760, 540)}
+"""Chosen: width and height for one flight and for two [px]."""
+LEAST, MOST = 160, 2160
+"""Of a side [px], chosen."""
+FASTEST = 50.0
+"""Frames a second: more, and browsers show a GIF more slowly."""
+COLOURS, SAMPLED = 64, 12
+"""Chosen: colours of a GIF, and frames from which they are taken."""
+HOLD = 1.0
+"""Chosen: the last frame stays so long [s]."""
+INKS = ("#0072B2", "#D55E00", "#009E73", "#E69F00")
+"""Colours of thin lines, which a palette made from areas would miss."""
+QUALITY = 80
+"""Of WebP, chosen; of MP4 the constant rate factor is `CRF`."""
+CRF = "20"
+
+
+def write_film(
+    scenes: Sequence[Scene],
+    path: Path,
+    *,
+    slow: float = 20.0,
+    begin: float | None = None,
+    end: float | None = None,
+    fps: float = 25.0,
+    size: tuple[int, int] | None = None,
+    progress: Callable[[float], None] = lambda share: None,
+) -> int:
+    """Write a film of one flight, or of two side by side that touch at the same time.
+
+    Args:
+        scenes: One or two.
+        path: Ends in .gif, .webp or .mp4.
+        slow: How many times slower than life impacts are shown.
+        begin: First instant, from first touch [s]; by default shortly before it.
+        end: Last instant, from first touch [s].
+        fps: Frames a second.
+        size: Width and height [px].
+        progress: Is told the share that is drawn.
+
+    Returns:
+        The number of frames.
+
+    Raises:
+        InputError: If there is nothing to show, or the suffix or an extra is missing.
+    """
+    check(path, size, fps)
+    from springback.interfaces.animation.frame import Picture
+
+    when = timing(scenes, slow=slow, begin=begin, end=end, fps=fps)
+    picture, count = Picture(scenes, when, size or SIZES[len(scenes)]), len(when.t)
+    frames = []
+    for k in range(count):
+        frames.append(picture.at(k))
+        progress((k + 1) / count)
+    {".gif": _gif, ".webp": _webp, ".mp4": _mp4}[path.suffix.lower()](frames, path, fps)
+    return count
+
+
+def check(path: Path, size: tuple[int, int] | None, fps: float) -> None:
+    """What can be wrong with a film before anything is drawn.
+
+    Args:
+        path: Of the film.
+        size: Width and height [px].
+        fps: Frames a second.
+
+    Raises:
+        InputError: In one line.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise InputError(f"--out {path}: must end in {', '.join(SUFFIXES)}")
+    if not 1.0 <= fps <= FASTEST:
+        raise InputError(f"--fps {fps:g}: must be from 1 to {FASTEST:g} frames a second")
+    for side in size or ():
+        if not LEAST <= side <= MOST:
+            raise InputError(f"--size: {side} px must be from {LEAST} to {MOST} px")
+    if suffix == ".mp4" and any(side % 2 for side in size or ()):
+        raise InputError("--size: an mp4 needs an even width and height")
+    needs("matplotlib", "plot")
+    needs("PIL", "plot")
+    if suffix == ".mp4":
+        needs("av", "video")
+
+
+def _durations(count: int, fps: float) -> list[int]:
+    """How long each frame stays [ms], in hundredths of a second as a GIF needs it."""
+    ends = np.round(np.arange(1, count + 1) * 100.0 / fps)
+    stays = [10 * int(stay) for stay in np.diff(ends, prepend=0.0)]
+    return [*stays[:-1], stays[-1] + int(1e3 * HOLD)]
+
+
+def _gif(frames: Frames, path: Path, fps: float) -> None:
+    """One palette for all frames and no dithering: what stands still stays the same."""
+    from matplotlib.colors import to_rgb
+    from PIL import Image
+
+    chosen = [frames[k] for k in np.linspace(0, len(frames) - 1, SAMPLED).astype(int)]
+    inks = [np.full((40, frames[0].shape[1], 3), to_rgb(ink)) * 255 for ink in INKS]
+    sampled = np.vstack([*chosen, *(ink.astype(np.uint8) for ink in inks)])
+    palette = Image.fromarray(sampled).quantize(COLOURS, dither=Image.Dither.NONE)
+    images = [
+        Image.fromarray(f).quantize(palette=palette, dither=Image.Dither.NONE) for f in frames
+    ]
+    images[0].save(
+        path, save_all=True, append_images=images[1:], duration=_durations(len(frames), fps),
+        loop=0, optimize=False, disposal=1,
+    )  # fmt: skip
+
+
+def _webp(frames: Frames, path: Path, fps: float) -> None:
+    from PIL import Image
+
+    images = [Image.fromarray(frame) for frame in frames]
+    images[0].save(
+        path, save_all=True, append_images=images[1:], duration=_durations(len(frames), fps),
+        loop=0, quality=QUALITY, method=4,
+    )  # fmt: skip
+
+
+def _mp4(frames: Frames, path: Path, fps: float) -> None:
+    """H.264, in a thread of its own so that the bytes do not depend on the machine's cores."""
+    from fractions import Fraction
+
+    import av
+    from av.container import Flags
+
+    held = [*frames, *[frames[-1]] * round(HOLD * fps)]
+    with av.open(str(path), "w", options={"movflags": "+faststart"}) as film:
+        bitexact: Any = Flags.bitexact.value
+        film.flags |= bitexact  # no time of creation
+        stream = film.add_stream("libx264", rate=Fraction(fps).limit_denominator(1000))
+        stream.height, stream.width = frames[0].shape[:2]
+        stream.pix_fmt, stream.thread_count = "yuv420p", 1
+        stream.options = {"crf": CRF, "preset": "medium"}
+        for frame in held:
+            for packet in stream.encode(av.VideoFrame.from_ndarray(frame, format="rgb24")):
+                film.mux(packet)
+        for packet in stream.encode():
+            film.mux(packet)

@@ -1,0 +1,238 @@
+"""The picture of a film: robots from the side and from above, a clock, and the acceleration."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from springback.interfaces.animation.bodies import Pose, pose, views
+from springback.interfaces.animation.panel import Panel
+from springback.interfaces.animation.timing import EARLY, LATE, Timing, origin
+from springback.interfaces.figures.style import BLUE, GREY, INK, RED, Look, as_written
+from springback.interfaces.replay.scene import Scene
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+LOOKS: tuple[Look, ...] = ((BLUE, "-"), (RED, (0, (5, 1.5))))
+NEAR = 1.25
+"""Chosen: half of what a view shows, over the reach of the robot, at an impact."""
+WIDEST = 1.4
+"""Chosen: half of what a view shows at most [m]; where the flight goes farther, it follows."""
+ARROW = 0.28
+"""Chosen: length of the arrow of the greatest contact force [m]."""
+ZOOMING = 0.12
+"""Chosen: time in which the view closes in [s of flight]."""
+SIDE = 0.38
+"""Chosen: share of the views' height that is seen from the side."""
+CURVE, HEAD, GAP = 0.25, 0.07, 0.004
+"""Chosen: shares of the height of curve and clock, and between the views."""
+
+
+class Picture:
+    """A figure that can be turned to any instant of its scenes."""
+
+    def __init__(self, scenes: Sequence[Scene], timing: Timing, size: tuple[int, int]) -> None:
+        """The figure, not yet at any instant.
+
+        Args:
+            scenes: One, or two side by side.
+            timing: Of the film.
+            size: Width and height [px].
+        """
+        self.scenes, self.timing = tuple(scenes), timing
+        self.unit = min(size[0] / 720, size[1] / 540)
+        self.figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100, facecolor="white")
+        self.canvas = _canvas(self.figure)
+        self.newton = ARROW / max(1.0, *(float(_size(s.force).max(initial=0.0)) for s in scenes))
+        self.panels = [self._column(k) for k in range(len(self.scenes))]
+        self.reach = max(arm.length + arm.cage_radius for s in scenes for arm in s.arms)
+        self.ways = [[self._way(panel) for panel in column] for column in self.panels]
+        self.curve = _Curve(self)
+        self.words = [self._word(0.012, "left"), self._word(0.988, "right")]
+        self.canvas.draw()
+        self.still = self.canvas.copy_from_bbox(self.figure.bbox)
+
+    def at(self, k: int) -> Array:
+        """Pixels of frame ``k``, shape (height, width, 3), 8 bits."""
+        when, slowness = float(self.timing.t[k]), float(self.timing.slowness[k])
+        poses = [pose(scene, origin(scene) + when) for scene in self.scenes]
+        self._aim(poses, when)
+        for scene, now, column in zip(self.scenes, poses, self.panels, strict=True):
+            past = scene.position[_shown(scene, self.timing.begin, when)]
+            for panel in column:
+                panel.turn(now, past, self.newton)
+            column[0].said.set_text(_told(scene, now))
+        self.curve.turn(when)
+        sign = "+" if when >= 0.0 else "−"
+        self.words[0].set_text(f"t = {sign}{1e3 * abs(when):.0f} ms")
+        self.words[1].set_text(f"slow motion 1/{slowness:.0f}")
+        return self._drawn()
+
+    def _drawn(self) -> Array:
+        """What stands still is drawn once, what moves is drawn over it."""
+        self.canvas.restore_region(self.still)
+        for panel in (panel for column in self.panels for panel in column):
+            for artist in panel.moving:
+                panel.ax.draw_artist(artist)
+        for artist in self.curve.moving:
+            self.curve.ax.draw_artist(artist)
+        for word in self.words:
+            self.figure.draw_artist(word)
+        return np.asarray(self.canvas.buffer_rgba())[:, :, :3].copy()
+
+    def _word(self, x: float, side: Any) -> Any:
+        weight = "bold" if side == "left" else "normal"
+        size = 12 * self.unit
+        return self.figure.text(
+            x, 0.985, "", ha=side, va="top", fontsize=size, weight=weight, color=INK, animated=True
+        )
+
+    def _column(self, k: int) -> tuple[Panel, Panel]:
+        """A scene from the side, and below from above."""
+        scene, width, height = self.scenes[k], 1.0 / len(self.scenes), 1.0 - CURVE - HEAD
+        side, above = views(scene)
+        low = CURVE + (1.0 - SIDE) * height
+        upper = self._panel(scene, side, k, (k * width, low, width, SIDE * height), "from the side")
+        box = (k * width, CURVE, width, (1.0 - SIDE) * height)
+        lower = self._panel(scene, above, k, box, "from above")
+        upper.ax.text(
+            0.015, 0.95, as_written(scene.label), transform=upper.ax.transAxes, va="top",
+            weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2][0],
+        )  # fmt: skip
+        return upper, lower
+
+    def _panel(
+        self, scene: Scene, view: Any, k: int, box: tuple[float, float, float, float], words: str
+    ) -> Panel:
+        x, y, width, height = box
+        ax = self.figure.add_axes((x + GAP, y + GAP, width - 2 * GAP, height - 2 * GAP))
+        ax.set(xticks=[], yticks=[], facecolor="#FBFBFC")
+        for spine in ax.spines.values():
+            spine.set(color="#D5D9DE", linewidth=0.8)
+        size = 9 * self.unit
+        ax.text(0.015, 0.03, words, transform=ax.transAxes, fontsize=size, color="#5B6067")
+        return Panel(ax, view, scene, LOOKS[k % 2][0], self.unit)
+
+    # -- where to look ----------------------------------------------------------------------------
+
+    def _aim(self, poses: Sequence[Pose], when: float) -> None:
+        """All views on one scale, closing in around impacts; if the way is too long, follow."""
+        half = max(half for column in self.ways for half, _ in column)
+        follow, half = half > WIDEST, min(half, WIDEST)
+        tall = self.panels[0][1].shape()
+        close = min(half, NEAR * self.reach * max(1.0, 0.8 / tall))
+        share = max((_nearness(when, a, b) for a, b in self.timing.slow), default=0.0)
+        half = float(np.exp((1 - share) * np.log(half) + share * np.log(close)))
+        for now, ways, column in zip(poses, self.ways, self.panels, strict=True):
+            for (_, middle), panel in zip(ways, column, strict=True):
+                here = panel.view(now.position)
+                panel.look(here if follow else (1 - share) * middle + share * here, half)
+
+    def _way(self, panel: Panel) -> tuple[float, Array]:
+        """Half the width that shows all of a scene's way, and the middle of it [m]."""
+        inside = _shown(panel.scene, self.timing.begin, self.timing.end)
+        way = panel.view(panel.scene.position[inside])
+        low, high = way.min(axis=0), way.max(axis=0)
+        wide, tall = 0.5 * (high - low) + 1.15 * self.reach
+        if panel.view.up[2] > 0.5:  # from the side a robot is flat
+            tall -= 0.6 * self.reach
+        return max(float(wide), float(tall) / panel.shape()), 0.5 * (low + high)
+
+
+def _canvas(figure: Figure) -> Any:
+    """What a figure is drawn on; its methods carry no types."""
+    return FigureCanvasAgg(figure)
+
+
+def _size(vectors: Array) -> Array:
+    """Of vectors along the last axis."""
+    return np.asarray(np.linalg.norm(vectors, axis=-1))
+
+
+def _shown(scene: Scene, begin: float, end: float) -> Any:
+    """Places of a scene between two instants of a film; at least one."""
+    t = scene.t - origin(scene)
+    inside = (t >= begin) & (t <= end)
+    if not inside.any():
+        inside[int(np.argmin(np.abs(t - begin)))] = True
+    return inside
+
+
+def _told(scene: Scene, now: Pose) -> str:
+    """Sum of the contact forces on all cages, and how far the arms give."""
+    lines = [f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"]
+    if any(arm.compliant for arm in scene.arms):
+        pressed = [arm.length - v for arm, v in zip(scene.arms, now.lengths, strict=True)]
+        lines.append(f"arms give {1e3 * max(*pressed, 0.0):.1f} mm")
+    return "\n".join(lines)
+
+
+def _nearness(when: float, begin: float, end: float) -> float:
+    """How close the view is, from 0 to 1, around what is shown slowly."""
+    away = max(0.0, begin + EARLY - when, when - (end - LATE))
+    share = min(max(1.0 - away / ZOOMING, 0.0), 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
+class _Curve:
+    """The acceleration of the main bodies, as it comes to be."""
+
+    def __init__(self, picture: Picture) -> None:
+        """The axes, and curves without points.
+
+        Args:
+            picture: That it belongs to.
+        """
+        timing, unit = picture.timing, picture.unit
+        self.ax = picture.figure.add_axes((0.105, 0.095, 0.875, CURVE - 0.125))
+        spans = timing.slow or ((timing.begin, timing.end),)
+        begin, end = max(spans[0][0], timing.begin), min(spans[0][1], timing.end)
+        self.curves: list[tuple[Line2D, Line2D, Array, Array]] = []
+        self.moving: list[Artist] = [self.ax.axvline(begin, color=GREY, lw=0.9 * unit)]
+        top = 1.0
+        for k, scene in enumerate(picture.scenes):
+            values = next(s.values for s in scene.series if s.panel == "Acceleration")
+            t = scene.t - origin(scene)
+            top = max(top, float(values[(t >= begin) & (t <= end)].max(initial=0.0)))
+            colour, style = LOOKS[k % 2]
+            name = as_written(scene.label)
+            (line,) = self.ax.plot([], [], color=colour, ls=style, lw=1.8 * unit, label=name)
+            (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=colour)
+            self.curves.append((line, dot, 1e3 * t, values))
+            self.moving += [line, dot]
+        for artist in self.moving:
+            artist.set_animated(True)
+        self.ax.set(xlim=(1e3 * begin, 1e3 * end), ylim=(0.0, 1.08 * top))
+        self._labelled(picture)
+
+    def _labelled(self, picture: Picture) -> None:
+        ax, unit = self.ax, picture.unit
+        ax.set_ylabel("acceleration\n[m/s²]", fontsize=9 * unit, color=INK)
+        zero = "first touch" if any(s.impacts for s in picture.scenes) else "the start"
+        ax.set_xlabel(f"time from {zero} [ms]", fontsize=9 * unit, color=INK, labelpad=1.0)
+        ax.tick_params(labelsize=8.5 * unit, colors=INK, length=2.5)
+        ax.locator_params(axis="y", nbins=4)
+        ax.spines[["top", "right"]].set_visible(False)
+        ax.grid(color="#E2E5E9", lw=0.6)
+        if len(picture.scenes) > 1:
+            ax.legend(loc="upper right", fontsize=9 * unit, frameon=False, handlelength=2.2)
+
+    def turn(self, when: float) -> None:
+        """Show what has been.
+
+        Args:
+            when: From first touch [s].
+        """
+        now = 1e3 * when
+        for line, dot, t, values in self.curves:
+            past, level = t <= now, float(np.interp(now, t, values))
+            line.set_data(np.append(t[past], now), np.append(values[past], level))
+            dot.set_data([now], [level])
+        cursor: Any = self.moving[0]
+        cursor.set_xdata([now, now])

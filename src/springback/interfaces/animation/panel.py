@@ -1,0 +1,177 @@
+"""One view of one robot in a film, and how it is turned to an instant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
+from scipy.spatial import ConvexHull
+
+from springback.interfaces.animation.bodies import (
+    MAST,
+    Pose,
+    View,
+    arm_line,
+    body_outline,
+    cut,
+    ends,
+    half_plane,
+    ring,
+    sphere_outline,
+)
+from springback.interfaces.figures.style import GREEN, GREY, INK, ORANGE
+from springback.interfaces.replay.scene import Scene
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
+FAR = 30.0
+"""[m]: farther than any picture reaches."""
+THRUST_BAR = 0.10
+"""Chosen: length of the bar of a rotor's greatest thrust [m]."""
+SHAFT, BARB, HEAD = 0.006, 0.018, 0.035
+"""Chosen: half the width of an arrow's shaft and head, and the length of its head [m]."""
+PRESSED = 1e-3
+"""Chosen: an arm pressed in by more than this [m] has its cage drawn at its free length, too."""
+FAINT = 0.004
+"""Chosen: arrows shorter than this [m] are not drawn."""
+
+
+class Panel:
+    """A view of a scene: what moves in it, in the order in which it is drawn."""
+
+    def __init__(self, ax: Axes, view: View, scene: Scene, colour: str, unit: float) -> None:
+        """All lines and areas, not yet anywhere.
+
+        Args:
+            ax: To draw in.
+            view: The plane.
+            scene: Of a flight.
+            colour: Of the robot.
+            unit: Of type and lines.
+        """
+        self.ax, self.view, self.scene = ax, view, scene
+        self.moving: list[Artist] = []
+        self._obstacles(unit)
+        self.trail = self._line(color=colour, lw=1.2 * unit, alpha=0.55)
+        arms = range(len(scene.arms))
+        dotted: dict[str, Any] = {"color": GREY, "lw": 0.9 * unit, "ls": (0, (2, 2))}
+        self.free = [self._line(**dotted) for _ in arms]
+        self.cages = [self._line(color=INK, lw=1.5 * unit) for _ in arms]
+        widths = [1.2 if arm.compliant else 3.0 for arm in scene.arms]
+        self.arms = [self._line(color=colour, lw=width * unit) for width in widths]
+        bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
+        self.thrusts = [self._line(**bar) for _ in arms]
+        self.hull = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
+        self.mast = self._line(color=INK, lw=1.4 * unit)
+        self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
+        self._moves(ax.add_patch(self.body))
+        look: dict[str, Any] = {"facecolors": ORANGE, "edgecolors": INK, "linewidths": 0.5 * unit}
+        self.forces = PolyCollection([], **look)
+        self._moves(ax.add_collection(self.forces))
+        self.scale = self._line(color=INK, lw=2.0 * unit, solid_capstyle="butt")
+        self.length = ax.text(0.0, 0.0, "", fontsize=9 * unit, ha="center", va="bottom", color=INK)
+        self.said = ax.text(
+            0.985, 0.96, "", transform=ax.transAxes, ha="right", va="top", fontsize=10 * unit,
+            color=INK, linespacing=1.35,
+            bbox={"facecolor": "white", "alpha": 0.85, "lw": 0.0, "pad": 2.0},
+        )  # fmt: skip
+        self._moves(self.length)
+        self._moves(self.said)
+
+    def _moves(self, artist: Any) -> None:
+        artist.set_animated(True)
+        self.moving.append(artist)
+
+    def _line(self, **look: Any) -> Line2D:
+        line = self.ax.add_line(Line2D([], [], solid_joinstyle="round", **look))
+        self._moves(line)
+        return line
+
+    def _obstacles(self, unit: float) -> None:
+        for thing in self.scene.obstacles:
+            colour = MATTER.get(thing.kind, MATTER["wall"])
+            if thing.vertices is not None:
+                pieces = list(cut(thing, self.view))
+                mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
+                self._moves(self.ax.add_collection(mesh))
+                continue
+            depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
+            for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
+                area = half_plane(thing, self.view, depth, FAR)
+                if area is not None:
+                    edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
+                    self._moves(self.ax.add_patch(Polygon(area, fc=fill, **edge)))
+
+    def shape(self) -> float:
+        """Height over width."""
+        box = self.ax.get_window_extent()
+        return float(box.height / box.width)
+
+    def look(self, middle: Array, half: float) -> None:
+        """Show what is about a point, so far to each side, with a bar for scale.
+
+        Args:
+            middle: In the plane [m].
+            half: Half the width [m].
+        """
+        tall = half * self.shape()
+        self.ax.set_xlim(middle[0] - half, middle[0] + half)
+        self.ax.set_ylim(middle[1] - tall, middle[1] + tall)
+        bar = 0.1 if half < 0.9 else 0.5
+        right, y = middle[0] + 0.95 * half, middle[1] - 0.9 * tall
+        self.scale.set_data((right - bar, right), (y, y))
+        self.length.set_position((right - 0.5 * bar, y + 0.02 * half))
+        self.length.set_text(f"{bar:g} m")
+
+    def turn(self, now: Pose, past: Array, newton: float) -> None:
+        """Put everything where it is.
+
+        Args:
+            now: The instant.
+            past: Where the main body was until now [m].
+            newton: Length of an arrow [m/N].
+        """
+        view, scene = self.view, self.scene
+        self.trail.set_data(*view(np.vstack([past, now.position])).T)
+        tips, free = ends(scene.arms, now), ends(scene.arms, now, free=True)
+        for j, arm in enumerate(scene.arms):
+            rest = ring(free[j], arm.cage_radius, now.rotation)
+            pressed = abs(arm.length - now.lengths[j]) > PRESSED
+            self.free[j].set_data(*view(rest if pressed else rest[:0]).T)
+            self.cages[j].set_data(*view(ring(tips[j], arm.cage_radius, now.rotation)).T)
+            self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
+            bar = THRUST_BAR * now.thrust[j] / max(scene.most_thrust, 1e-9) * now.rotation[:, 2]
+            self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
+        for line, shape in zip(self.hull, scene.hull, strict=True):
+            line.set_data(*sphere_outline(shape, now, view).T)
+        mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
+        self.mast.set_data(*view(mast).T)
+        rims = view(np.vstack(body_outline(now)))
+        self.body.set_xy(rims[ConvexHull(rims).vertices])
+        self.forces.set_verts([
+            arrow(view(now.point[j] - newton * force), view(now.point[j]))
+            for j, force in enumerate(now.force)
+            if np.linalg.norm(force) * newton > FAINT
+        ])  # fmt: skip
+
+
+def arrow(tail: Array, tip: Array) -> Array:
+    """An arrow as an outline, shape (7, 2).
+
+    Args:
+        tail: Where it begins [m].
+        tip: Where it points to [m].
+    """
+    long = float(np.linalg.norm(tip - tail))
+    along = (tip - tail) / max(long, 1e-12)
+    across, neck = np.array([-along[1], along[0]]), tip - min(HEAD, 0.6 * long) * along
+    return np.array([
+        tail - SHAFT * across, neck - SHAFT * across, neck - BARB * across, tip,
+        neck + BARB * across, neck + SHAFT * across, tail + SHAFT * across,
+    ])  # fmt: skip

@@ -1,0 +1,97 @@
+"""The command ``springback animate``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+
+from springback.errors import InputError
+from springback.interfaces.cli.common import (
+    OUT,
+    force_option,
+    note,
+    progress_bar,
+    quiet_option,
+    spinner,
+)
+
+
+@click.command()
+@click.argument("results", nargs=-1, type=click.Path(path_type=Path), metavar="RESULT [RESULT2]")
+@click.option("--out", type=OUT, required=True, help="The film: .gif, .webp or .mp4.")
+@click.option(
+    "--slow", type=click.FloatRange(1.0, 1000.0), default=20.0, show_default=True,
+    help="How many times slower than life impacts are shown.",
+)  # fmt: skip
+@click.option("--from", "begin", type=float, help="First instant, from first touch [s].")
+@click.option("--to", "end", type=float, help="Last instant, from first touch [s].")
+@click.option("--fps", type=float, default=25.0, show_default=True, help="Frames a second.")
+@click.option("--size", metavar="WxH", help="Width and height [px], such as 760x540.")
+@force_option
+@quiet_option
+def animate(
+    results: tuple[Path, ...],
+    out: Path,
+    slow: float,
+    begin: float | None,
+    end: float | None,
+    fps: float,
+    size: str | None,
+    force: bool,
+    quiet: bool,
+) -> None:
+    """Make a film of a RESULT, a folder that springback fly wrote, or of two side by side.
+
+    Around impacts it is in slow motion. Two flights are shown from the instant that each touches.
+
+    \b
+    springback fly collision.toml --out arq
+    springback fly collision.toml vehicle=quad --out quad
+    springback animate arq quad --out collision.gif
+    springback animate arq --out impact.webp --slow 100 --from -0.02 --to 0.1
+    """
+    if len(results) not in (1, 2):
+        raise InputError(
+            f"RESULT: give one folder, or two to be shown side by side ({len(results)})"
+        )
+    for name, value in {"--from": begin, "--to": end, "--fps": fps, "--slow": slow}.items():
+        if value is not None and not abs(value) < 1e9:
+            raise InputError(f"{name} {value:g}: must be a finite number")
+    if begin is not None and end is not None and begin >= end:
+        raise InputError(f"--from {begin:g} s must be before --to {end:g} s")
+    if out.exists() and (out.is_dir() or not force):
+        ending = "is a folder" if out.is_dir() else "is there already; give another, or --force"
+        raise InputError(f"--out {out}: {ending}")
+    wanted = _size(size)
+    from springback.interfaces.animation.film import check, write_film
+    from springback.interfaces.replay.labels import scenes_of
+    from springback.results.saved import read_result
+
+    check(out, wanted, fps)
+    with spinner("reading", quiet):
+        scenes = scenes_of([read_result(folder) for folder in results], results)
+    for scene in scenes:
+        for doubt in scene.notes:
+            note(f"{scene.label}: {doubt}", quiet)
+    from springback.results.atomic_files import drafted
+
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with drafted(out, suffix=out.suffix) as draft, progress_bar("drawing", quiet) as show:
+            count = write_film(
+                scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
+            )
+    except OSError as error:
+        raise InputError(f"--out {out}: cannot be written ({error.strerror})") from None
+    note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB", quiet)
+
+
+def _size(text: str | None) -> tuple[int, int] | None:
+    if text is None:
+        return None
+    found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text.strip().lower())
+    if found is None:
+        raise InputError(f"--size {text}: must be WIDTHxHEIGHT in px, such as 760x540")
+    return int(found[1]), int(found[2])

@@ -1,0 +1,103 @@
+"""The command line: all commands, and what becomes of errors.
+
+Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 the input
+is wrong, 130 interrupted.  Heavy modules are imported by the commands that need them.
+"""
+
+from __future__ import annotations
+
+import errno
+import gc
+import sys
+from typing import NoReturn
+
+import click
+
+from springback.errors import InputError, warn_in_one_line
+from springback.interfaces.cli.animate import animate
+from springback.interfaces.cli.campaign import campaign, query, refly, summary
+from springback.interfaces.cli.common import note
+from springback.interfaces.cli.envelope import map_command
+from springback.interfaces.cli.examples import examples
+from springback.interfaces.cli.fly import check, fly
+from springback.interfaces.cli.lab import lab
+from springback.interfaces.cli.reproduce import reproduce
+from springback.interfaces.cli.show import doctor, show
+from springback.interfaces.cli.study import study
+from springback.interfaces.cli.view import view
+from springback.interfaces.output import interrupts
+from springback.version import __version__
+
+FEW_CYCLES = 200_000
+"""New objects between two searches for cycles: loading modules makes many objects and no garbage,
+and with Python's own 700 the searches take a tenth of the time of a short command."""
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="springback")
+def cli() -> None:
+    """Simulate micro aerial vehicles that survive hitting things."""
+
+
+for command in (
+    fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, animate, lab,
+    map_command, study, view,
+):  # fmt: skip
+    cli.add_command(command)
+
+
+def main() -> None:
+    """Run the command line and leave with its exit code."""
+    gc.set_threshold(FEW_CYCLES)
+    warn_in_one_line()
+    try:
+        cli.main(standalone_mode=False)
+    except InputError as error:
+        for line in error.problems:
+            note(f"error: {line}", False)
+        sys.exit(2)
+    except click.Abort as error:
+        # So says click of Ctrl-C, and of a file that ends too early, too.
+        if isinstance(error.__cause__, EOFError):
+            raise error.__cause__ from None
+        _interrupted()
+    except KeyboardInterrupt:
+        _interrupted()
+    except click.ClickException as error:
+        error.show()
+        sys.exit(2)
+    except Exception as error:
+        if interrupts.came():  # and whatever it led to in a library
+            _interrupted()
+        said = environment(error)
+        if said is None:
+            raise
+        note(f"error: {said}", False)
+        sys.exit(1)
+
+
+def _interrupted() -> NoReturn:
+    interrupts.deafen()
+    note(interrupts.words(), False)
+    sys.exit(130)
+
+
+#: Errors of the system that are nobody's mistake here.
+_OF_THE_SYSTEM = {
+    getattr(errno, name) for name in
+    ("ENOSPC", "EDQUOT", "EIO", "EROFS", "EFBIG", "EACCES", "EPERM", "ENAMETOOLONG", "EMFILE",
+     "ENFILE", "ELOOP", "ESTALE", "ENOTDIR", "EISDIR")
+    if hasattr(errno, name)
+}  # fmt: skip
+
+
+def environment(error: BaseException) -> str | None:
+    """What a disk or the memory has to say, in one line; None if the program is at fault."""
+    if isinstance(error, OSError) and error.errno in _OF_THE_SYSTEM:
+        where = f"{error.filename}: " if error.filename else ""
+        return f"{where}{error.strerror}"
+    if isinstance(error, MemoryError):
+        return f"out of memory ({' '.join(str(error).split()) or 'no more to be had'})"
+    if type(error).__name__ in ("IOException", "FatalException"):  # DuckDB's
+        return " ".join(str(error).split())[:300]
+    return None

@@ -1,0 +1,34 @@
+"""The command ``springback lab``."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command()
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
+@click.option("--port", type=int, default=0, help="Port to serve on; by default any that is free.")
+@click.option("--no-browser", is_flag=True, help="Open no browser.")
+def lab(host: str, port: int, no_browser: bool) -> None:
+    """Open the impact lab: a page whose sliders are springs, surfaces, speeds.
+
+    Every move flies the collision anew and redraws it: animation, acceleration, arms, energy,
+    outcome. The address bar keeps the settings; a scenario can be taken away as a file. It is
+    served to this machine alone unless --host says otherwise, and writes no files.
+
+    \b
+    springback lab
+    springback lab --port 8080 --no-browser     # and `ssh -L 8080:localhost:8080` from elsewhere
+    """
+    from springback.extras import needs
+
+    for module in ("starlette", "uvicorn", "tomli_w"):
+        needs(module, "web")
+    from springback.interfaces.lab.app import lab_app
+    from springback.interfaces.lab.queue import Desk
+    from springback.interfaces.web.server import serve
+
+    desk = Desk()
+    app = lab_app(desk)
+    desk.open()
+    serve(app, host=host, port=port, what="impact lab", browser=not no_browser)

@@ -1,0 +1,115 @@
+"""The command ``springback reproduce``."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+
+from springback.errors import InputError
+from springback.interfaces.cli.common import (
+    OUT,
+    force_option,
+    json_option,
+    note,
+    print_result,
+    progress_bar,
+    quiet_option,
+    require_figures,
+    spinner,
+)
+from springback.version import __version__
+
+
+@click.command()
+@click.argument("part", type=click.Choice(["all", "slider", "flight", "resilience"]), default="all")
+@click.option(
+    "--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV."
+)
+@click.option(
+    "--reading", "readings", multiple=True, metavar="'NAME: KEY=VALUE ...'",
+    help="One more reading of the printed parameters: reading B with changes.",
+)  # fmt: skip
+@force_option
+@json_option
+@quiet_option
+def reproduce(
+    part: str, out: Path, readings: tuple[str, ...], force: bool, as_json: bool, quiet: bool
+) -> None:
+    """Reproduce the paper: its numbers beside ours, in a report.
+
+    `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
+    I, sizes, payload and hover time, and Table IV, steps and circles; `resilience` is collisions in
+    flight, seven kinds of ten trials for both robots, and ten collisions in a row.
+    """
+    from springback.interfaces.output.folders import output_folder
+
+    if readings and part not in ("all", "slider"):
+        raise InputError("--reading is for the slider tests; leave it out, or reproduce all")
+    require_figures()
+    with output_folder(out, force=force) as folder:
+        rows = _reproduced(part, readings, folder, quiet)
+    if as_json:
+        print_result([row.as_dict() for row in rows], as_json)
+    elif not quiet:
+        print_result(_table(rows), as_json)
+    note(f"report: {out / 'report.html'}", quiet)
+
+
+def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool) -> list[Any]:
+    """Reproduce a part, write the report into a folder, give the compared numbers."""
+    from springback.interfaces.reproduction.report import Results, write_report
+    from springback.paper.features import feature_rows
+    from springback.paper.free_flight import flight_experiments
+    from springback.paper.resilience import resilience_experiments
+    from springback.paper.slider import named_reading, slider_experiments
+
+    extra, results = [named_reading(text) for text in readings], Results()
+    if part in ("all", "slider"):
+        note("slider tests: Table III and the sweep; the first run compiles for a minute", quiet)
+        with progress_bar("slider tests", quiet) as show:
+            results = replace(results, slider=slider_experiments(extra, show))
+    if part in ("all", "flight"):
+        note("free flight: Tables I and IV; the first run compiles for a minute", quiet)
+        with progress_bar("free flight", quiet) as show:
+            flown = flight_experiments(progress=show)
+        results = replace(results, features=feature_rows(), flight=flown)
+    if part in ("all", "resilience"):
+        note("collisions in flight; the first run compiles for a minute or two", quiet)
+        with progress_bar("collisions in flight", quiet) as show:
+            results = replace(results, resilience=resilience_experiments(progress=show))
+    with spinner("writing the report", quiet):
+        write_report(results, folder, about=_about())
+    return results.rows
+
+
+def _about() -> dict[str, str]:
+    import platform
+    from importlib import metadata
+
+    versions = {name: metadata.version(name) for name in ("numpy", "scipy", "numba")}
+    return {"springback": __version__, "python": platform.python_version(), **versions}
+
+
+def _table(rows: list[Any]) -> str:
+    """Compared numbers as text."""
+    lines = [
+        f"{'':<11}{'robot':<16}{'on':<6}{'reading':<9}{'quantity':<43}{'ours':>10}{'printed':>10}"
+        f"{'':>9}  mark"
+    ]
+    for row in rows:
+        deviation = (
+            "" if row.deviation is None or row.mark.word == "given" else f"{row.deviation:+.1%}"
+        )
+        ours = "-" if row.ours is None else f"{row.ours:.4g}"
+        printed = "-" if row.printed is None else f"{row.printed:.4g}"
+        slider = bool(row.dissipation_from)  # elsewhere a reading is a part of what the number is
+        reading = row.reading if slider else ""
+        quantity = row.quantity if slider or not row.reading else f"{row.quantity}, {row.reading}"
+        lines.append(
+            f"{row.experiment:<11}{row.robot:<16}{row.surface:<6}{reading:<9}{quantity:<43}"
+            f"{ours:>10}{printed:>10}{deviation:>9}  {row.mark.word}"
+        )
+    return "\n".join(lines)

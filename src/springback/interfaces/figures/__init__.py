@@ -1,0 +1,1 @@
+"""Figures of flights, campaigns and studies, in one style."""

@@ -1,0 +1,161 @@
+"""The resilience envelope as a figure: a map of success for each robot, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib import patheffects
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
+
+from springback.interfaces.figures.style import GREY, INK, RED, SHADE, HouseFigure, styled
+from springback.studies.axes import Axis
+from springback.studies.envelope import LEVEL, Envelope, Place, Values
+from springback.studies.run_ups import CONDITIONS
+
+#: What is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
+#: or nothing.
+Printed = Callable[[str, float, float], str]
+
+ROBOTS = {"quad": "Quad", "arq": "ARQ"}
+#: What an axis means, for parameters whose name does not say it.
+MEANINGS = {
+    "speed": "Speed at contact [m/s]",
+    "pitch": "Pitch at contact, nose down [deg]",
+}
+#: Marks of what is printed of tests.
+PRINTED_MARKS = {
+    "all succeed": "o", "“fairly good”": "D", "success rate “drops”": "v", "none succeed": "X",
+}  # fmt: skip
+#: From failure to success: dark to light, of one hue each side, so that print keeps the order.
+SCALE = LinearSegmentedColormap.from_list("success", ["#3B1F4F", "#33638D", "#6FB7C4", "#F4F7E8"])
+#: Cells up to which each carries its number of successes (chosen: more are too small).
+NUMBERED = 200
+#: Values of an axis up to which each has its tick (chosen).
+LABELLED = 9
+PANEL = (3.5, 3.5)
+"""Of one robot [in]."""
+
+
+@styled
+def map_figure(envelope: Envelope, printed: Printed) -> Figure:
+    """Success share over both axes, the line of 95 %, and the paper's tests where they lie.
+
+    The line is linear between the centres of neighbouring cells, and ends where a neighbour was not
+    flown.
+
+    Args:
+        envelope: Of one or more robots.
+        printed: What the paper prints of its tests.
+    """
+    count = len(envelope.robots)
+    figure = HouseFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))
+    axes = figure.subplots(1, count, sharex=True, sharey=True, squeeze=False)[0]
+    image: Any = None
+    keys: dict[str, Line2D | Patch] = {}
+    for ax, robot in zip(axes, envelope.robots, strict=True):
+        image = _cells(ax, envelope, robot)
+        keys |= _line(ax, envelope, robot) | _grounded(ax, envelope, robot)
+        keys |= _tests(ax, envelope, robot, printed)
+        ax.set_title(ROBOTS.get(robot, robot))
+        ax.set_xlabel(_meaning(envelope.x))
+        if len(envelope.x.shown) <= LABELLED:
+            ax.set_xticks(envelope.x.shown)
+        if len(envelope.y.shown) <= LABELLED:
+            ax.set_yticks(envelope.y.shown)
+    axes[0].set_ylabel(_meaning(envelope.y))
+    bar = figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02, aspect=28)
+    bar.set_label("Share of trials that succeed [-]")
+    bar.ax.axhline(LEVEL, color=RED, lw=1.8)
+    bar.ax.grid(visible=False)
+    order = sorted(keys, key=lambda key: key.startswith("paper"))
+    figure.legend(
+        [keys[key] for key in order], order, loc="outside lower center", ncols=3 if count > 1 else 2
+    )
+    return figure
+
+
+def _meaning(axis: Axis) -> str:
+    return MEANINGS.get(axis.name, axis.label)
+
+
+def edges(centres: Sequence[float]) -> Values:
+    """Bounds of cells halfway between their centres."""
+    v = np.asarray(centres, float)
+    between = 0.5 * (v[1:] + v[:-1])
+    return np.array([2.0 * v[0] - between[0], *between, 2.0 * v[-1] - between[-1]])
+
+
+def _cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
+    shares, x, y = envelope.shares(robot), envelope.x.shown, envelope.y.shown
+    image = ax.pcolormesh(
+        edges(x), edges(y), np.ma.masked_invalid(shares), cmap=SCALE, vmin=0.0, vmax=1.0,
+        edgecolors="white", linewidth=0.4,
+    )  # fmt: skip
+    ax.grid(visible=False)
+    if shares.size <= NUMBERED:
+        across, up = 0.42 * (x[1] - x[0]), 0.4 * (y[1] - y[0])
+        for row, column in np.argwhere(np.isfinite(shares)):
+            cell = envelope.cells[Place(robot, int(column), int(row))]
+            ax.text(
+                x[column] - abs(across), y[row] - abs(up), str(cell.successes), fontsize=7.5,
+                ha="left", va="bottom", color="white" if shares[row, column] < 0.6 else INK,
+            )  # fmt: skip
+    ax.set_xlim(*sorted(edges(x)[[0, -1]]))
+    ax.set_ylim(*sorted(edges(y)[[0, -1]]))
+    return image
+
+
+def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
+    """The contour of the level between cell centres."""
+    key = Line2D([], [], color=RED, lw=1.8)
+    shares = envelope.shares(robot)
+    known = shares[np.isfinite(shares)]
+    if known.size and known.min() < LEVEL <= known.max():
+        ax.contour(
+            envelope.x.shown, envelope.y.shown, np.ma.masked_invalid(shares), levels=[LEVEL],
+            colors=[RED], linewidths=1.8,
+        ).set_path_effects([patheffects.withStroke(linewidth=3.2, foreground="white")])  # fmt: skip
+    return {f"{100.0 * LEVEL:g} % succeed": key}
+
+
+def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
+    """Cells that were not flown, hatched."""
+    missing = np.argwhere(np.isnan(envelope.shares(robot)))
+    if not len(missing):
+        return {}
+    look: dict[str, Any] = {
+        "facecolor": SHADE, "hatch": "////", "edgecolor": GREY, "linewidth": 0.0,
+    }  # fmt: skip
+    x, y = edges(envelope.x.shown), edges(envelope.y.shown)
+    for row, column in missing:
+        size = (x[column + 1] - x[column], y[row + 1] - y[row])
+        ax.add_patch(Rectangle((x[column], y[row]), *size, zorder=0.5, **look))
+    return {"not flown": Patch(**look)}
+
+
+def _tests(ax: Axes, envelope: Envelope, robot: str, printed: Printed) -> dict[str, Line2D | Patch]:
+    """The paper's tests, where the axes are speed and pitch."""
+    names = (envelope.x.name, envelope.y.name)
+    if set(names) != {"speed", "pitch"}:
+        return {}
+    keys: dict[str, Line2D | Patch] = {}
+    for pitch, speed in CONDITIONS:
+        known = printed(robot, pitch, speed)
+        if not known:
+            continue
+        look: dict[str, Any] = {
+            "marker": PRINTED_MARKS[known], "ls": "none", "ms": 6.5, "mfc": "white", "mec": INK,
+            "mew": 1.1,
+        }  # fmt: skip
+        at = (speed, pitch) if names[0] == "speed" else (pitch, speed)
+        (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+        if left <= at[0] <= right and bottom <= at[1] <= top:
+            ax.plot(*at, zorder=4, **look)
+            keys[f"paper: {known}"] = Line2D([], [], **look)
+    return keys

@@ -1,0 +1,200 @@
+"""Figures of flights, in one house style.
+
+Nothing here computes physics: every number shown is a measure or a trajectory column.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from springback.errors import InputError
+from springback.interfaces.figures.guided import guided_panels
+from springback.interfaces.figures.panels import (
+    Array,
+    Curve,
+    Panel,
+    alike,
+    arms_of,
+    body_curves,
+    contacts,
+    short,
+    stacked,
+)
+from springback.interfaces.figures.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    PINK,
+    RED,
+    SKY,
+    WIDTH,
+    HouseFigure,
+    styled,
+)
+from springback.results.flight import Flight
+
+
+@styled
+def flight_figure(flight: Flight) -> Figure:
+    """What there is to see of a flight, over time.
+
+    With a pilot aboard that is the reference beside the flight, attitude, thrusts, and the error of
+    the estimate; without one, the motion around the contacts as in `impact_figure`.
+
+    Args:
+        flight: With a trajectory.
+
+    Raises:
+        InputError: If the flight kept no trajectory.
+    """
+    if not flight.columns:
+        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+    if flight.diary:
+        shades = contacts(flight.columns)
+        return stacked(guided_panels(flight), "Time [s]", shades, height=1.15)
+    return _motion(flight)
+
+
+@styled
+def impact_figure(flight: Flight) -> Figure:
+    """Main body, arms and contact forces over time, contacts shaded.
+
+    A flight that touches something is shown around its contacts (with a pilot aboard around the
+    first impact), with time and position counted from the first touch; one that touches nothing is
+    shown whole.  Arm lengths appear if an arm slides.
+
+    Args:
+        flight: With a trajectory.
+    """
+    return _motion(flight)
+
+
+def _motion(flight: Flight) -> Figure:
+    c, touch = flight.columns, flight.measures.get("touch_time")
+    t, inside = _around_contact(flight)
+    first = {} if touch is None else {a: np.interp(touch, c["t"], c[a]) for a in "xyz"}
+    size, unit = (1.0, "m") if touch is None else (1e3, "mm")
+
+    def panel(label: str, curves: list[tuple[str, Array]]) -> Panel:
+        return Panel(
+            label, [Curve(name, t(c["t"][inside]), values[inside]) for name, values in curves]
+        )
+
+    panels = [
+        panel(
+            f"Position [{unit}]",
+            [(axis, size * (c[axis] - first.get(axis, 0.0))) for axis in "xyz"],
+        ),
+        panel("Velocity [m/s]", [(f"v{axis}", c[f"v{axis}"]) for axis in "xyz"]),
+        panel("Acceleration [m/s²]", [(f"a{axis}", c[f"a{axis}"]) for axis in "xyz"]),
+    ]
+    arms = arms_of(c)
+    if any(np.ptp(c[f"l{j}"]) > 1e-9 for j in arms):
+        lengths = alike("arm", [(j, 1e3 * c[f"l{j}"]) for j in arms])
+        panels.append(panel("Arm length [mm]", lengths))
+    touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
+    body = body_curves(c, {"fn": "body", "ff": "friction body"})
+    if touched or body:
+        least = 1e-3 * max((float(np.max(c[f"fn{j}"])) for j in touched), default=0.0)
+        rubbed = [j for j in touched if np.max(c[f"ff{j}"]) > least]
+        forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched])
+        friction = alike("friction", [(j, c[f"ff{j}"]) for j in rubbed])
+        panels.append(panel("Contact force [N]", forces + friction + body))
+    shades = [(t(start), t(end)) for start, end in contacts(c)]
+    time = "Time [s]" if touch is None else "Time from first touch [ms]"
+    return stacked(panels, time, shades)
+
+
+def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
+    """How time is shown, and which instants are: all, or those around the contacts.
+
+    With a pilot, who may push on, only the first impact is shown.
+    """
+    t, measures = flight.columns["t"], flight.measures
+    touch = measures.get("touch_time")
+    if touch is None:
+        return lambda instant: instant, slice(None)
+    ends = [end for _, end in contacts(flight.columns)]
+    if flight.diary:
+        ends = [measures.get("separation_time") or ends[-1]]
+    last = max(*ends, measures.get("return_time") or touch, touch + 0.01)
+    room = 0.35 * (last - touch)
+    return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
+
+
+@styled
+def energy_figure(*flights: Flight) -> Figure:
+    """Where the energy went: what was put in, what each loss took, what was left.
+
+    Shares are of what was put in: the energy at the start, the work of the rotors, and the fall.
+
+    Args:
+        *flights: One panel each, on one scale.
+    """
+    steps = [_energy_steps(flight) for flight in flights]
+    scale = max(abs(value) for each in steps for _, value, _ in each) or 1.0
+    shown = [
+        name
+        for k, (name, _, _) in enumerate(steps[0])
+        if any(abs(each[k][1]) > 1e-3 * scale for each in steps)
+    ]
+    figure = HouseFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
+    axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
+    for ax, each, flight in zip(axes, steps, flights, strict=True):
+        _waterfall(ax, [step for step in each if step[0] in shown])
+        ax.set_title(short(flight.scenario.name, 50))
+    longest = max(ax.dataLim.x1 for ax in axes) if shown else 1.0
+    axes[-1].set_xlim(0.0, 1.42 * longest)  # room for the numbers
+    axes[-1].set_xlabel("Energy [J]")
+    return figure
+
+
+def _waterfall(ax: Axes, steps: list[tuple[str, float, str]]) -> None:
+    """A bar for each step, each beginning where the last one ended; what is left begins at zero."""
+    put_in = sum(value for name, value, _ in steps if value > 0.0 and not name.startswith("left"))
+    level, leaving = 0.0, False
+    for y, (name, value, colour) in enumerate(steps):
+        if name.startswith("left") and not leaving:
+            level, leaving = 0.0, True
+        ax.barh(y, value, 0.72, left=level, color=colour)
+        share = f" ({100.0 * abs(value) / put_in:.1f} %)" if put_in > 0.0 else ""
+        sign = "−" if value < 0.0 else ""
+        ax.annotate(
+            f"{sign}{abs(value):.3g} J{share}", (max(level, level + value), y), (4, 0),
+            textcoords="offset points", va="center", fontsize=9,
+        )  # fmt: skip
+        level += value
+    ax.set_yticks(range(len(steps)), [name for name, _, _ in steps])
+    ax.set_ylim(len(steps) - 0.4, -0.6)
+    ax.grid(visible=False, axis="y")
+
+
+def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
+    """Name, size and colour of every step: what put energy in, what took it, what is left."""
+    m = {name: value or 0.0 for name, value in flight.measures.items()}
+    rotors, height = m["work_thrust"], m["energy_gravity"]
+    return [
+        ("at the start", m["energy_start"], INK),
+        ("rotors put in", max(rotors, 0.0), GREY),
+        ("fall put in", max(-height, 0.0), GREY),
+        ("wind put in", max(-m["loss_air"], 0.0), GREY),
+        ("rotors took", min(rotors, 0.0), SKY),
+        ("contact damping", -m["loss_contact"], RED),
+        ("arm dampers", -m["loss_arm"], BLUE),
+        ("friction", -m["loss_friction"], ORANGE),
+        ("end stops", -m["loss_stop"], PINK),
+        ("air", -max(m["loss_air"], 0.0), SKY),
+        ("locking the arms", -m["loss_settling"], GREY),
+        ("left in motion", m["energy_kinetic"], GREEN),
+        ("left in arm springs", m["energy_springs"], GREEN),
+        ("left in contacts", m["energy_contact"], GREEN),
+        ("left in end stops", m["energy_stops"], GREEN),
+        ("left in height", max(height, 0.0), GREEN),
+    ]

@@ -1,0 +1,114 @@
+"""Figures of flights with a pilot: what was wanted beside what was flown."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from springback.interfaces.figures.panels import Array, Curve, Panel, alike, arms_of, body_curves
+from springback.interfaces.figures.style import BLUE, GREY, ORANGE, Look
+from springback.results.flight import Flight
+
+WANTED: Look = (ORANGE, (0, (3.2, 1.4)))
+LIMIT: Look = (GREY, (0, (1.2, 1.2)))
+HOVERING = {"m": 0.05, "deg": 2.0, "m/s": 0.1}
+"""Chosen: curves within this are shown on an axis that spans twice as much, not magnified."""
+
+
+def _panel(label: str, unit: str, curves: list[Curve], explained: bool = True) -> Panel:
+    least = HOVERING[unit]
+    return Panel(label, curves, 2.0 * least, least, explained)
+
+
+def euler_angles(columns: dict[str, Array], prefix: str = "q") -> tuple[Array, Array, Array]:
+    """Roll, pitch and yaw [rad] of quaternion columns, ZYX, positive pitch nose down."""
+    w, x, y, z = (columns[prefix + part] for part in "wxyz")
+    roll = np.arctan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
+    pitch = np.arcsin(np.clip(2.0 * (w * y - z * x), -1.0, 1.0))
+    yaw = np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    return roll, pitch, yaw
+
+
+def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
+    """Angle between the body's z axis and the vertical [rad]; its cosine is R_zz."""
+    x, y = columns[prefix + "x"], columns[prefix + "y"]
+    return np.arccos(np.clip(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0))
+
+
+def guided_panels(flight: Flight) -> list[Panel]:
+    """Position, velocity, attitude, tilt, thrusts, arms, contact forces, error of the estimate.
+
+    What the pilot does not tell (a reference, an attitude it aims at, an estimate) is left out.
+    """
+    return [
+        *_positions(flight), _velocities(flight), *_attitudes(flight), _thrusts(flight),
+        *_impacts(flight), *_estimate(flight),
+    ]  # fmt: skip
+
+
+def _positions(flight: Flight) -> list[Panel]:
+    c, d = flight.columns, flight.diary
+    panels = []
+    for axis in "xyz":
+        curves = [Curve("flown", c["t"], c[axis], (BLUE, "-"))]
+        if f"ref_{axis}" in d:
+            curves.append(Curve("wanted", d["t"], d[f"ref_{axis}"], WANTED))
+        panels.append(_panel(f"{axis} [m]", "m", curves, axis == "x"))
+    return panels
+
+
+def _velocities(flight: Flight) -> Panel:
+    c = flight.columns
+    curves = [Curve(f"v{axis}", c["t"], c[f"v{axis}"]) for axis in "xyz"]
+    return _panel("Velocity [m/s]", "m/s", curves)
+
+
+def _attitudes(flight: Flight) -> list[Panel]:
+    c, d = flight.columns, flight.diary
+    names = ("roll", "pitch", "yaw")
+    angles = [
+        Curve(name, c["t"], np.degrees(angle))
+        for name, angle in zip(names, euler_angles(c), strict=True)
+    ]
+    tilted = [Curve("flown", c["t"], np.degrees(tilt(c)), (BLUE, "-"))]
+    if "aim_qw" in d:
+        tilted.append(Curve("aimed at", d["t"], np.degrees(tilt(d, "aim_q")), WANTED))
+    return [_panel("Attitude [deg]", "deg", angles), _panel("Tilt [deg]", "deg", tilted)]
+
+
+def _thrusts(flight: Flight) -> Panel:
+    """Of the rotors, with the least and the most that they give."""
+    d = flight.diary
+    t = d["t"]
+    rotors = [int(name[6:]) for name in d if name.startswith("thrust")]
+    curves = [
+        Curve(name, t, values)
+        for name, values in alike("rotor", [(j, d[f"thrust{j}"]) for j in rotors])
+    ]
+    propulsion = flight.scenario.vehicle.propulsion
+    if propulsion is not None:
+        bounds = propulsion.rotors()
+        for k, bound in enumerate((bounds.most, bounds.least)):
+            name = "limits" if k == 0 else "_limit"
+            curves.append(Curve(name, t[[0, -1]], np.full(2, bound), LIMIT))
+    return Panel("Thrust [N]", curves)
+
+
+def _impacts(flight: Flight) -> list[Panel]:
+    c = flight.columns
+    touched = [j for j in arms_of(c) if np.any(c[f"fn{j}"] > 0.0)]
+    forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched]) + body_curves(c, {"fn": "body"})
+    if not forces:
+        return []
+    return [Panel("Contact [N]", [Curve(name, c["t"], values) for name, values in forces])]
+
+
+def _estimate(flight: Flight) -> list[Panel]:
+    """Error of the estimated position, where there is one that errs."""
+    c, d = flight.columns, flight.diary
+    if "est_x" not in d:
+        return []
+    errors = [d[f"est_{a}"] - np.interp(d["t"], c["t"], c[a]) for a in "xyz"]
+    error = 1e3 * np.linalg.norm(errors, axis=0)
+    if float(np.max(error, initial=0.0)) < 1e-6:
+        return []
+    return [Panel("Error [mm]", [Curve("of the estimated position", d["t"], error)])]

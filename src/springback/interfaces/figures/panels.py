@@ -1,0 +1,155 @@
+"""What figures over time are made of: panels above one another, with contacts shaded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from springback.interfaces.figures.style import LOOKS, SHADE, WIDTH, HouseFigure, Look, as_written
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+ROUNDING = 1e-6
+"""A curve that varies less than this is drawn as the flat line it is, not magnified."""
+
+POINTS = 800
+"""Chosen: groups of points along the axis of time, about as many as a figure has dots."""
+
+
+class Curve(NamedTuple):
+    """A curve over time; without a look it gets the next of the house."""
+
+    name: str
+    t: Array
+    values: Array
+    look: Look | None = None
+
+
+class Panel(NamedTuple):
+    """Curves on one vertical axis."""
+
+    label: str
+    curves: Sequence[Curve]
+    least_span: float = 2.0
+    """What the vertical axis spans when the curves are flat."""
+    flat: float = ROUNDING
+    """Curves that vary less count as flat."""
+    explained: bool = True
+    """Whether it has a legend."""
+
+
+def stacked(
+    panels: Sequence[Panel], time: str, shades: Iterable[tuple[float, float]], height: float = 1.4
+) -> Figure:
+    """Panels over one axis of time.
+
+    Args:
+        panels: From the top.
+        time: Label of the axis of time.
+        shades: Intervals that are shaded, in the unit of that axis.
+        height: Of a panel [in].
+    """
+    figure = HouseFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
+    axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
+    shaded = list(shades)
+    for ax, panel in zip(axes, panels, strict=True):
+        for start, end in shaded:
+            ax.axvspan(start, end, color=SHADE, lw=0.0, zorder=0.1, label="_contact")
+        _draw(ax, panel)
+    if shaded:
+        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=9)
+    axes[-1].set_xlabel(time)
+    begin = min(float(curve.t[0]) for panel in panels for curve in panel.curves)
+    end = max(float(curve.t[-1]) for panel in panels for curve in panel.curves)
+    axes[-1].set_xlim(begin, end if end > begin else begin + 1.0)
+    figure.align_ylabels(axes)
+    return figure
+
+
+def _draw(ax: Axes, panel: Panel) -> None:
+    looks = iter(LOOKS * len(panel.curves))
+    for curve in panel.curves:
+        colour, line = curve.look or next(looks)
+        ax.plot(*thinned(curve.t, curve.values), color=colour, ls=line, label=curve.name)
+    spread(ax, panel.least_span, panel.flat)
+    ax.set_ylabel(panel.label)
+    if not panel.explained:
+        return
+    ax.legend(
+        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.3,
+        columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
+    )  # fmt: skip
+
+
+def thinned(t: Array, values: Array) -> tuple[Array, Array]:
+    """A long curve with as many points as can be told apart, its extremes kept.
+
+    Of every few neighbouring points the least and the greatest stay, in their order.
+    """
+    size = len(t) // POINTS
+    if size < 4:
+        return t, values
+    whole = len(t) // size * size
+    groups = values[:whole].reshape(-1, size)
+    ends = np.stack([groups.argmin(axis=1), groups.argmax(axis=1)], axis=1)
+    kept = (np.arange(len(groups))[:, None] * size + np.sort(ends, axis=1)).ravel()
+    kept = np.unique(np.concatenate([[0], kept, np.arange(whole, len(t)), [len(t) - 1]]))
+    return t[kept], values[kept]
+
+
+def spread(ax: Axes, least: float, flat: float = ROUNDING) -> None:
+    """Let the vertical axis span at least ``least`` where its curves are flat."""
+    low, high = ax.get_ylim()
+    if high - low < flat:
+        middle = 0.5 * (low + high)
+        ax.set_ylim(middle - 0.5 * least, middle + 0.5 * least)
+
+
+def arms_of(columns: Mapping[str, Array]) -> list[int]:
+    """Numbers of the arms, from 1."""
+    return sorted(int(name[2:]) for name in columns if name[:2] == "fn" and name[2:].isdigit())
+
+
+def body_curves(columns: Mapping[str, Array], kinds: Mapping[str, str]) -> list[tuple[str, Array]]:
+    """Forces on the main body, if it touched anything.
+
+    Args:
+        columns: Of a trajectory.
+        kinds: ``fn``, ``ff`` or both, and what their curves are called.
+    """
+    if not np.any(columns.get("fn_body", np.zeros(1)) > 0.0):
+        return []
+    return [(label, columns[f"{kind}_body"]) for kind, label in kinds.items()]
+
+
+def contacts(columns: Mapping[str, Array]) -> list[tuple[float, float]]:
+    """Intervals of time in which anything touches anything [s]."""
+    t = columns["t"]
+    touching = np.zeros(len(t) + 2, dtype=int)
+    for name in columns:
+        if name.startswith("fn"):
+            touching[1:-1] |= columns[name] > 0.0
+    starts, ends = (np.flatnonzero(np.diff(touching) == change) for change in (1, -1))
+    last = len(t) - 1
+    return [(float(t[i]), float(t[min(int(k), last)])) for i, k in zip(starts, ends, strict=True)]
+
+
+def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]:
+    """Curves of arms with equal ones as one, so that no curve hides behind another."""
+    groups: list[tuple[list[int], Array]] = []
+    for arm, values in curves:
+        scale = 1e-6 * float(np.max(np.abs(values), initial=0.0))
+        twin = next((g for g in groups if np.allclose(g[1], values, rtol=0.0, atol=scale)), None)
+        if twin is None:
+            groups.append(([arm], values))
+        else:
+            twin[0].append(arm)
+    return [(f"{what} {', '.join(map(str, names))}", values) for names, values in groups]
+
+
+def short(name: str, most: int = 24) -> str:
+    """A name that fits into a legend, and is drawn as it is written."""
+    return as_written(name if len(name) <= most else name[: most - 1] + "…")

@@ -1,0 +1,1 @@
+"""The impact lab: a page whose sliders fly collisions."""

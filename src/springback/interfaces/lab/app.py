@@ -1,0 +1,158 @@
+"""The impact lab as a web application: a page, what it asks for, and what is refused.
+
+It writes nothing, anywhere.  It takes GET requests without a body alone, all of whose words are
+checked; whatever is wrong is told in one line, as on the command line.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+from urllib.parse import parse_qsl
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from springback.errors import InputError
+from springback.interfaces.lab.queue import Busy, Desk, NotReady, Overtaken
+from springback.interfaces.lab.scenarios import file_name, lab_scenario, lab_toml, robots_of
+from springback.interfaces.lab.settings import (
+    LONGEST_QUERY,
+    LabSettings,
+    controls,
+    settings_from,
+)
+from springback.interfaces.web.page import Page, page_of
+from springback.interfaces.web.server import App, Receive, Scope, Send
+
+#: Name of the header by which a page says that its requests overtake one another, and its longest.
+PAGE_HEADER, LONGEST_PAGE = "x-lab-page", 40
+
+
+def lab_app(desk: Desk) -> App:
+    """The application; to be served by `springback.interfaces.web.server.serve`.
+
+    Args:
+        desk: Who answers; `Desk.open` has been called, or will be.
+    """
+
+    async def flight(request: Request) -> Response:
+        settings = _settings(request)
+        body = await desk.ask(settings, request.headers.get(PAGE_HEADER, "")[:LONGEST_PAGE])
+        return Response(body, media_type="application/json")
+
+    routes = [
+        Route("/", _page),
+        Route("/flight", flight),
+        Route("/scenario.toml", _scenario),
+    ]
+    refusals: dict[Any, Any] = {
+        InputError: _told, NotReady: _not_ready, Overtaken: _overtaken, Busy: _busy,
+        404: _nothing, 405: _only_get, 500: _failed,
+    }  # fmt: skip
+    return _modest(Starlette(routes=routes, exception_handlers=refusals))
+
+
+def _modest(app: App) -> App:
+    """Refuse bodies, other people's pages and endless queries before anything is read of them."""
+
+    async def careful(scope: Scope, receive: Receive, send: Send) -> None:
+        refusal = _refusal(scope) if scope["type"] == "http" else None
+        await (refusal or app)(scope, receive, send)
+
+    return careful
+
+
+def _refusal(scope: Scope) -> Response | None:
+    """What is wrong with a request before it is looked at more closely."""
+    heads = {name: value.decode("latin-1") for name, value in scope["headers"]}
+    length = heads.get(b"content-length", "0")
+    if length != "0" or b"transfer-encoding" in heads:
+        return _error(413, "the lab takes no body: settings stand in the query")
+    origin = heads.get(b"origin")
+    if origin is not None and origin.partition("://")[2] != heads.get(b"host"):
+        return _error(403, f"pages of {_short(origin)} may not ask the lab")
+    if heads.get(b"sec-fetch-site") == "cross-site" and heads.get(b"sec-fetch-mode") != "navigate":
+        return _error(403, "pages of other sites may not ask the lab")
+    if len(scope["query_string"]) > LONGEST_QUERY:
+        return _error(414, f"the query has more than {LONGEST_QUERY} letters")
+    return None
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= LONGEST_PAGE else text[: LONGEST_PAGE - 1] + "…"
+
+
+def _error(status: int, *lines: str, **more: Any) -> Response:
+    return JSONResponse({"errors": lines, **more}, status)
+
+
+def _settings(request: Request, *, beside: tuple[str, ...] = ()) -> LabSettings:
+    """Settings of a query, but for words that mean something else."""
+    pairs = parse_qsl(request.url.query, keep_blank_values=True, errors="replace")
+    return settings_from(pair for pair in pairs if pair[0] not in beside)
+
+
+async def _scenario(request: Request) -> Response:
+    """The scenario of one robot, to keep."""
+    settings, asked = _settings(request, beside=("of",)), request.query_params.getlist("of")
+    robot = asked[0] if asked else robots_of(settings)[0]
+    if len(asked) > 1 or robot not in robots_of(settings):
+        known = " or ".join(robots_of(settings))
+        raise InputError(f"of: must be {known} (got {_short(','.join(asked))!r})")
+    lab_scenario(settings, robot)  # what cannot be flown is not handed out
+    name = file_name(settings, robot)
+    heads = {"content-disposition": f'attachment; filename="{name}"'}
+    return Response(lab_toml(settings, robot), media_type="application/toml", headers=heads)
+
+
+async def _page(request: Request) -> Response:
+    """The page; its settings are read by itself, from its own address."""
+    ready = page()
+    heads = {"content-security-policy": f"{ready.policy}; frame-ancestors 'none'"}
+    return Response(ready.text, media_type="text/html", headers=heads)
+
+
+@functools.cache
+def page() -> Page:
+    """The page, generated from the table of settings."""
+    return page_of("springback: impact lab", "lab", {"controls": controls()}, asks=True)
+
+
+# -- refusals -------------------------------------------------------------------------------------
+
+
+async def _told(request: Request, error: Exception) -> Response:
+    assert isinstance(error, InputError)
+    return _error(422, *error.problems)
+
+
+async def _not_ready(request: Request, error: Exception) -> Response:
+    assert isinstance(error, NotReady)
+    line = f"compiling for {error.kind.words}: {error.waited:.0f} s so far"
+    return JSONResponse(
+        {"errors": [line], "preparing": {"what": error.kind.words, "waited": error.waited}},
+        503, {"retry-after": "1"},
+    )  # fmt: skip
+
+
+async def _overtaken(request: Request, error: Exception) -> Response:
+    return _error(409, "a newer request of the same page has come", overtaken=True)
+
+
+async def _busy(request: Request, error: Exception) -> Response:
+    return JSONResponse({"errors": ["too many requests wait"]}, 503, {"retry-after": "1"})
+
+
+async def _nothing(request: Request, error: Exception) -> Response:
+    return _error(404, "there is nothing of that name")
+
+
+async def _only_get(request: Request, error: Exception) -> Response:
+    return _error(405, "the lab takes GET requests alone")
+
+
+async def _failed(request: Request, error: Exception) -> Response:
+    return _error(500, "the lab failed at this; its terminal says more")

@@ -1,0 +1,165 @@
+"""What the impact lab says of flights: measures beside the printed numbers, and a sentence."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.interfaces.lab.scenarios import NAMES
+from springback.interfaces.lab.settings import DEFAULTS, LabSettings, shown
+from springback.paper.printed import (
+    RECOVERY_PITCH,
+    SUCCESS,
+    SUCCESS_WORDS,
+    TABLE_III,
+    Impact,
+)
+from springback.results.flight import Flight
+from springback.simulation.measures import Outcome
+
+#: g, of which accelerations are told as multiples [m/s²].
+EARTH = 9.81
+#: Pitch [deg] and speed [m/s] of the collision of which largest pitches are printed, and these.
+FASTEST = (0.0, 3.5)
+PITCHES = dict(zip(("nose_up", "nose_down"), RECOVERY_PITCH, strict=True))
+
+
+class Shown(NamedTuple):
+    """A measure as the page shows it."""
+
+    name: str
+    label: str
+    unit: str
+    factor: float = 1.0  # of the unit
+    printed: str = ""  # field of the printed numbers
+
+
+#: Of an impact, and of a flight with what follows.
+IMPACT = (
+    Shown("touch_speed", "speed at touch", "m/s"),
+    Shown("restitution_at_separation", "restitution", "", printed="restitution"),
+    Shown("impact_peak_acceleration", "peak acceleration", "m/s²", printed="peak_acceleration"),
+    Shown("contact_time", "contact time", "ms", 1e3, "contact_time"),
+    Shown("travel", "travel of the body", "mm", 1e3, "travel"),
+    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
+    Shown("impact_penetration", "depth of a cage", "mm", 1e3),
+    Shown("impact_peak_normal_force", "peak force on a cage", "N"),
+)
+FLIGHT = (
+    Shown("touch_speed", "speed at touch", "m/s"),
+    Shown("restitution_at_separation", "restitution", ""),
+    Shown("impact_peak_acceleration", "peak acceleration", "m/s²"),
+    Shown("contact_time", "contact time", "ms", 1e3),
+    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
+    Shown("detection_delay", "noticed after", "ms", 1e3),
+    Shown("recovery_time", "at rest after", "s"),
+    Shown("height_loss", "height lost", "mm", 1e3),
+    Shown("nose_up", "largest pitch, nose up", "deg", math.degrees(1.0)),
+    Shown("nose_down", "largest pitch, nose down", "deg", math.degrees(1.0)),
+)
+
+
+def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict[str, Any]]:
+    """Measures by name, unit and robot, with what the paper prints for them."""
+    rows = []
+    for one in FLIGHT if settings.mode == "flight" else IMPACT:
+        values = {robot: _scaled(f.measures.get(one.name), one) for robot, f in flights.items()}
+        if all(value is None for value in values.values()):
+            continue
+        printed = {robot: _printed(settings, robot, one) for robot in flights}
+        rows.append(
+            {"name": one.name, "label": one.label, "unit": one.unit, "values": values,
+             "printed": {robot: word for robot, word in printed.items() if word}}
+        )  # fmt: skip
+    if settings.mode == "flight":
+        words = {robot: printed_success(settings, robot) for robot in flights}
+        if any(words.values()):
+            outcomes = {robot: f.outcome.word.replace("_", " ") for robot, f in flights.items()}
+            rows.insert(
+                0, {"name": "outcome", "label": "outcome", "unit": "", "values": outcomes,
+                    "printed": {robot: word for robot, word in words.items() if word}},
+            )  # fmt: skip
+    return rows
+
+
+def _scaled(value: float | None, one: Shown) -> float | None:
+    return None if value is None else one.factor * value
+
+
+def _printed(settings: LabSettings, robot: str, one: Shown) -> str:
+    """A number of Table III as the page shows it: simulated, and tested where that was printed."""
+    if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
+        return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
+    row: Impact | None = TABLE_III.get((robot, settings.surface))
+    if row is None or not one.printed or settings.mode != "impact":
+        return ""
+    tested = getattr(row, f"{one.printed}_test", None)
+    words = f"{one.factor * getattr(row, one.printed):.3g}"
+    return words if tested is None else f"{words} ({one.factor * tested:.3g})"
+
+
+def printed_for(settings: LabSettings) -> dict[str, Any]:
+    """For which settings the printed numbers hold, and whether these are they."""
+    if settings.mode == "flight":
+        return {
+            "words": "Paper, section Impact Resilience: trials recovered; pitch of a recovery.",
+            "same": _is_default(settings, "yaw", "surface", "recovery", *_ARMS),
+        }
+    words = f"Paper, Table III: simulation (test), slider, {shown(DEFAULTS.speed)} m/s, straight."
+    same = _is_default(settings, "guide", "speed", "pitch", "yaw", *_ARMS)
+    return {"words": words if settings.surface != "own" else "", "same": same}
+
+
+_ARMS = ("stiffness", "damping", "arm_mass")
+
+
+def _is_default(settings: LabSettings, *names: str) -> bool:
+    return all(getattr(settings, name) == getattr(DEFAULTS, name) for name in names)
+
+
+def printed_success(settings: LabSettings, robot: str) -> str:
+    """What the paper says of the recovery from such a collision, in a word; empty if nothing."""
+    key = robot, settings.pitch, settings.speed
+    if key in SUCCESS:
+        return f"{SUCCESS[key]:.0%} recovered"
+    return SUCCESS_WORDS.get(key, "")
+
+
+# -- in a sentence --------------------------------------------------------------------------------
+
+
+def went_well(settings: LabSettings, flight: Flight) -> bool:
+    """Whether the robot left the wall as it should: recovered, with a pilot who answers."""
+    if settings.mode == "flight":
+        return flight.outcome is Outcome.RECOVERED
+    return flight.outcome is Outcome.SEPARATED
+
+
+def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
+    """What happened to a robot, in one or two sentences."""
+    name, m = NAMES[robot], flight.measures
+    if m["touch_speed"] is None:
+        return f"{name} touches nothing."
+    what = "mat" if settings.surface == "mat" else "wall"
+    words = f"{name} meets the {what} at {m['touch_speed']:.2f} m/s"
+    again, lasted = m["restitution_at_separation"], m["contact_time"]
+    if again is not None and lasted is not None:
+        left = again * m["touch_speed"]
+        words += f", leaves it at {left:.2f} m/s after {1e3 * lasted:.0f} ms"
+    peak = m["impact_peak_acceleration"] or 0.0
+    words += f", feels {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
+    return f"{words}; {_ending(settings, flight)}."
+
+
+def _ending(settings: LabSettings, flight: Flight) -> str:
+    """How it ends."""
+    m, out = flight.measures, flight.outcome
+    if settings.mode == "flight" and out is Outcome.RECOVERED:
+        rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
+        return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower"
+    if out is Outcome.SEPARATED:
+        stroke = m["impact_arm_stroke"] or 0.0
+        return f"its arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
+    if out is Outcome.IN_CONTACT:
+        return f"still touches when the time is up, at {m['end_time'] or 0.0:.3g} s"
+    return flight.message

@@ -1,0 +1,155 @@
+"""What the impact lab answers: flights as scenes with their energy ledger, measures, a sentence."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from springback.interfaces.lab.measures import measure_rows, printed_for, sentence, went_well
+from springback.interfaces.lab.scenarios import NAMES, file_name, lab_scenario, robots_of
+from springback.interfaces.lab.settings import LabSettings, query_of
+from springback.interfaces.replay.geometry import Drawable
+from springback.interfaces.replay.scene import Scene, Series, plain, scene_of
+from springback.results.energy_history import ledger
+from springback.results.flight import Flight, fly
+
+#: Heading of the ledger among a scene's series; a series is held, or lost for good.
+ENERGY = "Energy"
+#: Parts of the ledger in the order in which they are stacked, and what the page calls them.
+PARTS = {
+    "energy_kinetic": "motion",
+    "energy_springs": "arm springs",
+    "energy_stops": "end stops",
+    "energy_contact": "contact",
+    "loss_arm": "lost in arms",
+    "loss_contact": "lost in contact",
+    "loss_friction": "lost in friction",
+    "loss_stop": "lost in stops",
+    "loss_settling": "lost in locking",
+    "loss_air": "lost to air",
+}
+#: A part below this share of the largest is left out of the plot (chosen).
+TOO_SMALL = 1e-4
+#: Of the curves and the pose in time [s], chosen: arms take some 20 ms to spring back.
+RESOLUTION = 2.5e-4
+#: Instants of one flight at most, but for touches (chosen): one that leans on a wall steps finely.
+MOST = 6000
+#: Half a side of the piece of wall that is drawn of an impact [m], chosen.
+PIECE = 0.5
+
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def answer(settings: LabSettings) -> dict[str, Any]:
+    """Everything that the page shows of some settings, in plain data for JSON.
+
+    Raises:
+        InputError: If they cannot be flown; one line for each problem.
+    """
+    begun, robots = time.perf_counter(), robots_of(settings)
+    with ThreadPoolExecutor(len(robots)) as pool:  # compiled flights let others run
+        flown_all = pool.map(lambda robot: fly(lab_scenario(settings, robot)), robots)
+        flights = dict(zip(robots, flown_all, strict=True))
+    flown = time.perf_counter()
+    told = [_told(settings, robot, flight) for robot, flight in flights.items()]
+    return {
+        "query": query_of(settings),
+        "settings": settings.model_dump(),
+        "flights": told,
+        "measures": measure_rows(settings, flights),
+        "printed_for": printed_for(settings),
+        "took": {
+            "flying": round(1e3 * (flown - begun), 2),
+            "all": round(1e3 * (time.perf_counter() - begun), 2),
+        },
+    }
+
+
+def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
+    """One flight: its scene, with the curves of the lab in place of the scene's own."""
+    coarse = coarsened(flight)
+    scene = scene_of(coarse, label=NAMES[robot])
+    books = ledger(flight)
+    series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
+    return {
+        "robot": robot,
+        "label": NAMES[robot],
+        "outcome": flight.outcome.word,
+        "sentence": sentence(settings, robot, flight),
+        "well": went_well(settings, flight),
+        "file": file_name(settings, robot),
+        "scene": plain(
+            replace(scene, series=series, obstacles=_trimmed(settings, scene.obstacles))
+        ),
+    }
+
+
+def _trimmed(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
+    """Of an impact only the piece of wall that robots meet is drawn, to show them large."""
+    if settings.mode != "impact":
+        return things
+    found = []
+    for thing in things:
+        halves = [np.array(half) for half in (thing.across, thing.along)]
+        across, along = (half * min(1.0, PIECE / np.linalg.norm(half)) for half in halves)
+        found.append(thing._replace(across=tuple(across.tolist()), along=tuple(along.tolist())))
+    return tuple(found)
+
+
+def coarsened(flight: Flight) -> Flight:
+    """A flight with fewer instants: what a page shows, and what goes to it.
+
+    Of all steps within `RESOLUTION`, or more where that leaves too many, one stays; and so do
+    touches, separations and the peak.
+    """
+    c, m = flight.columns, flight.measures
+    t = c["t"]
+    keep, resolution = np.ones(len(t), dtype=bool), RESOLUTION
+    while resolution == RESOLUTION or keep.sum() > MOST:
+        bins = np.floor(t / resolution)
+        keep[1:] = bins[1:] > bins[:-1]
+        resolution *= 2.0
+    touching = np.sum([c[name] for name in c if name.startswith("fn")], axis=0) > 0.0
+    changes = np.flatnonzero(touching[1:] != touching[:-1])
+    keep[np.concatenate([changes, changes + 1, [len(t) - 1]])] = True
+    for name in ("touch_time", "separation_time", "impact_peak_acceleration_time"):
+        if (when := m[name]) is not None:
+            keep[min(int(np.searchsorted(t, when)), len(t) - 1)] = True
+    return replace(flight, columns={name: values[keep] for name, values in c.items()})
+
+
+def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
+    """One curve a panel for each robot, so that robots can be laid over one another.
+
+    Args:
+        flight: Any.
+        scene: Of it; the contact force is the sum, as vectors, of the forces drawn on its cages.
+    """
+    places = np.searchsorted(flight.columns["t"], scene.t)
+    c = {name: values[places] for name, values in flight.columns.items()}
+    arms = range(1, flight.scenario.vehicle.arm_count + 1)
+    lengths = flight.scenario.vehicle.arms
+    pressed = np.max([lengths.at("length", j - 1) - c[f"l{j}"] for j in arms], axis=0)
+    pushed = np.linalg.norm(scene.force.sum(axis=1), axis=1)
+    felt = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
+    yield Series("Acceleration", "main body", "m/s²", felt)
+    yield Series("Arm compression", "most pressed arm", "mm", 1e3 * pressed)
+    yield Series("Velocity", "along X", "m/s", c["vx"])
+    yield Series("Contact force", "sum of all contacts", "N", pushed)
+
+
+def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:
+    """The ledger as series: parts that matter, in the order in which they are stacked.
+
+    What rotors and height give is neither held nor lost but put in: the sum of all parts.
+    """
+    most = max(float(np.max(np.abs(books[name]))) for name in PARTS)
+    for name, words in PARTS.items():
+        if float(np.max(np.abs(books[name]))) > TOO_SMALL * most:
+            yield Series(ENERGY, words, "J", books[name][places])

@@ -1,0 +1,243 @@
+"""What can be set in the impact lab: one table of knobs, from which page, checks and links follow.
+
+Every number of the lab stands here once, in the unit in which the page shows it: its range, its
+step, its default, and the values of the paper that are marked beside it, which come from where the
+package keeps them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, get_args
+from urllib.parse import quote
+
+from pydantic import ValidationError
+from pydantic.fields import FieldInfo
+
+from springback.contact.library import SURFACES
+from springback.errors import InputError
+from springback.interfaces.lab.controls import Choice, Knob, Mark, choice, knob, shortened
+from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
+from springback.problems import problem_paths
+from springback.recovery.parameters import Answering
+from springback.settings import Settings
+from springback.studies.run_ups import CONDITIONS
+from springback.vehicle.library import ARQ
+
+When = Mapping[str, tuple[str, ...]]
+#: Letters of all settings together that are looked at at all (chosen).
+LONGEST_QUERY = 800
+
+WAYS: tuple[str, ...] = get_args(Answering.model_fields["way"].annotation)
+
+
+_ARMS, _WALL, _MAT = ARQ.vehicle.arms, SURFACES["wall"], SURFACES["mat"]
+_IMPACT: When = {"mode": ("impact",)}
+_FLIGHT: When = {"mode": ("flight",)}
+_OWN: When = {"surface": ("own",)}
+_COMPLIANT: When = {"robot": ("both", "arq")}
+_TESTED = sorted({speed for _, speed in CONDITIONS})
+_SPEEDS = (
+    Mark(SLIDER_SPEED, "paper: slider tests, section IV-A"),
+    *(Mark(speed, "paper: collisions in flight, Impact Resilience") for speed in _TESTED),
+    Mark(SWEEP_SPEEDS[-1], "paper: fastest of the speed sweep"),
+)
+_PITCHES = tuple(
+    Mark(pitch, "paper: Impact Resilience") for pitch in sorted({pitch for pitch, _ in CONDITIONS})
+)
+
+
+def _fitted(surface: Any) -> float:
+    """c_a of a surface of the library, to the step of its knob [s/m]."""
+    return round(float(surface.dissipation_value()), 3)
+
+
+Modes = choice(
+    ("impact", "flight"),
+    Choice(
+        "What to fly",
+        {"impact": "Impact", "flight": "Flight"},
+        "Impact: the collision alone, rotors as before it. Flight: run-up, collision and recovery, "
+        "with a pilot aboard.",
+    ),
+)
+Robots = choice(
+    ("both", "arq", "quad"),
+    Choice(
+        "Robot",
+        {"both": "Both", "arq": "ARQ", "quad": "Quad"},
+        "ARQ has springs in its arms; Quad is its rigid twin.",
+        "Robot",
+    ),
+)
+Guides = choice(
+    ("slider", "free"),
+    Choice(
+        "Guided by",
+        {"slider": "Slider", "free": "Nothing"},
+        "Slider: the paper's testbed, along X, with its bar's mass and no rotors. Nothing: the "
+        "robots as flown, hovering.",
+        "Collision",
+        _IMPACT,
+    ),
+)
+Surfaces = choice(
+    ("wall", "mat", "own"),
+    Choice(
+        "Surface",
+        {"wall": "Wall", "mat": "Mat", "own": "Own"},
+        "Wall and mat are Table II's; a mat lies before the wall. Own: a wall of your numbers.",
+        "Surface",
+    ),
+)
+Recoveries = choice(
+    ("none", *WAYS),
+    Choice(
+        "Recovery",
+        {"none": "None: flies on", **{way: way.capitalize() for way in WAYS}},
+        "How the pilot answers a collision; the paper's is pre-impact.",
+        "Collision",
+        _FLIGHT,
+    ),
+)
+
+
+class LabSettings(Settings):
+    """The settings of the impact lab, in the units of its page."""
+
+    mode: Modes = "impact"  # type: ignore[valid-type]
+    robot: Robots = "both"  # type: ignore[valid-type]
+    guide: Guides = "slider"  # type: ignore[valid-type]
+    speed: knob(  # type: ignore[valid-type]
+        Knob("Speed", "m/s", 0.5, 6.0, 0.05, "Into the wall, at first touch.", _SPEEDS, "Collision")
+    ) = SLIDER_SPEED
+    pitch: knob(  # type: ignore[valid-type]
+        Knob("Pitch", "deg", -60.0, 60.0, 1.0, "Positive is nose down.", _PITCHES, "Collision")
+    ) = 0.0
+    yaw: knob(  # type: ignore[valid-type]
+        Knob(
+            "Yaw", "deg", -45.0, 45.0, 1.0,
+            "Of the robot against the wall; at 45 deg one arm meets it. In flight the wall is "
+            "turned, and the robot meets it aslant.",
+            (Mark(0.0, "paper: all tests"),), "Collision",
+        )
+    ) = 0.0  # fmt: skip
+    recovery: Recoveries = "pre-impact"  # type: ignore[valid-type]
+    surface: Surfaces = "wall"  # type: ignore[valid-type]
+    contact_stiffness: knob(  # type: ignore[valid-type]
+        Knob(
+            "Contact stiffness k_c", "kN/m^1.5", 20.0, 1000.0, 1.0, "Of the whole front.",
+            (
+                Mark(1e-3 * float(_MAT.stiffness), "paper: mat, Table II"),
+                Mark(1e-3 * float(_WALL.stiffness), "paper: wall, Table II"),
+            ),
+            "Surface", _OWN, logarithmic=True,
+        )
+    ) = 1e-3 * float(_WALL.stiffness)  # fmt: skip
+    dissipation: knob(  # type: ignore[valid-type]
+        Knob(
+            "Dissipation c_a", "s/m", 0.0, 1.0, 0.001, "Of the Hunt-Crossley law; 0 loses nothing.",
+            (
+                Mark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
+                Mark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
+            ),
+            "Surface", _OWN,
+        )
+    ) = _fitted(_WALL)  # fmt: skip
+    friction: knob(  # type: ignore[valid-type]
+        Knob(
+            "Friction μ", "", 0.0, 1.5, 0.05,
+            "Coulomb's, along the surface. Where two cages touch at once it holds them, and arms "
+            "at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
+            "acts along the vertical only, as in the paper.",
+            (Mark(float(_WALL.friction), "paper: Table II"),), "Surface", _OWN,
+        )
+    ) = float(_WALL.friction)  # fmt: skip
+    stiffness: knob(  # type: ignore[valid-type]
+        Knob(
+            "Arm stiffness k_l", "N/mm", 0.5, 50.0, 0.1, "Of each arm's spring.",
+            (Mark(1e-3 * float(_ARMS.stiffness), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
+            logarithmic=True,
+        )
+    ) = 1e-3 * float(_ARMS.stiffness)  # fmt: skip
+    damping: knob(  # type: ignore[valid-type]
+        Knob(
+            "Arm damping b_l", "N s/m", 0.0, 300.0, 1.0, "Of each arm.",
+            (Mark(float(_ARMS.damping), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
+        )
+    ) = float(_ARMS.damping)  # fmt: skip
+    arm_mass: knob(  # type: ignore[valid-type]
+        Knob(
+            "Arm mass m_a", "g", 10.0, 200.0, 1.0, "Of each arm; the main body keeps its own.",
+            (Mark(round(1e3 * float(_ARMS.mass), 9), "paper: Table II, 0.2 kg for four"),),
+            "Arms of ARQ", _COMPLIANT,
+        )
+    ) = round(1e3 * float(_ARMS.mass), 9)  # fmt: skip
+
+
+FIELDS: dict[str, FieldInfo] = LabSettings.model_fields
+DEFAULTS = LabSettings()
+
+
+def control_of(name: str) -> Knob | Choice:
+    """The knob or choice of a setting."""
+    found: Knob | Choice = next(
+        data for data in FIELDS[name].metadata if isinstance(data, Knob | Choice)
+    )
+    return found
+
+
+def controls() -> list[dict[str, Any]]:
+    """All that the page needs to know of every setting, in plain data."""
+    found = []
+    for name, told in FIELDS.items():
+        control = control_of(name)
+        kind = "knob" if isinstance(control, Knob) else "choice"
+        data: dict[str, Any] = {"name": name, "kind": kind, "default": told.default}
+        data |= control._asdict() | {"when": dict(control.when)}
+        if isinstance(control, Knob):
+            data["marks"] = [mark._asdict() for mark in control.marks]
+        found.append(data)
+    return found
+
+
+def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
+    """Settings from the pairs of a query, checked.
+
+    Raises:
+        InputError: One line for each problem, with field, value, unit and range.
+    """
+    given: dict[str, str] = {}
+    for name, value in pairs:
+        if name in given:
+            raise InputError(f"{shortened(name)}: is given twice; give it once")
+        given[shortened(name)] = value
+    try:
+        return LabSettings.model_validate(given)
+    except ValidationError as error:
+        raise InputError(*(_line(path, what) for path, what in problem_paths(error))) from None
+
+
+def _line(path: tuple[str | int, ...], what: str) -> str:
+    """A problem with its field and, of a knob, the whole range."""
+    name = str(path[0]) if path else ""
+    line = f"{name}: {what}" if name else what
+    if name in FIELDS and isinstance(how := control_of(name), Knob):
+        return f"{line}; {shown(how.least)} to {shown(how.most)} {how.unit}".rstrip()
+    return line
+
+
+def shown(number: float) -> str:
+    """A number as short as it can be said to the last bit: 5 for 5.0."""
+    return repr(number).removesuffix(".0")
+
+
+def query_of(settings: LabSettings) -> str:
+    """The canonical query: what differs from the defaults, in the order of the table."""
+    told = []
+    for name in FIELDS:
+        value = getattr(settings, name)
+        if value != getattr(DEFAULTS, name):
+            text = shown(value) if isinstance(value, float) else value
+            told.append(f"{name}={quote(text, safe='')}")
+    return "&".join(told)

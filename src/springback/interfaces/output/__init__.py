@@ -1,0 +1,1 @@
+"""Folders, files and text that commands leave, and how they end."""

@@ -1,0 +1,232 @@
+"""Output folders and files: written whole or not at all, never over results unasked."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+import re
+import secrets
+import shutil
+import sys
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from springback.errors import InputError
+from springback.interfaces.output import interrupts
+
+#: How names of folders end that are still being written.
+DRAFT = ".springback-draft"
+#: A draft that nobody holds is one of a killed process, unless it is as young as this [s] (chosen).
+YOUNG = 10.0
+#: The file without which a folder is no result.
+SUMMARY = "summary.json"
+
+
+def _existing_ancestor(folder: Path) -> Path:
+    return next(parent for parent in (folder, *folder.parents) if parent.exists())
+
+
+@contextmanager
+def output_folder(
+    folder: Path, *, force: bool = False, replaces: Iterable[str] = ()
+) -> Iterator[Path]:
+    """A folder to write into, which becomes ``folder`` when the block ends well.
+
+    The folder is replaced whole or not at all.  If the block fails, or the process is killed, what
+    was there is there.  With ``force`` files of earlier results make way, and all others stay.
+
+    Args:
+        folder: To be written.
+        force: Whether results in it may be replaced.
+        replaces: Names of files that do not outlive the results they belong to.
+
+    Raises:
+        InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
+    """
+    folder = folder.absolute()
+    try:
+        folder = folder.resolve() if folder.is_symlink() else folder
+        if folder.exists() and not folder.is_dir():
+            raise InputError(f"--out {folder}: is a file, not a folder")
+        if folder.exists() and any(folder.iterdir()) and not force:
+            raise InputError(
+                f"--out {folder}: is not empty; give another folder, or --force to replace results"
+            )
+        anchor = _existing_ancestor(folder.parent)
+        if folder.exists() and not os.access(folder, os.W_OK):
+            raise PermissionError(13, "Permission denied")
+        remove_abandoned(anchor, folder.name)
+    except OSError as error:
+        raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+    draft = _hidden(anchor, folder.name)
+    try:  # it is removed from here on, whatever happens when
+        try:
+            draft.mkdir(0o700)
+        except OSError as error:
+            raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+        with _held(draft):
+            yield draft
+            _replace(draft, folder, set(replaces))
+            interrupts.say(f"interrupted; {folder} was written before")
+    except OSError as error:
+        if error.errno not in FULL:
+            raise
+        raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
+    finally:
+        _remove(draft)
+
+
+def _hidden(anchor: Path, name: str) -> Path:
+    """A new name, which `remove_abandoned` knows."""
+    return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
+
+
+#: What a system says when a disk takes no more.
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EROFS, errno.EFBIG}
+
+
+def _remove(draft: Path) -> None:
+    try:
+        shutil.rmtree(draft, ignore_errors=True)
+    except KeyboardInterrupt:  # once more, to the end
+        shutil.rmtree(draft, ignore_errors=True)
+        raise
+
+
+# -- drafts of processes that were killed ---------------------------------------------------------
+
+
+@contextmanager
+def _held(folder: Path) -> Iterator[None]:
+    """Hold a folder: the system lets go when this process ends, however that comes about."""
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        with contextlib.suppress(OSError):  # a file system without locks
+            fcntl.flock(handle, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        yield
+    finally:
+        os.close(handle)
+
+
+def remove_abandoned(anchor: Path, name: str) -> None:
+    """Remove drafts of a folder whose processes were killed.
+
+    Args:
+        anchor: The folder that they lie in.
+        name: Of the folder that they would have become.
+    """
+    if sys.platform == "win32":
+        return
+    import fcntl
+
+    draft = re.compile(rf"\.{re.escape(name)}-[a-z0-9_]{{8}}{re.escape(DRAFT)}")
+    for path in [path for path in anchor.iterdir() if draft.fullmatch(path.name)]:
+        with contextlib.suppress(OSError):
+            if path.is_symlink() or time.time() - path.stat().st_ctime < YOUNG:
+                continue
+            handle = os.open(path, os.O_RDONLY)
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(path, ignore_errors=True)
+            finally:
+                os.close(handle)
+
+
+# -- one folder in place of another ---------------------------------------------------------------
+
+
+def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
+    """Put a draft where a folder is or shall be, in one step where the system can."""
+    mask = os.umask(0)
+    os.umask(mask)
+    draft.chmod(0o777 & ~mask)
+    if not folder.exists():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        os.rename(draft, folder)
+        return
+    elsewhere = folder.stat().st_dev != draft.stat().st_dev
+    if elsewhere or Path.cwd().is_relative_to(
+        folder
+    ):  # a disk is mounted there, or one stands in it
+        _move_into(draft, folder, replaces)
+        return
+    _keep_others(folder, draft, replaces)
+    if _exchanged(draft, folder):
+        return
+    old = _hidden(draft.parent, folder.name)
+    try:
+        os.rename(folder, old)
+        os.rename(draft, folder)
+    except BaseException as error:
+        if old.exists() and not folder.exists():
+            os.rename(old, folder)
+        if not isinstance(error, OSError):
+            raise
+        _move_into(draft, folder, replaces)  # it is in use in a way that holds its name
+    _remove(old)
+
+
+def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
+    """What else lies in a folder lies in its draft, too: as links, where the disk has them."""
+    for path in folder.iterdir():
+        target = draft / path.name
+        if path.name in replaces or (target.exists() and not target.is_dir()):
+            continue
+        if path.is_dir() and not path.is_symlink():
+            target.mkdir(exist_ok=True)
+            _keep_others(path, target, set())
+            shutil.copystat(path, target)
+        else:
+            try:
+                os.link(path, target, follow_symlinks=False)
+            except OSError:
+                shutil.copy2(path, target, follow_symlinks=False)
+
+
+def _exchanged(one: Path, other: Path) -> bool:
+    """Exchange two folders in one step; False where the system cannot."""
+    import ctypes
+
+    at_working_directory, exchange = -100, 2
+    try:
+        rename = ctypes.CDLL(None, use_errno=True).renameat2
+    except (AttributeError, OSError, TypeError):
+        return False
+    done = rename(
+        at_working_directory, os.fsencode(one), at_working_directory, os.fsencode(other), exchange
+    )
+    return bool(done == 0)
+
+
+def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
+    """Replace files one by one; without its summary a folder is no result, so that goes first."""
+    for name in [SUMMARY, *sorted(replaces)]:
+        with contextlib.suppress(FileNotFoundError, IsADirectoryError):
+            (folder / name).unlink()
+    for source in sorted(draft.rglob("*"), key=lambda path: (path.name == SUMMARY, path)):
+        target = folder / source.relative_to(draft)
+        if source.is_dir() and not source.is_symlink():
+            target.mkdir(parents=True, exist_ok=True)
+        elif not (os.path.lexists(target) and os.path.samestat(source.lstat(), target.lstat())):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.move(source, target)
+
+
+# -- JSON -----------------------------------------------------------------------------------------
+
+
+def write_json(path: Path, data: Any) -> None:
+    """Plain data as JSON, without NaN or infinity."""
+    path.write_text(
+        json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8"
+    )

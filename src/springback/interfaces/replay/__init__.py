@@ -1,0 +1,1 @@
+"""A flight as a scene, and its replay."""

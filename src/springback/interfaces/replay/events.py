@@ -1,0 +1,118 @@
+"""What happens in a flight, and when."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.interfaces.replay.instants import intervals, touching
+from springback.recovery.state_machine import CRUISE, HOVER, LEGS, LOOK, RECOVER, RETURN, STAGES
+from springback.results.flight import Flight
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: What a leg's beginning is called: a short name for the time line, and a sentence.
+_LEGS = {
+    LOOK: ("noticed", "the collision is noticed: {trigger}"),
+    STAGES: ("stages", "the recovery in stages begins"),
+    RECOVER: ("way back", "the collision is made out, the way back begins"),
+    RETURN: ("return", "at rest at p_r, the way home begins"),
+    HOVER: ("home", "home again"),
+    CRUISE: ("run-up", "the next run-up begins"),
+}
+_TRIGGERS = {"hall": "an arm is pressed in", "acceleration": "a jolt across",
+             "wrench": "an external force"}  # fmt: skip
+#: Impacts beyond these are not named one by one; chosen: what a time line can show.
+MOST = 12
+
+
+class Event(NamedTuple):
+    """Something that happens."""
+
+    t: float  # [s]
+    kind: str  # touch, separation, peak, alarm, leg, trouble or end
+    label: str  # a word or two
+    text: str  # a sentence without its full stop
+
+
+def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
+    """First touch and last separation of every impact [s]."""
+    t = flight.columns["t"]
+    found = intervals(t, _felt(flight), flight.scenario.simulation.dwell)
+    ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
+    if ends:  # of the first, the measures know the very instants; columns, the step
+        begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
+        whole = end is not None and found[0][1] < len(t) - 1
+        ends[0] = (begin or ends[0][0], end if end is not None and whole else ends[0][1])
+    return tuple(ends)
+
+
+def _felt(flight: Flight) -> Any:
+    return touching(flight.columns)
+
+
+def events_of(flight: Flight) -> tuple[Event, ...]:
+    """What happens, in the order of time."""
+    t = flight.columns["t"]
+    found = [*_contacts(flight), *_troubles(flight), *_legs(flight)]
+    found.append(Event(float(t[-1]), "end", "end", flight.message))
+    return tuple(sorted(found, key=lambda event: event.t))
+
+
+def _contacts(flight: Flight) -> list[Event]:
+    c = flight.columns
+    felt = _felt(flight)
+    found: list[Event] = []
+    impacts = impacts_of(flight)
+    for number, (begin, end) in enumerate(impacts[:MOST], start=1):
+        which = "" if len(impacts) == 1 else f" {number}"
+        speed = float(np.sqrt(sum(np.interp(begin, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
+        found.append(Event(begin, "touch", f"touch{which}", f"first touch, at {speed:.2f} m/s"))
+        if end < c["t"][-1] or not felt[-1]:
+            after = 1e3 * (end - begin)
+            found.append(Event(end, "separation", f"off{which}", f"off again after {after:.1f} ms"))
+    hardest, peak = flight.measures.get("peak_acceleration_time"), flight.peak_acceleration
+    if impacts and hardest is not None and peak is not None:
+        found.append(Event(hardest, "peak", "peak", f"peak acceleration, {peak:.0f} m/s²"))
+    return found
+
+
+def _troubles(flight: Flight) -> list[Event]:
+    named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
+             "ground_time": ("ground", "a cage touches the ground")}  # fmt: skip
+    found = []
+    for name, (label, text) in named.items():
+        when = flight.measures.get(name)
+        if when is not None:
+            found.append(Event(when, "trouble", label, text))
+    return found
+
+
+def _legs(flight: Flight) -> list[Event]:
+    """Where the pilot goes from one leg to the next."""
+    diary = flight.diary
+    if "leg" not in diary:
+        return []
+    t, leg = diary["t"], diary["leg"]
+    found = []
+    for k in np.flatnonzero(np.diff(leg)).tolist()[: 6 * MOST]:
+        now = float(leg[k + 1])
+        if not 0.0 <= now < len(LEGS):
+            continue
+        label, text = _LEGS[now]
+        kind = "alarm" if now == LOOK else "leg"
+        when = float(t[k + 1])
+        found.append(Event(when, kind, label, text.format(trigger=_trigger(diary, k + 1))))
+    return found
+
+
+def _trigger(diary: dict[str, Array], k: int) -> str:
+    """What raised the alarm at a tick."""
+    raised = [
+        words
+        for name, words in _TRIGGERS.items()
+        if f"alarms_{name}" in diary
+        and diary[f"alarms_{name}"][k] > diary[f"alarms_{name}"][max(k - 2, 0)]
+    ]
+    return " and ".join(raised) or "by a trigger"

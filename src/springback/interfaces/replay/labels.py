@@ -1,0 +1,92 @@
+"""What flights are called beside one another, and in which settings they differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from springback.interfaces.replay.scene import NAMES, Scene, scene_of
+from springback.results.flight import Flight
+
+#: Settings in which two flights differ that are named (chosen); more are counted.
+MOST_NAMED = 4
+
+
+def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[str]:
+    """Names that tell flights apart: robots, else scenarios, else folders, else numbers.
+
+    Args:
+        flights: Beside one another.
+        origins: Of each the folder or file that it was read from, where there is one.
+    """
+    robots = [NAMES.get(f.scenario.vehicle.name, f.scenario.vehicle.name) for f in flights]
+    scenarios = [flight.scenario.name for flight in flights]
+    for names in (robots, scenarios):
+        if len(set(names)) == len(names):
+            return names
+    if len(origins) == len(flights):
+        for read in ([Path(origin).name for origin in origins], [str(o) for o in origins]):
+            if len(set(read)) == len(read) and all(read):
+                return [f"{robot} ({name})" for robot, name in zip(robots, read, strict=True)]
+    return [f"{name} {k}" for k, name in enumerate(robots, start=1)]
+
+
+def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[Scene]:
+    """Flights as scenes beside one another; the second says in which settings it differs.
+
+    Args:
+        flights: One or two.
+        origins: Of each the folder or file that it was read from, where there is one.
+    """
+    labels = labels_of(flights, origins)
+    scenes = [scene_of(f, label=label) for f, label in zip(flights, labels, strict=True)]
+    if len(scenes) == 2 and (said := difference(*flights)):
+        note = f"differs from {labels[0]} in {said}"
+        scenes[1] = replace(scenes[1], notes=(*scenes[1].notes, note))
+    return scenes
+
+
+def difference(first: Flight, second: Flight) -> str:
+    """Settings of the second flight that the first has otherwise, in SI; empty if there are none.
+
+    Names of the flight and of its vehicle do not count.
+    """
+    before, after = (
+        dict(
+            _leaves(f.scenario.model_dump(mode="json", exclude={"name": True, "vehicle": {"name"}}))
+        )
+        for f in (first, second)
+    )
+    keys = [key for key in {**before, **after} if before.get(key) != after.get(key)]
+    named = [
+        f"{key} ({_value(after.get(key))} instead of {_value(before.get(key))})"
+        for key in keys[:MOST_NAMED]
+    ]
+    rest = len(keys) - len(named)
+    if rest:
+        named.append(f"{rest} more setting{'s' if rest > 1 else ''}")
+    return ", ".join(named[:-1]) + (" and " if len(named) > 1 else "") + "".join(named[-1:])
+
+
+def _leaves(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Dotted paths and values of nested plain data; lists of numbers stay whole."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from _leaves(inner, f"{path}.{key}" if path else str(key))
+    elif isinstance(value, list) and any(isinstance(entry, dict) for entry in value):
+        for k, entry in enumerate(value):
+            yield from _leaves(entry, f"{path}[{k}]")
+    else:
+        yield path, value
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool) or value is None:
+        return {True: "true", False: "false", None: "nothing"}[value]
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    if isinstance(value, list):
+        return f"[{', '.join(_value(entry) for entry in value)}]"
+    return str(value)

@@ -1,0 +1,289 @@
+"""A flight as a scene: all that a picture of it needs, in the page, in films and in the lab.
+
+`scene_of` makes a `Scene` of a flight, `read_result` (springback.results.saved) a flight of a
+folder, and `plain` a dictionary for JSON of a scene, in which
+
+- a tuple or a text is what it is, and a field of a NamedTuple or dataclass goes by its name;
+- an array is ``{"type": "f4", "shape": [...], "data": base64}``, its numbers little-endian in C
+  order; ``f8`` for instants, ``i4`` for triangles, else ``f4``;
+- ``force`` and ``point``, mostly empty, are ``{"at": places, "of": their rows}``: the rows of those
+  instants, all others being zero.
+
+All is in SI units, radians, world axes NWU and body axes FLU, quaternions wxyz from body to world.
+Instants are not evenly spaced: every step of the integration stands near contacts, few elsewhere.
+Between two instants a straight line is meant; what that gets wrong at most is in ``departure``.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.parameters import Own
+from springback.dynamics.motion import Slider
+from springback.errors import InputError
+from springback.interfaces.replay.events import Event, events_of, impacts_of
+from springback.interfaces.replay.geometry import Drawable, drawn
+from springback.interfaces.replay.instants import departure, kept
+from springback.results.flight import Flight
+from springback.results.saved import read_result as read_result
+from springback.simulation.playback import LoadHistory, load_history
+from springback.simulation.record import Model
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Names that everybody writes so.
+NAMES = {
+    "arq": "ARQ", "quad": "Quad", "arq-slider": "ARQ on slider", "quad-slider": "Quad on slider",
+}  # fmt: skip
+#: Energies that move by less than this share of the one that moves most are not plotted; chosen.
+SEEN = 1e-4
+#: Recomputed forces may differ from the columns by this share of the peak; chosen: rounding.
+AGREES = 1e-6
+
+
+class ArmShape(NamedTuple):
+    """An arm, its cage and its rotor, which turn about body z at its end."""
+
+    direction: tuple[float, float, float]  # unit vector, body axes
+    length: float  # free length [m]
+    shortest: float  # at which it has bottomed out [m]
+    cage_radius: float  # [m]; the circle lies in the plane of the arms
+    compliant: bool
+    spin: int  # sign of the torque about body z
+
+
+class HullShape(NamedTuple):
+    """The sphere that the main body touches with."""
+
+    centre: tuple[float, float, float]  # from the main body, body axes [m]
+    radius: float  # [m]
+
+
+class Series(NamedTuple):
+    """A curve over the instants."""
+
+    panel: str  # heading of the plot that it belongs to
+    name: str  # within the panel
+    unit: str
+    values: Array  # shape (instants,)
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A flight to look at."""
+
+    label: str
+    """Name of the robot, or what the caller says."""
+    scenario: str
+    """Name of the scenario."""
+    outcome: str
+    """One word."""
+    sentence: str
+    """The outcome in a sentence."""
+    success: bool
+    """Whether nothing went wrong: recovered, or left the obstacle without a pilot."""
+    arms: tuple[ArmShape, ...]
+    hull: tuple[HullShape, ...]
+    """Of the main body; empty without."""
+    most_thrust: float
+    """Of one rotor, for scales [N]."""
+    guide: tuple[float, ...]
+    """Axis of a slider, world; empty in free flight."""
+    obstacles: tuple[Drawable, ...]
+    t: Array
+    """Instants [s], shape (n,)."""
+    position: Array
+    """Of the main body [m], shape (n, 3)."""
+    attitude: Array
+    """Shape (n, 4)."""
+    arm_length: Array
+    """[m], shape (n, arms)."""
+    thrust: Array
+    """Of each rotor [N], shape (n, arms); from the diary, held from tick to tick."""
+    force: Array
+    """On each cage, then the hull, by all obstacles, world [N], shape (n, parts, 3)."""
+    point: Array
+    """Where it acts, world [m], shape (n, parts, 3); zero where nothing touches."""
+    series: tuple[Series, ...]
+    events: tuple[Event, ...]
+    impacts: tuple[tuple[float, float], ...]
+    """First touch and last separation of each impact [s]."""
+    measures: dict[str, float | None]
+    units: dict[str, str]
+    """Of the measures."""
+    departure: dict[str, float]
+    """What lines between instants get wrong at most, in SI units, by what."""
+    notes: tuple[str, ...]
+    """What the picture does not show, in sentences."""
+
+
+def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Scene:
+    """A flight as a scene.
+
+    Args:
+        flight: With its trajectory.
+        label: What it is called beside another one; by default the robot's name.
+        own: The obstacles of the user's own that it was flown with, if the flight does not know
+            them; a saved flight knows their surfaces only.
+
+    Raises:
+        InputError: If the flight kept no trajectory.
+    """
+    if not flight.columns:
+        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+    own = own or flight.own
+    model = flight.scenario.flight_model(own)
+    c, count = flight.columns, len(model.airframe.arms)
+    places = kept(c, count)
+    loads = load_history(model, c, places)
+    touches = loads.point[np.isfinite(loads.point).all(axis=2)]
+    place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
+    world = flight.scenario.world
+    things = drawn(world.obstacles, own, place, touches, flight.own_surfaces)
+    thrust = _thrust(flight, model, c["t"][places])
+    robot = flight.scenario.vehicle.name
+    propulsion = flight.scenario.vehicle.propulsion
+    known = flight.summary()["units"]
+    return Scene(
+        label=label or NAMES.get(robot, robot),
+        scenario=flight.scenario.name,
+        outcome=flight.outcome.word,
+        sentence=flight.message,
+        success=flight.success,
+        arms=_arm_shapes(model),
+        hull=tuple(HullShape((*one.centre,), one.radius) for one in model.airframe.hull),
+        most_thrust=propulsion.most_thrust if propulsion else float(thrust.max(initial=1.0)),
+        guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
+        obstacles=things.drawables,
+        t=c["t"][places],
+        position=place,
+        attitude=np.stack([c[f"q{part}"][places] for part in "wxyz"], axis=1),
+        arm_length=np.stack([c[f"l{j}"][places] for j in range(1, count + 1)], axis=1),
+        thrust=thrust,
+        force=loads.force,
+        point=np.nan_to_num(loads.point, nan=0.0),
+        series=_series(flight, model, loads, thrust, places),
+        events=events_of(flight),
+        impacts=impacts_of(flight),
+        measures=dict(flight.measures),
+        units={name: known[name] for name in flight.measures if name in known},
+        departure=departure(c, count, places),
+        notes=things.notes + _doubts(flight, loads, places),
+    )
+
+
+def _arm_shapes(model: Model) -> tuple[ArmShape, ...]:
+    return tuple(
+        ArmShape(
+            direction=(arm.cosine, arm.sine, 0.0),
+            length=arm.length,
+            shortest=arm.shortest,
+            cage_radius=arm.cage_radius,
+            compliant=arm.compliance > 0.0,
+            spin=1 if arm.torque_ratio > 0.0 else -1,
+        )
+        for arm in model.airframe.arms
+    )
+
+
+def _thrust(flight: Flight, model: Model, t: Array) -> Array:
+    """Of each rotor [N], shape (instants, rotors): the diary's last word, else the constant one."""
+    if "thrust1" not in flight.diary:
+        return np.broadcast_to(np.array(model.thrust, dtype=float), (len(t), len(model.thrust)))
+    page = np.clip(np.searchsorted(flight.diary["t"], t, "right") - 1, 0, None)
+    rotors = range(1, len(model.thrust) + 1)
+    return np.stack([flight.diary[f"thrust{j}"][page] for j in rotors], axis=1)
+
+
+def _series(
+    flight: Flight, model: Model, loads: LoadHistory, thrust: Array, places: Any
+) -> tuple[Series, ...]:
+    """What is plotted over time."""
+    c = {name: values[places] for name, values in flight.columns.items()}
+    arms = list(enumerate(model.airframe.arms, start=1))
+    speed = np.sqrt(c["vx"] ** 2 + c["vy"] ** 2 + c["vz"] ** 2)
+    found = [Series("Velocity", "speed", "m/s", speed)]
+    found += [Series("Velocity", f"v{axis}", "m/s", c[f"v{axis}"]) for axis in "xyz"]
+    hardness = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
+    found.append(Series("Acceleration", "main body", "m/s²", hardness))
+    found += [
+        Series("Arm compression", f"arm {j}", "mm", 1e3 * (arm.length - c[f"l{j}"]))
+        for j, arm in arms
+        if arm.compliance > 0.0
+    ]
+    for j, _ in arms:
+        whole = np.sqrt(c[f"fn{j}"] ** 2 + c[f"ff{j}"] ** 2)
+        found.append(Series("Contact force", f"cage {j}", "N", whole))
+    if np.any(c.get("fn_body", np.zeros(1)) > 0.0):
+        whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
+        found.append(Series("Contact force", "main body", "N", whole))
+    stored = dict(loads.energy)
+    stored["gravity"] = stored["gravity"] - stored["gravity"][0]
+    words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
+             "contact": "contacts", "gravity": "height"}  # fmt: skip
+    moves = {name: float(np.ptp(stored[name])) for name in words}
+    found += [
+        Series("Energy", word, "J", stored[name])
+        for name, word in words.items()
+        if moves[name] > SEEN * max(moves.values())
+    ]
+    found += [Series("Thrust", f"rotor {j}", "N", thrust[:, j - 1]) for j, _ in arms]
+    return tuple(found)
+
+
+def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
+    """Where the picture cannot tell what the trajectory says."""
+    arms = loads.normal.shape[1]
+    columns = [np.stack([flight.columns[f"{k}{j}"][places] for j in range(1, arms + 1)], axis=1)
+               for k in ("fn", "ff")]  # fmt: skip
+    peak = max(float(columns[0].max()), float(columns[1].max()), 1.0)
+    off = max(
+        float(np.abs(loads.normal - columns[0]).max()),
+        float(np.abs(loads.friction - columns[1]).max()),
+    )
+    if off <= AGREES * peak:
+        return ()
+    return (
+        f"some contact forces, up to {off:.3g} N, come from obstacles of your own, whose contact "
+        "laws no file keeps, and are not drawn as arrows",
+    )
+
+
+# -- as JSON --------------------------------------------------------------------------------------
+
+
+def plain(scene: Scene) -> dict[str, Any]:
+    """A scene as plain data for JSON; the format is that of the module's docstring."""
+    told = {field.name: _plain(getattr(scene, field.name)) for field in fields(scene)}
+    told["t"] = _packed(scene.t, "f8")
+    at = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
+    for name in ("force", "point"):
+        rows = getattr(scene, name)[at]
+        told[name] = {"at": _packed(at, "i4"), "of": _packed(rows, "f4")}
+    return told
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return _packed(value, "i4" if value.dtype.kind in "iu" else "f4")
+    if is_dataclass(value):
+        return {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        return {name: _plain(getattr(value, name)) for name in value._fields}
+    if isinstance(value, tuple | list):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, dict):
+        return {name: _plain(entry) for name, entry in value.items()}
+    return value
+
+
+def _packed(values: Any, kind: str) -> dict[str, Any]:
+    """An array as text: type, shape and the numbers in base64."""
+    data = np.ascontiguousarray(values, dtype=f"<{kind}")
+    text = base64.b64encode(data.tobytes()).decode("ascii")
+    return {"type": kind, "shape": list(data.shape), "data": text}

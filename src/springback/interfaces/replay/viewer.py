@@ -1,0 +1,107 @@
+"""The replay of one flight or two: as a page that is served, or as a file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from springback.errors import InputError
+from springback.interfaces.replay.labels import scenes_of
+from springback.interfaces.replay.scene import Scene, plain
+from springback.interfaces.web.page import Page, page_of
+from springback.interfaces.web.server import App
+from springback.results.atomic_files import drafted
+from springback.results.flight import Flight, fly
+from springback.results.saved import read_result
+from springback.scenario.files import read_scenario
+
+#: Flights on one page.
+MOST = 2
+TWINS = {"arq": "quad", "quad": "arq", "arq-slider": "quad-slider", "quad-slider": "arq-slider"}
+
+
+def flights_of(paths: Sequence[Path], *, twin: bool = False) -> list[Flight]:
+    """Flights of result folders; scenario files are flown.
+
+    Args:
+        paths: Folders that `springback fly` wrote, or TOML files.
+        twin: Fly the rigid twin of a compliant vehicle beside it, or the other way round.
+
+    Raises:
+        InputError: If one is neither, or a twin is asked for beside a folder or two flights.
+    """
+    if not 1 <= len(paths) <= MOST:
+        raise InputError(f"RESULT: give one or {MOST} (got {len(paths)})")
+    if twin and (len(paths) != 1 or paths[0].is_dir()):
+        raise InputError("--twin: is for one SCENARIO.toml; give two result folders instead")
+    flights = []
+    for path in paths:
+        if path.suffix.lower() == ".toml" and not path.is_dir():
+            flights.append(fly(read_scenario(path)))
+        else:
+            flights.append(read_result(path))
+    if twin:
+        flights.append(fly(read_scenario(paths[0], twin_words(flights[0]))))
+    return flights
+
+
+def twin_words(flight: Flight) -> list[str]:
+    """Overrides that make a vehicle its twin: the preset's own, else with its arms locked or free.
+
+    Args:
+        flight: Of the vehicle.
+    """
+    vehicle = flight.scenario.vehicle
+    if vehicle.name in TWINS:
+        return [f"vehicle={TWINS[vehicle.name]}"]
+    free = "false" if vehicle.is_compliant else "true"
+    return [f"vehicle.arms.compliant={free}", f"vehicle.name={vehicle.name} twin"[:60]]
+
+
+def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> Page:
+    """The page of some flights.
+
+    Args:
+        flights: One or two.
+        origins: Of each the folder or file that it was read from, where there is one.
+    """
+    return replay_page(scenes_of(flights, origins))
+
+
+def replay_page(scenes: Sequence[Scene]) -> Page:
+    """The page of some scenes."""
+    names = " and ".join(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
+    data = {"flights": [plain(scene) for scene in scenes]}
+    return page_of(f"{names} – springback", "replay", data)
+
+
+def exported(page: Page, path: Path, *, force: bool = False) -> None:
+    """Write a page, whole or not at all.
+
+    Raises:
+        InputError: If there is a file already and ``force`` is off, or it cannot be written.
+    """
+    if path.is_dir():
+        raise InputError(f"--export {path}: is a folder; give a file such as flight.html")
+    if path.exists() and not force:
+        raise InputError(f"--export {path}: is there already; --force replaces it")
+    try:
+        with drafted(path) as draft:
+            draft.write_text(page.text, encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
+
+
+def replay_app(page: Page) -> App:
+    """An application that serves a page and nothing else."""
+    from starlette.applications import Starlette
+    from starlette.requests import Request
+    from starlette.responses import HTMLResponse, Response
+    from starlette.routing import Route
+
+    policy = f"{page.policy}; frame-ancestors 'none'"
+
+    async def show(request: Request) -> Response:
+        return HTMLResponse(page.text, headers={"content-security-policy": policy})
+
+    return Starlette(routes=[Route("/", show)])

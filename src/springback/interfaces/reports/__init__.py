@@ -1,0 +1,1 @@
+"""Reports: pages that need nothing else, and the files of a flight."""

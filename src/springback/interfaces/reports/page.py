@@ -1,0 +1,194 @@
+"""What a report is made of: one page that needs nothing else, of sections, of blocks.
+
+A block is a paragraph, a table or a picture; one template lays them out.  Words are in files of
+their own (``templates/*.toml``); numbers come in by name.
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+import tomllib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
+from matplotlib.figure import Figure
+
+from springback.interfaces.figures import style
+from springback.studies.comparison import Mark
+
+
+@dataclass(frozen=True)
+class Words:
+    """The words of a part of the report, by key."""
+
+    text: dict[str, Any]
+
+    @classmethod
+    def of(cls, name: str) -> Words:
+        """The words in a file of ``templates``, named without suffix."""
+        path = files("springback.interfaces") / "templates" / f"{name}.toml"
+        return cls(tomllib.loads(path.read_text("utf-8")))
+
+    def say(self, key: str, **values: Any) -> str:
+        """A paragraph, with its numbers put in."""
+        words: str = self.text[key]
+        return words.strip("\n").replace("\n", " ").format(**values)
+
+    def head(self, key: str) -> tuple[str, ...]:
+        """The heads of a table's columns."""
+        return tuple(self.text["heads"][key])
+
+    def title(self, key: str) -> str:
+        """The title of a section."""
+        return str(self.text["titles"][key])
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of a table: a text and, if it stands for a number, the number itself."""
+
+    text: str
+    value: float | None = None
+    detail: str = ""
+    mark: Mark | None = None
+    links: tuple[tuple[str, str], ...] = ()
+    """Words that lead to anchors of the page, after the text."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table; the first cell of a row names the row."""
+
+    caption: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    folded: bool = False
+    """Shown only when asked for, being long."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure within the page."""
+
+    name: str
+    text: str
+    figure: Figure
+
+    @property
+    def anchor(self) -> str:
+        """Where it stands on the page."""
+        return f"figure-{self.name}"
+
+    @property
+    def source(self) -> str:
+        """The PNG file as a data URI."""
+        return "data:image/png;base64," + base64.b64encode(style.png(self.figure)).decode("ascii")
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height on the page [CSS pixels]."""
+        width, height = self.figure.get_size_inches()
+        return round(150 * width), round(150 * height)
+
+
+class Point(NamedTuple):
+    """What a section says, in a sentence."""
+
+    anchor: str
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Points:
+    """What some sections say, with links that lead there."""
+
+    points: tuple[Point, ...]
+
+
+Blocks = tuple[str | Table | Picture | Points, ...]
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of the page: paragraphs (plain text), tables and pictures, in their order."""
+
+    anchor: str
+    title: str
+    blocks: Blocks
+    part: str = ""
+    """Title of the part of the page that begins here, if one does."""
+    summary: bool = False
+    """Stands before the contents, at the very top."""
+    answers: bool = False
+    """Begins with a question and its answer, the second paragraph."""
+
+    @property
+    def answer(self) -> str:
+        """The answer, where there is one."""
+        words = [block for block in self.blocks if isinstance(block, str)]
+        return words[1] if self.answers and len(words) > 1 else ""
+
+
+def page(title: str, sections: Sequence[Section], lead: str) -> str:
+    """The HTML page of some sections; it refers to nothing outside itself.
+
+    Args:
+        title: Of the page.
+        sections: In their order.
+        lead: What the page is, below its title.
+    """
+    environment = Environment(
+        loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
+    )  # fmt: skip
+    environment.filters["symbols"] = _symbols
+    template = environment.get_template("report.html.j2")
+    return template.render(title=title, lead=lead, sections=sections)
+
+
+def _symbols(text: str) -> Markup:
+    """Text, escaped, with minus signs and the symbols of the paper set as such."""
+    known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
+    signed = re.sub(r"(?<![\w.)-])-(?=\d)", "−", str(escape(text)))
+    return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
+
+
+def rounded(value: float | None, decimals: int) -> str:
+    """A number, rounded as print would."""
+    return "–" if value is None else f"{value:.{decimals}f}".replace("-", "−")
+
+
+def number(value: float, decimals: int) -> str:
+    """A number, rounded, without a negative zero."""
+    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−")
+
+
+def plain(value: float | None) -> str:
+    """A given or printed number with no more digits than it has."""
+    return "–" if value is None else f"{value:.6g}".replace("e+0", "e")
+
+
+def percent(share: float | None) -> str:
+    """A signed share in percent."""
+    if share is None:
+        return ""
+    return f"{round(100.0 * share, 1) + 0.0:+.1f} %".replace("-", "−")
+
+
+def listed(words: Iterable[str]) -> str:
+    """Words as one says them: a, b and c."""
+    *most, last = [*words] or ["none"]
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def words_of_power(value: float) -> str:
+    """A small number as one writes it by hand, such as 3 · 10⁻⁸."""
+    digit, power = f"{max(value, 1e-16):.0e}".split("e")
+    raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{digit} · 10{raised}"

@@ -1,0 +1,1 @@
+"""The report on the paper: its numbers beside ours."""

@@ -1,0 +1,90 @@
+"""What the result of the collisions in flight depends on, and where both robots fail.
+
+The words are in ``templates/resilience.toml``.
+"""
+
+from __future__ import annotations
+
+from springback.interfaces.figures import envelope as plots_map
+from springback.interfaces.reports.page import Blocks, Cell, Picture, Table, Words, number, plain
+from springback.interfaces.reproduction.figures import choices
+from springback.interfaces.reproduction.figures.choices import ORDER
+from springback.interfaces.reproduction.figures.resilience import NAMES
+from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
+from springback.paper.choices import Cell as Chosen
+from springback.paper.printed import printed_success
+from springback.paper.resilience import ROBOTS, ResilienceResults
+
+WORDS = Words.of("resilience")
+
+
+def signed(degrees: float) -> str:
+    """An angle with its sign, as in a text."""
+    return f"{degrees:+g}".replace("-", "−") if degrees else "0"
+
+
+def condition(pitch: float, speed: float) -> str:
+    """A condition in words."""
+    return f"{signed(pitch)}°, {plain(speed)} m/s"
+
+
+def choices_blocks(results: ResilienceResults) -> Blocks:
+    """The table under each set of choices, and how much of print each gives."""
+    found = results.choices
+    if found is None or not found.cells:
+        return ()
+    counted = [found.agreement(*one) for one in found.flown]
+    sets = tuple(
+        (
+            Cell(one.choice.name), Cell(f"{one.close} of {one.numbers}", one.close),
+            Cell(f"{one.plausible} of {one.numbers}", one.plausible),
+            Cell(f"{one.words} of {one.phrases}", one.words),
+        )
+        for one in counted
+    )  # fmt: skip
+    best = found.best()
+    columns = [one for one in found.flown if one[0].friction == best.choice.friction]
+    lines = [
+        (
+            Cell(f"{NAMES[robot]}, {condition(*test)}"),
+            *(_fate(found.table(*one).get((robot, *test))) for one in columns),
+        )
+        for robot in ROBOTS
+        for test in ORDER
+    ]
+    heads = ("", *(choice.estimator for choice, _ in columns))
+    words = WORDS.say(
+        "choices", theirs=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
+        best=best.choice.name, met=best.total, all=best.numbers + best.phrases,
+    )  # fmt: skip
+    how = WORDS.say("choices_how", chance=plain(100 * PLAUSIBLE), printed_trials=PRINTED_TRIALS)
+    return (
+        words,
+        Picture("choices", WORDS.say("choices_picture", trials=found.trials),
+                choices.choices_figure(found)),
+        how,
+        Table(WORDS.say("choices_caption"), WORDS.head("choices"), sets),
+        Table(WORDS.say("fates_caption", friction=best.choice.friction), heads, tuple(lines)),
+    )  # fmt: skip
+
+
+def _fate(cell: Chosen | None) -> Cell:
+    """Recovered of the trials; medians of height lost, distance and time."""
+    if cell is None:
+        return Cell("–")
+    loss, far, time = (
+        "–" if (value := cell.medians.get(name)) is None else number(value, 2)
+        for name in ("height_loss", "excursion", "recovery_time")
+    )
+    detail = WORDS.say("fate", loss=loss, far=far, time=time)
+    return Cell(f"{cell.successes} of {cell.trials}", cell.share, detail)
+
+
+def map_blocks(results: ResilienceResults) -> Blocks:
+    """Where on a map of speed and pitch each robot recovers."""
+    envelope = results.envelope
+    if envelope is None:
+        return ()
+    words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
+    pictured = WORDS.say("map_picture", trials=envelope.trials)
+    return (words, Picture("map", pictured, plots_map.map_figure(envelope, printed_success)))

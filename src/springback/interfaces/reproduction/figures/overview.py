@@ -1,0 +1,62 @@
+"""The figure that a report begins with: every compared number beside its printed value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+
+from springback.interfaces.figures.style import BLUE, INK, RED, SHADE, WIDTH, HouseFigure, styled
+from springback.studies.comparison import AGREEMENT, Mark, Row
+
+FARTHEST = 3.0
+"""Chosen: ratios beyond this, or its inverse, stand at the edge with an arrow."""
+TICKS = (0.33, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0)
+ROWS = 3
+"""Marks of a line stand in so many rows, so that they hide each other less."""
+
+
+@styled
+def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
+    """Ours over print, a mark for each compared number, a line for each group of them.
+
+    Args:
+        groups: Compared numbers by the name of their group, of which nothing was fitted.
+    """
+    figure = HouseFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
+    ax = figure.subplots()
+    within = f"within {100 * AGREEMENT:g} %"
+    ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1, label="_" + within)
+    ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
+    for y, rows in enumerate(groups.values()):
+        for k, row in enumerate(rows):
+            _mark(ax, row, y + 0.24 * (k % ROWS - 0.5 * (ROWS - 1)))
+    ax.plot([], [], "o", color=BLUE, ms=4.5, label=within)
+    ax.plot([], [], "^", color=RED, mfc="none", ms=5, label="farther off")
+    ax.plot([], [], ">", color=RED, ms=5, label="off the scale")
+    ax.set_yticks(range(len(groups)), list(groups))
+    ax.set_ylim(max(len(groups), 1) - 0.5, -0.5)
+    ax.set_xscale("log")
+    ax.set_xlim(0.93 / FARTHEST, FARTHEST / 0.93)
+    ax.xaxis.set_major_locator(FixedLocator(list(TICKS)))
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    ax.xaxis.set_minor_locator(NullLocator())
+    ax.set_xlabel("ours / printed [-]")
+    figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    return figure
+
+
+def _mark(ax: Axes, row: Row, y: float) -> None:
+    """One number; where print is zero, or far away, an arrow at the edge."""
+    ratio = FARTHEST**2 if row.deviation is None else 1.0 + row.deviation
+    far = not 1 / FARTHEST <= ratio <= FARTHEST
+    shown = min(max(ratio, 1 / FARTHEST), FARTHEST)
+    good = row.mark is not Mark.CONTRADICTED
+    marker = ("<" if ratio < 1.0 else ">") if far else "o" if good else "^"
+    name = ", ".join(filter(None, (row.quantity, row.robot, row.surface, row.reading)))
+    ax.plot(
+        shown, y, marker, ms=4.5 if good else 5, color=BLUE if good else RED, mew=1.0,
+        mfc=None if good or far else "none", label=f"_{name}",
+    )  # fmt: skip

@@ -1,0 +1,192 @@
+"""The reproduction report: one page that needs nothing else, its figures, and the numbers as data.
+
+It has a part for each part of the paper that was reproduced: the slider tests, features and free
+flight, and collisions in flight.  What the parts have in common is here.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from springback.interfaces.figures import style
+from springback.interfaces.output.folders import write_json
+from springback.interfaces.reports.page import (
+    Cell,
+    Picture,
+    Section,
+    Table,
+    Words,
+    listed,
+    page,
+    percent,
+    plain,
+    rounded,
+)
+from springback.interfaces.reproduction.figure_list import figures_table
+from springback.interfaces.reproduction.free_flight import (
+    flight_data,
+    flight_sections,
+    flight_tables,
+)
+from springback.interfaces.reproduction.overview import overview
+from springback.interfaces.reproduction.resilience import (
+    resilience_data,
+    resilience_sections,
+    resilience_tables,
+)
+from springback.interfaces.reproduction.slider import slider_data, slider_sections, sweep_rows
+from springback.paper.free_flight import FlightResults
+from springback.paper.printed import PAPER
+from springback.paper.resilience import ResilienceResults
+from springback.paper.slider import SliderResults
+from springback.studies.comparison import AGREEMENT, Row
+
+WORDS = Words.of("report")
+Rows = Sequence[Mapping[str, Any]]
+
+#: What the page is.
+REPRODUCTION = f"A reproduction of {PAPER}"
+
+
+@dataclass(frozen=True)
+class Results:
+    """What was reproduced; a part that was not is None."""
+
+    slider: SliderResults | None = None
+    features: list[Row] = field(default_factory=list)
+    """Table I."""
+    flight: FlightResults | None = None
+    resilience: ResilienceResults | None = None
+
+    @property
+    def rows(self) -> list[Row]:
+        """All compared numbers."""
+        slider = self.slider.rows if self.slider else []
+        flight = self.flight.rows() if self.flight else []
+        resilience = self.resilience.rows() if self.resilience else []
+        return [*slider, *self.features, *flight, *resilience]
+
+    @property
+    def _kind(self) -> str:
+        there = {
+            "slider": self.slider is not None,
+            "flight": self.flight is not None or bool(self.features),
+            "resilience": self.resilience is not None,
+        }
+        kinds = [kind for kind, flown in there.items() if flown]
+        return kinds[0] if len(kinds) == 1 else "several"
+
+    @property
+    def title(self) -> str:
+        """Of the page."""
+        return WORDS.title(self._kind)
+
+
+def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) -> list[Path]:
+    """Write ``report.html``, ``figures/``, ``comparison.json``, ``comparison.csv`` and more CSV.
+
+    The same results and ``about`` give the same files, byte for byte.
+
+    Args:
+        results: What was reproduced.
+        folder: Made if it is not there.
+        about: What the results were made with, by name: versions of programs.
+
+    Returns:
+        The files written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    tables, sections = _tables(results), report_sections(results, about)
+    written = [folder / name for name in ("report.html", "comparison.json", "comparison.csv")]
+    written[0].write_text(page(results.title, sections, REPRODUCTION), encoding="utf-8")
+    write_json(written[1], _data(results, about))
+    _write_csv(written[2], [row.as_dict() for row in results.rows])
+    for name, rows in tables.items():
+        written.append(folder / name)
+        _write_csv(written[-1], rows)
+    for section in sections:
+        for block in section.blocks:
+            if isinstance(block, Picture):
+                written += style.save(block.figure, folder / "figures" / block.name)
+    return written
+
+
+def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]:
+    """The page, section by section; the first is the summary."""
+    sections = list(slider_sections(results.slider)) if results.slider else []
+    if results.flight is not None or results.features:
+        sections += flight_sections(results.features, results.flight)
+    if results.resilience is not None:
+        sections += resilience_sections(results.resilience)
+    parted = sum(bool(section.part) for section in sections) > 1
+    if not parted:
+        sections = [replace(section, part="") for section in sections]
+    drawn = [b.name for s in sections for b in s.blocks if isinstance(b, Picture)]
+    part = WORDS.title("data_part") if parted else ""
+    paper = Section("figures", WORDS.title("figures"), (figures_table(drawn),), part)
+    return [overview(results.rows, sections), *sections, paper, _everything(results, about)]
+
+
+def _everything(results: Results, about: Mapping[str, Any]) -> Section:
+    rows = tuple(
+        (
+            *map(Cell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
+            *(Cell(plain(value), value) for value in (r.ours, r.printed)),
+            Cell(percent(r.deviation)), Cell("", mark=r.mark), _c_a(r), Cell(r.dissipation_from),
+        )
+        for r in results.rows
+    )  # fmt: skip
+    made_with = tuple((Cell(str(key)), Cell(str(value))) for key, value in about.items())
+    tables = list(_tables(results))
+    key = "files" if tables else "files_without_tables"
+    blocks = (
+        Table(WORDS.say("all_caption", count=len(rows)), WORDS.head("all"), rows, folded=True),
+        Table(WORDS.say("made_with"), WORDS.head("made_with"), made_with),
+        WORDS.say(key, tables=listed(tables)),
+    )
+    return Section("data", WORDS.title("data"), blocks)
+
+
+def _c_a(row: Row) -> Cell:
+    """c_a of a test in which something was hit; other numbers have none."""
+    if not row.dissipation_from:
+        return Cell("–")
+    return Cell(rounded(row.dissipation, 3), row.dissipation)
+
+
+def _tables(results: Results) -> dict[str, Rows]:
+    """What the figures show, by the name of a CSV file."""
+    tables: dict[str, Rows] = {}
+    if results.slider is not None:
+        tables["sweep.csv"] = sweep_rows(results.slider)
+    if results.flight is not None or results.features:
+        tables |= flight_tables(results.flight)
+    if results.resilience is not None:
+        tables |= resilience_tables(results.resilience)
+    return tables
+
+
+def _data(results: Results, about: Mapping[str, Any]) -> dict[str, Any]:
+    slider = slider_data(results.slider) if results.slider is not None else {}
+    flight = flight_data(results.flight) if results.flight is not None else {}
+    resilience = resilience_data(results.resilience) if results.resilience is not None else {}
+    return {
+        "about": dict(about),
+        "paper": PAPER,
+        "agreement": AGREEMENT,
+        "rows": [row.as_dict() for row in results.rows],
+        **slider,
+        **flight,
+        **resilience,
+    }
+
+
+def _write_csv(path: Path, rows: Rows) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]) if rows else [], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

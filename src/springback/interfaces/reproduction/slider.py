@@ -1,0 +1,426 @@
+"""The slider tests in the report: Table III, the readings, the sweep, the energy.
+
+The words are in ``templates/slider.toml``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any, NamedTuple
+
+from springback.interfaces.figures import flight
+from springback.interfaces.replay.scene import scene_of
+from springback.interfaces.reports.page import (
+    Blocks,
+    Cell,
+    Picture,
+    Section,
+    Table,
+    Words,
+    listed,
+    percent,
+    plain,
+    rounded,
+    words_of_power,
+)
+from springback.interfaces.reproduction.figures import drawings, slider
+from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
+from springback.paper.slider import DEFAULT, Case, SliderResults
+from springback.simulation.measures import MEASURES
+from springback.studies.comparison import AGREEMENT, Mark, Row
+
+WORDS = Words.of("slider")
+TEXT = WORDS.text
+DRAWN = DEFAULT
+"""The reading whose contact is drawn: the one with arms at an angle."""
+NEAR = (AGREEMENT, 0.10)
+"""Chosen: shares of the printed value within which agreement is counted."""
+
+
+class Quantity(NamedTuple):
+    """How a compared quantity is shown; the scale takes SI to the unit."""
+
+    name: str
+    unit: str = ""
+    scale: float = 1.0
+    decimals: int = 3
+
+
+QUANTITIES = {key: Quantity(**entry) for key, entry in TEXT["quantities"].items()}
+PRINTED: dict[str, list[str]] = TEXT["printed"]
+"""The printed numbers of a test, and what of ours each may be compared with."""
+Run = Mapping[str, Row]
+"""Rows of one flown test by quantity."""
+Runs = dict[tuple[str, str, str], list[Run]]
+"""Runs by robot, surface and reading: the first with Quad's c_a."""
+
+
+def _ours(row: Row | None) -> Cell:
+    if row is None:
+        return Cell("–")
+    quantity = QUANTITIES[row.quantity]
+    number = None if row.ours is None else row.ours * quantity.scale
+    return Cell(rounded(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
+
+
+def _printed(row: Row, value: float | None) -> Cell:
+    return Cell(plain(None if value is None else value * QUANTITIES[row.quantity].scale), value)
+
+
+def _tested(row: Row) -> Cell:
+    """The physical test's number, and how far it is from the paper's own simulation."""
+    cell = _printed(row, row.printed_test)
+    if row.scatter is None:
+        return cell
+    return Cell(cell.text, cell.value, WORDS.say("scatter", share=percent(row.scatter)))
+
+
+def _c_a(run: Run | None, absent: str = "–") -> Cell:
+    """c_a of a run, the same in all its rows."""
+    row = next(iter((run or {}).values()), None)
+    return Cell(absent) if row is None else Cell(rounded(row.dissipation, 3), row.dissipation)
+
+
+def _runs(results: SliderResults) -> Runs:
+    found: dict[tuple[str, str, str], dict[str, dict[str, Row]]] = {}
+    for row in results.rows:
+        if row.experiment == "Table III" and row.quantity in QUANTITIES:
+            runs = found.setdefault((row.robot, row.surface, row.reading), {})
+            runs.setdefault(row.dissipation_from, {})[row.quantity] = row
+    return {key: list(runs.values()) for key, runs in found.items()}
+
+
+def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | None:
+    return next(iter(runs.get((robot, surface, reading), [])[n : n + 1]), None)
+
+
+def _agrees(run: Run | None, number: str) -> bool:
+    """Whether a printed number comes out, in any of its definitions."""
+    rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
+    return any(row.mark is not Mark.CONTRADICTED for row in rows)
+
+
+def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
+    """Rows of the gap of the sweep by reading: the prediction, or the first with a mark."""
+    found: dict[str, Row] = {}
+    for row in results.rows:
+        if row.experiment == "Sweep" and mark in (None, row.mark):
+            found.setdefault(row.reading, row)
+    return found
+
+
+def slider_sections(results: SliderResults) -> list[Section]:
+    """The part of the slider tests, section by section; what was not flown is left out."""
+    runs = _runs(results)
+    blocks: dict[str, Blocks] = {
+        "answer": _answer(results, runs),
+        "table": _table_iii(results, runs),
+        "time": _over_time(results),
+        "disagreement": _disagreement(results, runs),
+        "sweep": _sweep(results),
+        "energy": _energy(results),
+        "method": _method(results),
+        "given": _given(results),
+    }
+    part = WORDS.title("part")
+    kept = {key: found for key, found in blocks.items() if found}
+    return [
+        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key == "answer")
+        for k, (key, found) in enumerate(kept.items())
+    ]
+
+
+def _over_time(results: SliderResults) -> Blocks:
+    flown = {case.robot: slider.ROBOTS[case.robot] for case in results.cases}
+    return tuple(
+        Picture(
+            f"slider_{robot}",
+            WORDS.say("time_picture", robot=name),
+            slider.slider_figure(results, robot),
+        )
+        for robot, name in flown.items()
+    )
+
+
+def _answer(results: SliderResults, runs: Runs) -> Blocks:
+    details, met, free = [], 0, [n for n in PRINTED if n != "COR"]
+    quads = {s: run for s in slider.SURFACES if (run := _nth(runs, "quad", s, "Quad", 0))}
+    for surface, run in quads.items():
+        met += sum(_agrees(run, number) for number in free)
+        numbers = listed(_quad_number(number, run) for number in free)
+        c_a = rounded(next(iter(run.values())).dissipation, 3)
+        details.append(WORDS.say("quad", surface=surface, c_a=c_a, numbers=numbers))
+    verdict, within = "", plain(100 * AGREEMENT)
+    if quads:
+        verdict = WORDS.say("verdict_quad", met=met, all=len(free) * len(quads), agreement=within)
+    if names := [r.name for r in results.readings if ("arq", "wall", r.name) in runs]:
+        complete = [
+            f"reading {name} on the {surface}"
+            for name in names
+            for surface in slider.SURFACES
+            if all(_agrees(_nth(runs, "arq", surface, name, 0), number) for number in PRINTED)
+        ]
+        key = "verdict_arq_some" if complete else "verdict_arq_none"
+        verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=listed(complete))
+    if _gaps(results):
+        details.append(WORDS.say("gap", **_gap_words(results)))
+    blocks: list[str | Table | Picture] = [WORDS.say("asked", speed=plain(SLIDER_SPEED)), verdict]
+    if results.cases:
+        blocks.append(Picture("answer", WORDS.say("answer_picture"), slider.readme_figure(results)))
+    return (*blocks, *details)
+
+
+def _quad_number(number: str, run: Run) -> str:
+    row = run[PRINTED[number][0]]
+    printed, unit = _printed(row, row.printed), QUANTITIES[row.quantity].unit
+    return WORDS.say(
+        "quad_number", name=number, row=row, ours=_ours(row), printed=printed, unit=unit
+    )
+
+
+def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
+    def comparison(robot: str, surface: str, caption: str, n: int) -> list[Table]:
+        own = {name: f"ARQ, {name}" for name in (r.name for r in results.readings)}
+        names = {"Quad": "Quad"} if robot == "quad" else own
+        chosen = {name: _nth(runs, robot, surface, name, n) or {} for name in names}
+        example = next((run for run in chosen.values() if run), None)
+        if example is None:
+            return []
+        damping = [_c_a(run, WORDS.say("no_dissipation")) for run in chosen.values()]
+        rows = [(Cell("c_a [s/m]"), Cell("–"), *damping, Cell("–"))]
+        for key, row in example.items():
+            quantity = QUANTITIES[key]
+            label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
+            simulated, tested = _printed(row, row.printed), _tested(row)
+            ours = (_ours(run.get(key)) for run in chosen.values())
+            rows.append((Cell(label), simulated, *ours, tested))
+        title = WORDS.say(caption, robot=slider.ROBOTS[robot], surface=surface)
+        head = ("", "printed, simulation", *names.values(), "printed, test")
+        return [Table(title, head, tuple(rows))]
+
+    def both(robot: str, caption: str, n: int = 0) -> list[Table]:
+        return [t for s in slider.SURFACES for t in comparison(robot, s, caption, n)]
+
+    predicted = both("quad", "table_caption") + both("arq", "table_caption_predicted")
+    own = both("arq", "table_caption_own", 1)
+    if not predicted:
+        return ()
+    said = _differences()
+    return (WORDS.say("table"), *predicted, said, *([WORDS.say("table_own")] if own else []), *own)
+
+
+def _differences() -> str:
+    """What the paper says of restitution on both surfaces, against its own numbers."""
+    gaps = {}
+    for robot in slider.ROBOTS:
+        wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
+        gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
+        gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
+    return WORDS.say("differences", **gaps)
+
+
+def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
+    names = [r.name for r in results.readings if ("arq", "wall", r.name) in runs]
+    if not names:
+        return ()
+
+    def giving(number: str, surface: str) -> Cell:
+        found = [n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number)]
+        return Cell(listed(found))
+
+    who = [(Cell(n), *(giving(n, surface) for surface in slider.SURFACES)) for n in PRINTED]
+    gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
+    good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
+    who.append((Cell("gap of the speed sweep"), Cell(listed(good)), Cell("–")))
+    wanted = [
+        (
+            Cell(f"COR on the {surface}"),
+            _c_a(_nth(runs, "quad", surface, "Quad", 0)),
+            *(_c_a(_nth(runs, "arq", surface, name, 1), "none does") for name in names),
+        )
+        for surface in slider.SURFACES
+    ]
+    own = ({"gap": fitted[name]} if name in fitted else None for name in names)
+    cells = (_c_a(run, "none does") for run in own)
+    wanted.append((Cell("gap of the sweep, on the wall"), Cell("–"), *cells))
+    head = ("printed number of ARQ", *(f"given on the {s} by" for s in slider.SURFACES))
+    columns = ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
+    return (
+        WORDS.say("explained", default=DEFAULT),
+        _counts(results, names),
+        WORDS.say("disagreement", agreement=plain(100 * AGREEMENT)),
+        Table(WORDS.say("who"), head, tuple(who)),
+        Picture("readings", WORDS.say("readings_picture"), slider.readings_figure(results)),
+        WORDS.say("why"),
+        WORDS.say("wanted"),
+        Table(WORDS.say("wanted_caption"), columns, tuple(wanted)),
+    )
+
+
+def _counts(results: SliderResults, names: Sequence[str]) -> Table:
+    """How many of ARQ's numbers each reading gives, and the gap of the sweep."""
+    gaps, lines = _gaps(results), []
+    for reading in (r for r in results.readings if r.name in names):
+        rows = results.counted(reading.name)
+        known = [abs(row.deviation) for row in rows if row.deviation is not None]
+        near = (sum(deviation <= share for deviation in known) for share in NEAR)
+        fitted = sum(row.mark is Mark.FITTED for row in rows)
+        gap = gaps.get(reading.name)
+        lines.append((
+            Cell(reading.name, detail=reading.text),
+            *(Cell(f"{count} of {len(rows)}", count) for count in near),
+            Cell(str(fitted), fitted),
+            Cell(percent(max(known)).lstrip("+") if known else "–"),
+            Cell("–") if gap is None else Cell(rounded(gap.ours, 0), gap.ours),
+        ))  # fmt: skip
+    head = tuple(
+        word.format(*(plain(100 * share) for share in NEAR), plain(SWEEP_GAP))
+        for word in WORDS.head("counts")
+    )
+    return Table(WORDS.say("counts_caption"), head, tuple(lines))
+
+
+def _sweep(results: SliderResults) -> Blocks:
+    if not results.sweep:
+        return ()
+    names = list(dict.fromkeys(point.reading for point in results.sweep))
+    points = {(point.reading, point.speed): point for point in results.sweep}
+    rows = []
+    for speed in sorted({point.speed for point in results.sweep}):
+        here = [points[name, speed] for name in names]
+        values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
+        rows.append((Cell(plain(speed), speed), *(Cell(rounded(v, 0), v) for v in values)))
+    columns = (word for name in names for word in (f"ARQ, {name}", f"gap, {name}"))
+    return (
+        WORDS.say("sweep", **_gap_words(results)),
+        Picture("sweep", WORDS.say("sweep_picture"), slider.sweep_figure(results)),
+        Table(WORDS.say("sweep_caption"), ("speed [m/s]", "Quad", *columns), tuple(rows)),
+    )
+
+
+def _gap_words(results: SliderResults) -> dict[str, str]:
+    gaps = [
+        WORDS.say("sweep_gap", row=row, ours=rounded(row.ours, 0), deviation=percent(row.deviation))
+        for row in _gaps(results).values()
+    ]
+    speed, printed = plain(SWEEP_SPEEDS[-1]), plain(SWEEP_GAP)
+    return {"speed": speed, "printed": printed, "gaps": listed(gaps)}
+
+
+def _energy(results: SliderResults) -> Blocks:
+    cases = [
+        case
+        for robot in slider.ROBOTS
+        for surface in slider.SURFACES
+        for case in slider.predictions(results, robot, surface)
+    ]
+    on_wall = [case.flight for case in cases if case.surface == "wall"]
+    if not on_wall:
+        return ()
+    worst = max(abs(case.flight.measures["ledger_residual"] or 0.0) for case in cases)
+    return (
+        WORDS.say("energy", residual=words_of_power(worst)),
+        Picture("energy", WORDS.say("energy_picture"), flight.energy_figure(*on_wall)),
+        Table(
+            WORDS.say("energy_caption"),
+            WORDS.head("energy"),
+            tuple(_energy_row(case) for case in cases),
+        ),
+    )
+
+
+def _energy_row(case: Case) -> tuple[Cell, ...]:
+    measures = case.flight.measures
+    start = measures["energy_start"] or 0.0
+    parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
+    shares = (Cell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
+    robot = slider.ROBOTS[case.robot] + ("" if case.robot == "quad" else f", {case.reading.name}")
+    return (Cell(f"{robot} on the {case.surface}"), Cell(rounded(start, 2), start), *shares)
+
+
+def _method(results: SliderResults) -> Blocks:
+    first: list[str] = []
+    if results.cases:
+        scenario = results.cases[0].flight.scenario
+        surface = scenario.world.obstacles[0].surface
+        steps = [int(case.flight.measures["steps"] or 0) for case in results.cases]
+        first.append(
+            WORDS.say(
+                "method", arms=WORDS.say(scenario.model.arms), point=scenario.model.contact_point,
+                law=surface.law.title().replace("-", "–"), exponent=plain(surface.exponent),
+                step=plain(1e3 * scenario.simulation.impact_step), fewest=min(steps),
+                most=max(steps),
+            )
+        )  # fmt: skip
+    readings = tuple(
+        tuple(
+            map(Cell, (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or "–"))
+        )
+        for r in results.readings
+    )
+    definitions = tuple(
+        (Cell(quantity.name), Cell(MEASURES[key][1])) for key, quantity in QUANTITIES.items()
+    )
+    return (
+        *first,
+        *(_drawings(results) if results.cases else ()),
+        WORDS.say("fit"),
+        Table(WORDS.say("readings_caption"), WORDS.head("readings"), readings),
+        Table(WORDS.say("definitions"), WORDS.head("definitions"), definitions),
+    )
+
+
+def _drawings(results: SliderResults) -> Blocks:
+    """The robots, and ARQ as it hits the wall in the default reading."""
+    blocks = [Picture("robots_drawn", WORDS.say("robots_picture"), drawings.robots_figure())]
+    hit = [
+        case.flight
+        for case in slider.predictions(results, "arq", "wall")
+        if case.reading.name == DRAWN and case.flight.measures["touch_time"] is not None
+    ]
+    if hit:
+        words = WORDS.say("contact_picture", reading=DRAWN)
+        if hit[0].scenario.model.contact_point == "paper":
+            words += " " + WORDS.say("contact_along_arm")
+        figure = drawings.contact_figure(scene_of(hit[0], label=slider.ROBOTS["arq"]))
+        blocks.append(Picture("contact_drawn", words, figure))
+    return tuple(blocks)
+
+
+def _given(results: SliderResults) -> Blocks:
+    rows = tuple(
+        (Cell(r.quantity), Cell(plain(r.ours), r.ours), Cell(r.unit or "–"), Cell(r.note))
+        for r in results.rows
+        if r.mark is Mark.GIVEN
+    )
+    return (Table(WORDS.say("given_caption"), WORDS.head("given"), rows),) if rows else ()
+
+
+def slider_data(results: SliderResults) -> dict[str, Any]:
+    """What is known of the slider tests besides the compared numbers, as plain data."""
+    cases = [
+        {
+            "robot": c.robot, "surface": c.surface, "reading": c.reading.name,
+            "dissipation": c.dissipation, "dissipation_from": c.dissipation_from,
+            "outcome": c.flight.outcome.word, "measures": c.flight.measures,
+        }
+        for c in results.cases
+    ]  # fmt: skip
+    return {
+        "readings": [asdict(reading) for reading in results.readings],
+        "sweep": [{**asdict(point), "gap": point.gap} for point in results.sweep],
+        "cases": cases,
+        "units": {name: unit for name, (unit, _) in MEASURES.items()},
+    }
+
+
+def sweep_rows(results: SliderResults) -> list[dict[str, Any]]:
+    """The points of the sweep, for CSV."""
+    return [
+        {
+            "reading": p.reading, "speed [m/s]": p.speed, "quad [m/s^2]": p.quad,
+            "arq [m/s^2]": p.arq, "gap [m/s^2]": p.gap,
+        }
+        for p in results.sweep
+    ]  # fmt: skip

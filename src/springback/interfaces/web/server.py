@@ -1,0 +1,225 @@
+"""Pages served to a browser on this machine, and to nobody else unless told so."""
+
+from __future__ import annotations
+
+import contextlib
+import ipaddress
+import os
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from typing import Any
+
+import click
+
+from springback.errors import InputError
+from springback.extras import needs
+
+Scope = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
+Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+App = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+LOOPBACK = "127.0.0.1"
+#: Of every answer that does not say otherwise: it loads nothing, and nobody frames it or keeps it.
+HEADERS = {
+    "content-security-policy": (
+        "default-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    ),
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-opener-policy": "same-origin",
+    "cross-origin-resource-policy": "same-origin",
+    "cache-control": "no-store",
+}
+#: Seconds that open connections get to end by themselves.
+PATIENCE = 1
+
+
+def is_loopback(host: str) -> bool:
+    """Whether a host is this machine as it calls itself."""
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host.strip("[]")).is_loopback
+    except ValueError:
+        return False
+
+
+def _host_of(header: str) -> str:
+    """A Host header without its port, ``[::1]:80`` too."""
+    if header.startswith("["):
+        return header.partition("]")[0].lstrip("[").lower()
+    return header.partition(":")[0].lower()
+
+
+def is_welcome(header: str, host: str) -> bool:
+    """Whether a Host header names this server.
+
+    A page elsewhere can have its own name lead here, and then reads what we answer (DNS rebinding);
+    such a request comes under that name.  So names must be known; a bare address is nobody's name.
+
+    Args:
+        header: The Host header of a request.
+        host: What the server was told to bind to.
+    """
+    asked = _host_of(header)
+    if is_loopback(asked) or asked == host.lower():
+        return True
+    if is_loopback(host):
+        return False
+    with contextlib.suppress(ValueError):
+        return bool(ipaddress.ip_address(asked))
+    return asked in (socket.gethostname().lower(), socket.getfqdn().lower())
+
+
+def guarded(app: App, host: str = LOOPBACK) -> App:
+    """An application that answers only requests meant for it, with `HEADERS` on every answer.
+
+    Args:
+        app: Any ASGI application.
+        host: What it is bound to.
+    """
+
+    async def careful(scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            if scope["type"] == "lifespan":
+                await app(scope, receive, send)
+            return
+        named = {name.decode("latin-1"): value for name, value in scope["headers"]}
+
+        async def sending(message: MutableMapping[str, Any]) -> None:
+            if message["type"] == "http.response.start":
+                given = list(message.get("headers", []))
+                told = {name.lower() for name, _ in given}
+                given += _raw((k, v) for k, v in HEADERS.items() if k.encode() not in told)
+                message = {**message, "headers": given}
+            await send(message)
+
+        if not is_welcome(named.get("host", b"").decode("latin-1"), host):
+            await _refused(sending)
+            return
+        await app(scope, receive, sending)
+
+    return careful
+
+
+def _raw(headers: Iterable[tuple[str, str]]) -> list[tuple[bytes, bytes]]:
+    return [(name.encode("latin-1"), value.encode("latin-1")) for name, value in headers]
+
+
+async def _refused(send: Send) -> None:
+    text = b"This server does not answer to that name; open it as it says in the terminal.\n"
+    headers = _raw({"content-type": "text/plain; charset=utf-8",
+                    "content-length": str(len(text))}.items())  # fmt: skip
+    await send({"type": "http.response.start", "status": 421, "headers": headers})
+    await send({"type": "http.response.body", "body": text})
+
+
+def bound(host: str, port: int) -> socket.socket:
+    """A listening socket; port 0 takes any that is free.
+
+    Raises:
+        InputError: If the host is not this machine's, or the port is taken or not ours to take.
+    """
+    if not 0 <= port <= 65535:
+        raise InputError(f"--port {port}: must be from 0 to 65535; 0 takes a free one")
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
+        )[0]
+    except (OSError, UnicodeError):
+        raise InputError(f"--host {host}: is not a name or address of this machine") from None
+    listening = socket.socket(family, kind, protocol)
+    try:
+        if sys.platform != "win32":
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.bind(address)
+        listening.listen(128)
+    except OSError as error:
+        listening.close()
+        where = f"--port {port}" if port else f"--host {host}"
+        reason = (error.strerror or str(error)).lower()
+        raise InputError(
+            f"{where}: cannot be served on ({reason}); --port 0 takes a free one"
+        ) from None
+    return listening
+
+
+def serve(
+    app: App,
+    *,
+    host: str = LOOPBACK,
+    port: int = 0,
+    what: str = "page",
+    path: str = "/",
+    browser: bool = True,
+    announce: Callable[[str], None] | None = None,
+) -> None:
+    """Serve an application until interrupted, which is a clean end.
+
+    Args:
+        app: Any ASGI application; it is `guarded` here.
+        host: To bind to; anything but loopback is warned about.
+        port: 0 takes a free one.
+        what: What is served, for people.
+        path: What the browser opens.
+        browser: Open one, where this machine has a display.
+        announce: Gets each line said; by default they go to stderr.
+
+    Raises:
+        InputError: If it cannot be bound, or the extra ``web`` is not installed.
+    """
+    needs("uvicorn", "web")
+    say = announce or (lambda line: click.echo(line, err=True))
+    with bound(host, port) as listening:
+        port = listening.getsockname()[1]
+        url = url_of(host, port, path)
+        if not is_loopback(host):
+            say(f"warning: anybody who reaches {host} can open this, without a password")
+        say(f"{what}: {url}")
+        say(f"from elsewhere: ssh -L {port}:localhost:{port} {socket.gethostname()}, same address")
+        say("Ctrl-C ends it")
+        if browser and _has_display():
+            threading.Timer(0.3, _open, (url,)).start()
+        with contextlib.suppress(KeyboardInterrupt):
+            server_of(app, host).run(sockets=[listening])
+
+
+def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> Any:
+    """The server of an application, which is `guarded` here.
+
+    Args:
+        app: Any ASGI application.
+        host: What it is bound to.
+        patience: Seconds for the head of a request; by default those of `serving_protocol`.
+    """
+    uvicorn = needs("uvicorn", "web")
+    from springback.interfaces.web.protocol import HEAD_PATIENCE, PatientProtocol
+
+    patient = type("Patient", (PatientProtocol,), {"patience": patience or HEAD_PATIENCE})
+    settings = uvicorn.Config(
+        guarded(app, host), log_level="error", access_log=False, server_header=False,
+        timeout_graceful_shutdown=PATIENCE, lifespan="auto", ws="none", http=patient,
+    )  # fmt: skip
+    return uvicorn.Server(settings)
+
+
+def url_of(host: str, port: int, path: str = "/") -> str:
+    """Where a browser on this machine finds what is bound to a host and port."""
+    name = LOOPBACK if host in ("", "0.0.0.0") else "::1" if host == "::" else host.strip("[]")
+    return f"http://{f'[{name}]' if ':' in name else name}:{port}{path}"
+
+
+def _has_display() -> bool:
+    """Whether a browser would have a window: else one in the terminal may start."""
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _open(url: str) -> None:
+    with contextlib.suppress(webbrowser.Error):
+        webbrowser.open(url)

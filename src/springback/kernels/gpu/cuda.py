@@ -1,0 +1,165 @@
+"""NVIDIA's driver: memory on a GPU, kernels loaded from PTX, launches."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import weakref
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.kernels.gpu.ptx import Kernel
+
+#: Threads that are scheduled together (measured on an H100: 32 to 128 are alike, more are slower).
+BLOCK = 64
+
+
+class GpuError(RuntimeError):
+    """What the driver says, in one line."""
+
+
+@functools.cache
+def _driver() -> Any:
+    try:
+        from cuda.bindings import driver
+    except ImportError:
+        raise InputError(
+            "device gpu: needs cuda-bindings; in the checkout: pip install '.[gpu]'"
+        ) from None
+    return driver
+
+
+def _asked(name: str, *arguments: Any) -> Any:
+    """Call the driver.
+
+    Raises:
+        GpuError: If it refuses.
+    """
+    driver = _driver()
+    try:
+        code, *values = getattr(driver, name)(*arguments)
+    except RuntimeError as error:  # no driver library on this machine
+        raise GpuError(str(error).strip().splitlines()[0]) from None
+    if int(code):
+        said = driver.cuGetErrorString(code)[1]
+        text = said.decode() if isinstance(said, bytes) else f"error {int(code)}"
+        raise GpuError(f"{name}: {text}")
+    return values[0] if len(values) == 1 else tuple(values)
+
+
+class Device(NamedTuple):
+    """A GPU."""
+
+    name: str
+    memory: int
+    """In all [bytes]."""
+    processors: int
+    context: Any
+
+
+@functools.cache
+def device() -> Device:
+    """The first GPU.
+
+    Raises:
+        InputError: If there is none, or no driver for it.
+    """
+    try:
+        _asked("cuInit", 0)
+        if _asked("cuDeviceGetCount") == 0:
+            raise GpuError("no device")
+        handle = _asked("cuDeviceGet", 0)
+        context = _asked("cuDevicePrimaryCtxRetain", handle)
+    except GpuError as error:
+        raise InputError(f"device gpu: no NVIDIA GPU can be used here: {error}") from None
+    name = _asked("cuDeviceGetName", 128, handle)
+    attribute = _driver().CUdevice_attribute.CU_DEVICE_ATTRIBUTE_MULTIPROCESSOR_COUNT
+    return Device(
+        name.split(b"\0")[0].decode(),
+        int(_asked("cuDeviceTotalMem", handle)),
+        int(_asked("cuDeviceGetAttribute", attribute, handle)),
+        context,
+    )
+
+
+def _enter() -> None:
+    """Contexts belong to threads of the processor."""
+    _asked("cuCtxSetCurrent", device().context)
+
+
+class Memory:
+    """A copy of an array on the GPU, freed with this object."""
+
+    def __init__(self, array: np.ndarray[Any, Any]) -> None:
+        """Copy an array there."""
+        _enter()
+        self.shape, self.dtype, self.nbytes = array.shape, array.dtype, array.nbytes
+        self.pointer = _asked("cuMemAlloc", max(array.nbytes, 8))
+        weakref.finalize(self, _free, int(self.pointer))
+        self.fill(array)
+
+    def fill(self, array: np.ndarray[Any, Any]) -> None:
+        """Copy an array of the same size there."""
+        _enter()
+        solid = np.ascontiguousarray(array)
+        if solid.nbytes:
+            _asked("cuMemcpyHtoD", self.pointer, solid.ctypes.data, solid.nbytes)
+
+    def read_into(self, array: np.ndarray[Any, Any]) -> None:
+        """Copy into an array of the same size, which must be contiguous."""
+        _enter()
+        if array.nbytes:
+            _asked("cuMemcpyDtoH", array.ctypes.data, self.pointer, array.nbytes)
+
+
+def _free(pointer: int) -> None:
+    try:
+        _enter()
+        _asked("cuMemFree", pointer)
+    except (GpuError, InputError):
+        pass  # at the end of the process the driver may have gone
+
+
+class Loaded:
+    """A kernel, loaded."""
+
+    def __init__(self, kernel: Kernel, *, registers: int | None = None) -> None:
+        """Have the driver assemble it.
+
+        Args:
+            kernel: As PTX.
+            registers: At most so many of a thread; the driver's choice by default.
+        """
+        _enter()
+        driver = _driver()
+        options: list[Any] = []
+        values: list[Any] = []
+        if registers is not None:
+            options.append(driver.CUjit_option.CU_JIT_MAX_REGISTERS)
+            values.append(registers)
+        text = kernel.text.encode() + b"\0"
+        self._module = _asked("cuModuleLoadDataEx", text, len(options), options, values)
+        self._function = _asked("cuModuleGetFunction", self._module, kernel.name.encode())
+
+    def attribute(self, name: str) -> int:
+        """Of the assembled kernel: ``NUM_REGS``, ``LOCAL_SIZE_BYTES``, ..."""
+        _enter()
+        which = getattr(_driver().CUfunction_attribute, f"CU_FUNC_ATTRIBUTE_{name}")
+        return int(_asked("cuFuncGetAttribute", which, self._function))
+
+    def launch(self, threads: int, *arguments: Memory | int | float, block: int = BLOCK) -> None:
+        """Run the kernel in so many threads or some more, and wait for its end."""
+        _enter()
+        values = tuple(a.pointer if isinstance(a, Memory) else a for a in arguments)
+        kinds = tuple(_kind(a) for a in arguments)
+        grid = -(-threads // block)
+        _asked("cuLaunchKernel", self._function, grid, 1, 1, block, 1, 1, 0, 0, (values, kinds), 0)
+        _asked("cuCtxSynchronize")
+
+
+def _kind(argument: Any) -> Any:
+    if isinstance(argument, Memory):
+        return None  # the bindings know their own pointers
+    return ctypes.c_int64 if isinstance(argument, int) else ctypes.c_double

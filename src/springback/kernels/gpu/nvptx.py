@@ -1,0 +1,168 @@
+"""Numba's target for NVIDIA's GPUs, and LLVM's back end for them.
+
+Whatever numba can lower for the processor it lowers for this target with the same flags on every
+operation; LLVM comes with llvmlite and writes PTX.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+from llvmlite import binding
+from numba.core import (
+    codegen,
+    cpu,
+    descriptors,
+    dispatcher,
+    fastmathpass,
+    registry,
+    runtime,
+    target_extension,
+    typing,
+)
+from numba.core.compiler_lock import global_compiler_lock
+
+from springback.kernels.compiler import STRICT, rebound
+from springback.kernels.gpu.private_memory import MEMORY
+
+#: Parts of numba whose stubs know only some of them, or that have none.
+_AOTLibrary: Any = codegen.AOTCodeLibrary
+_AOTCodegen: Any = codegen.AOTCPUCodegen
+_CPUContext: Any = cpu.CPUContext
+_CPU: Any = target_extension.CPU
+_Descriptor: Any = descriptors.TargetDescriptor
+_AnyDispatcher: Any = dispatcher.Dispatcher
+_typing: Any = typing
+_runtime: Any = runtime
+_fastmath: Any = fastmathpass
+_override: Any = target_extension.target_override
+
+_TRIPLE = "nvptx64-nvidia-cuda"
+#: Architectures are compatible upwards: what is written for this one runs on all later ones.
+ARCHITECTURE = "sm_70"
+_NAME = "ptx"
+
+
+class _Ptx(_CPU):  # type: ignore[misc]
+    """Whatever numba knows to lower for a processor, it lowers for this target, too."""
+
+
+class _Library(_AOTLibrary):  # type: ignore[misc]
+    """Lowered functions that wait for LLVM's back end."""
+
+    def _optimize_functions(self, ll_module: Any) -> None:
+        ll_module.data_layout = self._codegen._data_layout
+
+    def _optimize_final_module(self) -> None:
+        """Inline what is to be inlined; all else is done once, with everything at hand."""
+        manager, builder = self._codegen._module_pass_manager(
+            loop_vectorize=False, slp_vectorize=False, opt=1, cost="cheap"
+        )
+        manager.run(self._final_module, builder)
+
+
+class _Codegen(_AOTCodegen):  # type: ignore[misc]
+    _library_class = _Library
+
+    def _init(self, llvm_module: Any) -> None:
+        self._tm_features = ""
+        self._tm = machine(ARCHITECTURE)
+        self._data_layout = str(self._tm.target_data)
+        self._target_data = self._tm.target_data
+        self._loopvect, self._opt_level = False, 1
+
+    def _create_empty_module(self, name: str) -> Any:
+        module = super()._create_empty_module(name)
+        module.triple = _TRIPLE
+        return module
+
+
+class _Context(_CPUContext):  # type: ignore[misc]
+    allow_dynamic_globals = True  # addresses of functions, which nothing reads
+
+    @global_compiler_lock  # type: ignore[untyped-decorator]
+    def init(self) -> None:
+        self.is32bit = False
+        self._internal_codegen = _Codegen("springback.ptx")
+
+    def load_additional_registries(self) -> None:
+        _runtime.rtsys.initialize(
+            registry.cpu_target.target_context
+        )  # numba has one, the processor's
+        super().load_additional_registries()
+
+    def post_lowering(self, module: Any, library: Any) -> None:
+        """The flags of the arithmetic; but nothing counts references here."""
+        if self.fastmath:
+            _fastmath.rewrite_module(module, self.fastmath)
+
+    def get_executable(self, library: Any, fndesc: Any, env: Any) -> Any:
+        return object()  # a name for what was lowered, which this process cannot call
+
+
+class _Target(_Descriptor):  # type: ignore[misc]
+    options = cpu.CPUTargetOptions
+
+    @functools.cached_property
+    def _contexts(self) -> tuple[Any, Any]:
+        known = _typing.Context()
+        return known, _Context(known, _NAME)
+
+    @property
+    def typing_context(self) -> Any:
+        return self._contexts[0]
+
+    @property
+    def target_context(self) -> Any:
+        return self._contexts[1]
+
+
+class _Dispatcher(_AnyDispatcher):  # type: ignore[misc]
+    targetdescr = _Target(_NAME)
+
+    def add_overload(self, cres: Any) -> None:
+        self.overloads[tuple(cres.signature.args)] = cres
+
+
+def _decorated(function: Any = None, **options: Any) -> Any:
+    """What stands for `numba.njit` while code for a GPU is compiled."""
+    if function is None:
+        return lambda function: _decorated(function, **options)
+    for name in ("pipeline_class", "nopython", "cache", "nogil"):
+        options.pop(name, None)
+    options |= {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return _Dispatcher(function, targetoptions={"nopython": True, **options})
+
+
+target_extension.target_registry[_NAME] = _Ptx
+target_extension.dispatcher_registry[_Ptx] = _Dispatcher
+target_extension.jit_registry[_Ptx] = _decorated
+
+
+def machine(architecture: str) -> Any:
+    """LLVM's back end for NVIDIA's GPUs."""
+    binding.initialize_all_targets()
+    binding.initialize_all_asmprinters()
+    target = binding.Target.from_triple(_TRIPLE)
+    return target.create_target_machine(cpu=architecture, features="+ptx81", opt=3)
+
+
+def device_function(function: Callable[..., Any], **others: Any) -> Any:
+    """A function for entry points to call on a GPU; ``others`` replace globals of these names."""
+    plain = getattr(function, "py_func", function)
+    return _decorated(rebound(plain, **MEMORY, **others), forceinline=True, **STRICT)
+
+
+def target_context() -> Any:
+    """What numba lowers in for this target."""
+    return _Dispatcher.targetdescr.target_context
+
+
+def lowered(function: Any, arguments: tuple[Any, ...]) -> Any:
+    """A device function, typed and lowered for arguments of some types."""
+    with _override(_NAME):
+        result = function._compiler.compile(arguments, None)
+    result.library._ensure_finalized()
+    return result

@@ -1,0 +1,294 @@
+"""The same kernels as PTX, the assembly language of NVIDIA's GPUs.
+
+Numba lowers an entry point to LLVM's language exactly as it does for the processor, with the same
+flags on every operation; LLVM's own back end for NVIDIA then writes PTX instead of machine code.
+Nothing is contracted, reassociated or approximated, so a GPU returns the bits that the processor
+returns (docs/decisions/0025).  No GPU and no driver is needed to get this far.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import filelock
+import numba
+import numpy as np
+from llvmlite import binding, ir
+from numba import types
+from numba.core.compiler_lock import global_compiler_lock
+
+from springback.kernels.compiler import Origin, cache_folder
+from springback.kernels.gpu.nvptx import (
+    ARCHITECTURE,
+    device_function,
+    lowered,
+    machine,
+    target_context,
+)
+from springback.kernels.kernel_cache import keep, kept
+from springback.kernels.layout import Like, LikeType
+from springback.kernels.trees import branches
+
+_Pointer: Any = types.CPointer
+
+
+class PtxError(RuntimeError):
+    """A kernel needs what a GPU does not have."""
+
+
+#: Registers that tell a thread its place.
+_PLACES = ("ctaid", "ntid", "tid")
+
+
+#: Functions of the C library that are one exact instruction.
+_BUILT_IN = ("ceil", "fabs", "floor", "sqrt")
+#: Functions that LLVM knows by name, and leaves to the C library.
+_OF_A_LIBRARY = {
+    "acos", "asin", "atan", "atan2", "cos", "cosh", "exp", "exp10", "exp2", "frexp", "ldexp", "log",
+    "log10", "log2", "modf", "pow", "powi", "sin", "sincos", "sinh", "tan", "tanh",
+}  # fmt: skip
+#: What an entry point is called within its kernel.
+_INNER = "flight_of_thread"
+
+
+class Kernel(NamedTuple):
+    """An entry point as PTX."""
+
+    name: str
+    text: str
+
+
+class Constants(NamedTuple):
+    """A tree that does not change during a flight, as an argument of an entry point.
+
+    What is the same for all flights is an argument of the launch, which costs an instruction
+    nothing; only the rest is read out of their buffers.
+    """
+
+    like: Like
+    varies: tuple[bool, ...]
+    """Of each leaf: whether it differs from flight to flight."""
+
+
+def parameter(value: Any) -> Any:
+    """Compiler type of an argument of an entry point.
+
+    Args:
+        value: A `Like`, `Constants`, an array for its memory, or a number.
+    """
+    if isinstance(value, Like):
+        return value._numba_type_
+    if isinstance(value, Constants):
+        return value
+    if isinstance(value, np.ndarray):
+        return _Pointer(numba.from_dtype(value.dtype))
+    return types.int64 if isinstance(value, int) else types.float64
+
+
+class Program(NamedTuple):
+    """An entry point, lowered for some types: from here on a kernel takes seconds."""
+
+    name: str
+    bitcode: bytes
+    digest: str | None
+    """Of all that it depends on; None for what is not to be kept."""
+
+
+def program(
+    entry: Callable[..., Any],
+    parameters: Sequence[Any],
+    parts: Callable[[], dict[str, Any]],
+    sources: Origin | None = Origin((), (), ""),  # noqa: B008
+) -> Program:
+    """Lower an entry point, or take what is kept of it.
+
+    Args:
+        entry: Called in every thread with the arguments of the launch and, last, the number of the
+            thread.
+        parameters: Of all arguments but the last, see `parameter`.
+        parts: Gives what stands for globals of the entry, see `device_function`.
+        sources: Where a user's code among the types comes from; None keeps nothing.
+    """
+    kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
+    versions = [numba.__version__, str(binding.llvm_version_info), ARCHITECTURE]
+    said = [entry.__qualname__, *versions, *map(str, kinds)]
+    said += sources.words() if sources is not None else []
+    digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
+    if sources is None:
+        return Program(entry.__name__, _lowered(entry, kinds, parts()), None)
+    path = _folder() / f"{digest}.bc"
+    bitcode = kept(path)
+    if bitcode is None:
+        bitcode = _lowered(entry, kinds, parts())
+        keep(path, bitcode)
+    return Program(entry.__name__, bitcode, digest)
+
+
+def _folder() -> Path:
+    return cache_folder() / "ptx"
+
+
+@contextlib.contextmanager
+def one_at_a_time() -> Iterator[None]:
+    """A lock among all processes: what one of them compiles the others then find."""
+    with contextlib.ExitStack() as held:
+        with contextlib.suppress(OSError, NotImplementedError):  # nothing is kept, or no locks
+            _folder().mkdir(parents=True, exist_ok=True)
+            held.enter_context(filelock.FileLock(_folder() / "lock"))
+        yield
+
+
+@global_compiler_lock  # type: ignore[untyped-decorator]
+def _lowered(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any]) -> bytes:
+    """Bitcode of an entry point and all that it calls, under the name of the entry point."""
+    result = lowered(device_function(entry, **parts), (*kinds, types.int64))
+    module = binding.parse_assembly(str(result.library._final_module))
+    _define_built_in(module)
+    for number, each in enumerate(module.functions):
+        if each.name == result.fndesc.llvm_func_name:
+            each.name = _INNER
+        elif not each.is_declaration:
+            each.linkage, each.name = "internal", f"part_{number}"
+    for each in module.global_variables:
+        each.linkage = "internal"
+    bitcode: bytes = module.as_bitcode()
+    return bitcode
+
+
+@global_compiler_lock  # type: ignore[untyped-decorator]
+def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
+    """A program as PTX, for what varies from flight to flight.
+
+    A launch takes, in the order of the parameters: for `Constants` the leaves that do not vary,
+    the memory of those that do, shape (varying leaves, flights), and the number of flights; for
+    arrays their memory; for numbers themselves; for a `Like` nothing.
+
+    Args:
+        program: Of `program`.
+        parameters: The same as there.
+
+    Raises:
+        PtxError: If it calls what is not there on a GPU.
+    """
+    masks = repr([p.varies for p in parameters if isinstance(p, Constants)])
+    mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
+    path = _folder() / f"{program.digest}-{mask}.ptx"
+    known = kept(path) if program.digest else None
+    if known is not None:
+        return Kernel(program.name, known.decode())
+    module = binding.parse_bitcode(program.bitcode)
+    module.link_in(binding.parse_assembly(_entry_text(program.name, parameters)))
+    module.get_function(_INNER).linkage = "internal"
+    _optimise(module)
+    _check_calls(module)
+    text = machine(ARCHITECTURE).emit_assembly(module)
+    if program.digest:
+        keep(path, text.encode())
+    return Kernel(program.name, text)
+
+
+def _check_calls(module: Any) -> None:
+    """LLVM ends the process where its back end meets what it cannot write."""
+    for function in module.functions:
+        first, _, rest = function.name.partition(".")
+        name = rest.partition(".")[0] if first == "llvm" else function.name
+        if function.is_declaration and (first != "llvm" or name in _OF_A_LIBRARY):
+            raise PtxError(f"there is no {name} on a GPU")
+
+
+def _define_built_in(module: Any) -> None:
+    """Give functions of the C library the GPU's instructions, which round as they do."""
+    declared = {function.name for function in module.functions if function.is_declaration}
+    for name in declared.intersection(_BUILT_IN):
+        text = (
+            f"define double @{name}(double %x) alwaysinline {{\n"
+            f"%y = call double @llvm.{name}.f64(double %x)\nret double %y\n}}\n"
+            f"declare double @llvm.{name}.f64(double)\n"
+        )
+        module.link_in(binding.parse_assembly(text))
+
+
+def _arguments_of(context: Any, p: Any) -> list[Any]:
+    """What a launch passes for a parameter."""
+    if isinstance(p, LikeType):
+        return []
+    if isinstance(p, Constants):
+        number = ir.DoubleType()
+        fixed = [number] * p.varies.count(False)
+        return [*fixed, number.as_pointer(), ir.IntType(64)]
+    return [context.get_value_type(p)]
+
+
+def _entry_text(name: str, parameters: Sequence[Any]) -> str:
+    """A kernel that calls a lowered entry point once in every thread."""
+    context = target_context()
+    module = context.codegen()._create_empty_module("entry")
+    passed = [_arguments_of(context, p) for p in parameters]
+    kind = ir.FunctionType(ir.VoidType(), list(itertools.chain.from_iterable(passed)))
+    kernel = ir.Function(module, kind, name)
+    kernel.calling_convention = "ptx_kernel"
+    builder = ir.IRBuilder(kernel.append_basic_block())
+    word = ir.IntType(32)
+    block, size, thread = (
+        builder.call(
+            ir.Function(module, ir.FunctionType(word, []), f"llvm.nvvm.read.ptx.sreg.{place}.x"), []
+        )
+        for place in _PLACES
+    )
+    number = builder.zext(builder.add(builder.mul(block, size), thread), ir.IntType(64))
+    given, arguments = list(kernel.args), []
+    for p, taken in zip(parameters, passed, strict=True):
+        mine, given = given[: len(taken)], given[len(taken) :]
+        if isinstance(p, LikeType):
+            arguments.append(context.get_dummy_value())
+        elif isinstance(p, Constants):
+            values = _constants(builder, p, mine, number)
+            arguments.append(_tree(context, builder, p.like._numba_type_.tree, values))
+        else:
+            arguments += mine
+    kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
+    kinds.append(types.int64)
+    inner = ir.Function(module, context.call_conv.get_function_type(types.none, kinds), _INNER)
+    context.call_conv.call_function(builder, inner, types.none, kinds, [*arguments, number])
+    builder.ret_void()
+    return str(module)
+
+
+def _constants(builder: Any, p: Constants, given: Sequence[Any], thread: Any) -> list[Any]:
+    """All leaves of settings, in order: arguments, or read for the flight of a thread."""
+    *fixed, pointer, count = given
+    inside = builder.icmp_signed("<", thread, count)
+    lane = builder.select(inside, thread, builder.sub(count, ir.Constant(ir.IntType(64), 1)))
+    values, row = [], 0
+    for varies in p.varies:
+        if varies:
+            place = builder.add(builder.mul(ir.Constant(ir.IntType(64), row), count), lane)
+            values.append(builder.load(builder.gep(pointer, [place])))
+            row += 1
+        else:
+            values.append(fixed.pop(0))
+    return values
+
+
+def _tree(context: Any, builder: Any, kind: Any, values: list[Any]) -> Any:
+    """A tree of a type from its leaves, which are taken in order."""
+    if not isinstance(kind, types.BaseTuple):
+        return values.pop(0)
+    tree = ir.Constant(context.get_value_type(kind), ir.Undefined)
+    for k, branch in enumerate(branches(kind)):
+        tree = builder.insert_value(tree, _tree(context, builder, branch, values), k)
+    return tree
+
+
+def _optimise(module: Any) -> None:
+    """What LLVM does at its third level, for a GPU."""
+    back_end = machine(ARCHITECTURE)
+    options = binding.create_pipeline_tuning_options(speed_level=3)
+    options.loop_vectorization = options.slp_vectorization = False
+    builder = binding.create_pass_builder(back_end, options)
+    builder.getModulePassManager().run(module, builder)

@@ -1,0 +1,448 @@
+"""Impact resilience: seven kinds of collision with a wall, both robots, and ten hits in a row.
+
+One set of parameters flies all of it; nothing is tuned to a condition.  Friction is the paper's,
+along the vertical; friction along both tangents and the noise that PX4's EKF2 assumes are flown
+beside it (`springback.paper.choices`).  Trials differ in their luck
+(`Scatter`), of which both robots are dealt the same.  What the paper leaves open is chosen here and
+said so: the laws of that luck, how long a flight lasts and how often the repeated test is flown.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.paper.choices import EKF2, VERTICAL, Cell, ChoiceResults, fly_choices
+from springback.paper.printed import (
+    COLLISIONS_IN_A_ROW,
+    RECOVERY_DISTANCE,
+    RECOVERY_PITCH,
+    SUCCESS,
+    WALL_DISTANCE,
+)
+from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER
+from springback.results.flight import Flight, fly
+from springback.simulation.measures import Outcome
+from springback.studies.comparison import Mark, Row, predicted_or_contradicted
+from springback.studies.envelope import Envelope
+from springback.studies.envelope_run import fly_envelope, plan_envelope
+from springback.studies.proportions import CONFIDENCE as CONFIDENCE
+from springback.studies.proportions import wilson as wilson
+from springback.studies.run_ups import CONDITIONS
+from springback.studies.trials import (
+    DURATION,
+    HOME,
+    Condition,
+    Luck,
+    Scatter,
+    Trial,
+    fly_trials,
+    trial_tables,
+)
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+ROBOTS = ("arq", "quad")
+TRIALS = 10
+"""Section Impact Resilience: ten trials of each condition."""
+SLOWEST = (0.0, 1.0)
+"""Pitch [deg] and speed [m/s] of flights that only serve to see how detection goes with speed."""
+FASTEST = (0.0, 3.5)
+"""Pitch [deg] and speed [m/s] of the collisions whose largest pitch is printed."""
+REPEATED = (-45.0, 2.0)
+"""Pitch [deg] and speed [m/s] of the repeated test."""
+COMPARED = 20
+"""Trials of each condition under each set of choices, chosen; `springback study choices` flies a
+hundred."""
+MAPPED = 4
+"""Trials of each cell of the map, chosen."""
+MAP = ("speed=2:6:5", "pitch=-45deg:45deg:5")
+"""Axes of the map, chosen so that both robots fail on it."""
+MAP_SETTINGS = ("estimator=px4-ekf2",)
+"""Of the map: the noise with which the robots differ."""
+REPEATS = 5
+"""How often the repeated test is flown, chosen."""
+TIME_EACH = 12.0
+"""For a collision of the repeated test, its way home included [s], chosen: it takes some 9 s, and
+some 10 s where the robot comes back to the wall a second time."""
+RETURN_TOLERANCE = 0.1
+"""The robot must come back this near to the start [m]; chosen, L_c."""
+FAR = 2.0
+"""Chosen: who was so far from the place of touch before it came to rest [m] rested at home only."""
+SAMPLES = (("arq", 0.0, 3.5), ("arq", 0.0, 2.0), ("quad", 0.0, 2.0))
+"""Robot, pitch [deg] and speed [m/s] of the flights that the paper draws."""
+PACE = "the duration of the way back was chosen so that it asks for the printed nose up"
+
+
+class Tally(NamedTuple):
+    """How often a robot recovered in one condition."""
+
+    robot: str
+    pitch: float  # [deg]
+    speed: float  # [m/s]
+    successes: int
+    trials: int
+    low: float  # Wilson's interval
+    high: float
+    failures: dict[str, int]  # outcome in words: how often
+
+    @property
+    def rate(self) -> float:
+        """Share of the trials."""
+        return self.successes / self.trials
+
+
+@dataclass(frozen=True)
+class Repeat:
+    """One flight of the repeated test: collision after collision without landing."""
+
+    robot: str
+    trial: int
+    outcome: Outcome
+    asked: int
+    """Collisions that were to be made."""
+    collisions: int
+    recovered: int
+    returns: tuple[float, ...]
+    """How far from `HOME` the robot truly was when it took itself to be home, each time [m]."""
+    alarms: int
+    """One for each collision; more where the robot swung back to the wall before it rested."""
+    false_alarms: int
+    flight: Flight | None = field(default=None, repr=False)
+    """Kept for the first trial of each robot."""
+
+    @property
+    def success(self) -> bool:
+        """Recovered from every collision, and came back near enough every time."""
+        near = [gap <= RETURN_TOLERANCE for gap in self.returns]
+        return self.outcome is Outcome.RECOVERED and all(near) and len(near) == self.asked
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data."""
+        return {
+            "robot": self.robot, "trial": self.trial, "outcome": self.outcome.word,
+            "success": self.success, "asked": self.asked, "collisions": self.collisions,
+            "recovered": self.recovered, "alarms": self.alarms, "false_alarms": self.false_alarms,
+            "returns": list(self.returns),
+        }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One trial with its trajectory."""
+
+    robot: str
+    pitch: float
+    """[deg]"""
+    speed: float
+    """[m/s]"""
+    luck: Luck
+    flight: Flight = field(repr=False)
+
+
+@dataclass
+class ResilienceResults:
+    """All collisions in flight."""
+
+    trials: int
+    scatter: Scatter = field(default_factory=Scatter)
+    flown: list[Trial] = field(default_factory=list)
+    """Of `CONDITIONS`."""
+    slower: list[Trial] = field(default_factory=list)
+    """At `SLOWEST`, which the paper does not fly."""
+    repeats: list[Repeat] = field(default_factory=list)
+    samples: list[Sample] = field(default_factory=list)
+    choices: ChoiceResults | None = None
+    """The same conditions under every set of choices."""
+    envelope: Envelope | None = None
+    """Success over speed and pitch, with `MAP_SETTINGS`."""
+
+    def values(self, robot: str, pitch: float, speed: float, measure: str) -> list[float]:
+        """A measure of all trials of a condition that have it."""
+        found = [
+            trial.measures[measure] for trial in [*self.flown, *self.slower]
+            if (trial.robot, trial.pitch, trial.speed) == (robot, pitch, speed)
+        ]  # fmt: skip
+        return [value for value in found if value is not None]
+
+    def tallies(self) -> list[Tally]:
+        """Successes of every condition that was flown, robot by robot."""
+        tallies = []
+        for robot in ROBOTS:
+            for pitch, speed in CONDITIONS:
+                of = (robot, pitch, speed)
+                found = [t for t in self.flown if (t.robot, t.pitch, t.speed) == of]
+                if found:
+                    won = sum(trial.success for trial in found)
+                    lost = Counter(trial.outcome.value for trial in found if not trial.success)
+                    tallies.append(Tally(*of, won, len(found), *wilson(won, len(found)), {**lost}))
+        return tallies
+
+    def sample(self, robot: str, pitch: float, speed: float) -> Sample | None:
+        """The trial of a condition whose trajectory was kept."""
+        of = (robot, pitch, speed)
+        return next((s for s in self.samples if (s.robot, s.pitch, s.speed) == of), None)
+
+    def repeated(self, robot: str) -> list[Repeat]:
+        """Flights of the repeated test."""
+        return [repeat for repeat in self.repeats if repeat.robot == robot]
+
+    def rows(self) -> list[Row]:
+        """Ours beside print, for every printed number."""
+        found = [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
+        return [*_given_rows(), *found, *self._chosen_rows()] if self.flown else []
+
+    def chosen(self) -> dict[tuple[str, float, float], Cell]:
+        """Conditions with the paper's friction and EKF2's noise; empty if they were not flown."""
+        if self.choices is None:
+            return {}
+        flown = self.choices.flown
+        found = [one for one in flown if (one[0].friction, one[0].estimator) == (VERTICAL, EKF2)]
+        return self.choices.table(*found[0]) if found else {}
+
+    def _chosen_rows(self) -> list[Row]:
+        """Printed shares beside ours with EKF2's noise."""
+        rows, table = [], self.chosen()
+        for of, printed in SUCCESS.items():
+            cell = table.get(of)
+            if cell is not None:
+                low, high = cell.interval
+                note = (
+                    f"{cell.successes} of {cell.trials} in trials of {cell.duration:g} s, Wilson "
+                    f"{100 * CONFIDENCE:g} % interval {low:.3f} to {high:.3f}"
+                )
+                name = f"{condition_name(*of[1:])}; {EKF2}"
+                mark = rate_mark(cell.share, printed)
+                rows.append(_row(of[0], name, "success rate", "", cell.share, printed, mark, note))
+        return rows
+
+    def _success_rows(self) -> list[Row]:
+        rows = []
+        for tally in self.tallies():
+            printed = SUCCESS.get(tally[:3])
+            if printed is not None:
+                note = (
+                    f"{tally.successes} of {tally.trials}, Wilson {100 * CONFIDENCE:g} % interval "
+                    f"{tally.low:.3f} to {tally.high:.3f}"
+                )
+                name = condition_name(tally.pitch, tally.speed)
+                mark = rate_mark(tally.rate, printed)
+                rows.append(
+                    _row(tally.robot, name, "success rate", "", tally.rate, printed, mark, note)
+                )
+        return rows
+
+    def _pitch_rows(self) -> list[Row]:
+        rows, name = [], condition_name(*FASTEST)
+        for side, printed, measure in zip(
+            ("nose up", "nose down"), RECOVERY_PITCH, ("nose_up", "nose_down"), strict=True
+        ):
+            flown = [math.degrees(x) for x in self.values("arq", *FASTEST, measure)]
+            if flown:
+                ours = float(np.median(flown))
+                note = (
+                    f"median of {len(flown)} trials, {min(flown):.1f} to {max(flown):.1f} deg; "
+                    f"{PACE}"
+                )
+                mark = predicted_or_contradicted(ours, printed)
+                rows.append(_row("arq", name, f"pitch, {side}", "deg", ours, printed, mark, note))
+        sample = self.sample("arq", *FASTEST)
+        asked = asked_extremes(sample.flight) if sample is not None else None
+        if asked is not None:
+            (up, down), (least, most) = asked, RECOVERY_PITCH
+            mark = predicted_or_contradicted(down, most)
+            what = "pitch asked for"
+            rows += [
+                _row("arq", name, f"{what}, nose up", "deg", up, least, Mark.FITTED, PACE),
+                _row("arq", name, f"{what}, nose down", "deg", down, most, mark, PACE),
+            ]
+        return rows
+
+    def _repeated_rows(self) -> list[Row]:
+        found = self.repeated("arq")
+        if not found or found[0].asked != COLLISIONS_IN_A_ROW:
+            return []
+        ours = float(min(repeat.recovered for repeat in found))
+        won = sum(repeat.success for repeat in found)
+        note = (
+            f"the fewest of {len(found)} flights; {won} of them came back to within "
+            f"{RETURN_TOLERANCE:g} m every time"
+        )
+        mark = predicted_or_contradicted(ours, COLLISIONS_IN_A_ROW)
+        name = condition_name(*REPEATED)
+        return [_row("arq", name, "recovered in a row", "", ours, COLLISIONS_IN_A_ROW, mark, note)]
+
+
+def _given_rows() -> list[Row]:
+    """Printed numbers of the tests in flight that are put in."""
+    given = (
+        ("distance of the wall, D", WALL_DISTANCE),
+        ("distance of the recovery point, L_c", RECOVERY_DISTANCE),
+    )
+    note = "section Impact Resilience"
+    return [_row("", "", name, "m", value, value, Mark.GIVEN, note) for name, value in given]
+
+
+def _row(
+    robot: str, reading: str, quantity: str, unit: str, ours: float, printed: float, mark: Mark,
+    note: str,
+) -> Row:  # fmt: skip
+    """A compared number; what print says of collisions in flight are physical tests."""
+    return Row(
+        "Resilience", robot, "wall", reading, quantity, unit, ours, printed, None, mark, 0.0, "",
+        note,
+    )  # fmt: skip
+
+
+def condition_name(pitch: float, speed: float) -> str:
+    """A condition in words."""
+    return f"{speed:g} m/s, {pitch:g} deg"
+
+
+def rate_mark(ours: float, printed: float) -> Mark:
+    """The mark of a share, which may be printed as none at all."""
+    if printed == 0.0:
+        return Mark.PREDICTED if ours == 0.0 else Mark.CONTRADICTED
+    return predicted_or_contradicted(ours, printed)
+
+
+# -- what is read from a flight -------------------------------------------------------------------
+
+
+def pitch_of(w: Array, x: Array, y: Array, z: Array) -> Array:
+    """Pitch in the X-Z plane, positive nose down, over the whole turn, of attitudes [rad]."""
+    return np.arctan2(2.0 * (w * y + x * z), 1.0 - 2.0 * (x * x + y * y))
+
+
+def motion(flight: Flight) -> dict[str, Array]:
+    """What a flight did and what it was asked for, tick by tick.
+
+    Returns:
+        ``t`` since first touch [s]; ``x`` [m], ``vx`` [m/s] and ``pitch`` [rad] as flown; the same
+        with ``asked_`` as the reference asks for, pitch by its acceleration; ``aimed_pitch`` [rad]
+        with feedback, as the position controller wants it.
+    """
+    c, d = flight.columns, flight.diary
+    touch = flight.measures["touch_time"] or 0.0
+    gravity = float(flight.scenario.world.gravity)
+    true_pitch = pitch_of(*(c[f"q{part}"] for part in "wxyz"))
+    flown = {"x": c["x"], "z": c["z"], "vx": c["vx"], "pitch": true_pitch}
+    return {
+        "t": d["t"] - touch,
+        **{name: np.interp(d["t"], c["t"], curve) for name, curve in flown.items()},
+        "asked_x": d["ref_x"],
+        "asked_vx": d["ref_vx"],
+        "asked_pitch": np.arctan2(d["ref_ax"], d["ref_az"] + gravity),
+        "aimed_pitch": pitch_of(*(d[f"aim_q{part}"] for part in "wxyz")),
+    }
+
+
+def asked_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
+    """Smallest and largest pitch asked for on the way to p_r [deg]; None if there was no way."""
+    pitch = np.degrees(motion(flight)[curve][flight.diary["leg"] == RECOVER])
+    return (float(pitch.min()), float(pitch.max())) if len(pitch) else None
+
+
+def _began(flight: Flight, leg: float) -> Array:
+    """When a leg of the journey began [s]; the first of a flight did not begin."""
+    legs = flight.diary["leg"]
+    began: Array = flight.diary["t"][1:][(legs[1:] == leg) & (legs[:-1] != leg)]
+    return began
+
+
+def returns_of(flight: Flight) -> tuple[float, ...]:
+    """True distance from `HOME`, each time that the pilot ends its way home [m]."""
+    c = flight.columns
+    arrived = np.sort(np.concatenate([_began(flight, CRUISE), _began(flight, HOVER)]))
+    gaps = [np.interp(arrived, c["t"], c[axis]) - HOME[k] for k, axis in enumerate("xyz")]
+    return tuple(np.sqrt(sum(gap * gap for gap in gaps)).tolist())
+
+
+# -- flights --------------------------------------------------------------------------------------
+
+
+def repeated_test(
+    robot: str, trial: int, scatter: Scatter, seed: int, collisions: int, *, keep: bool = False
+) -> Repeat:
+    """Fly the repeated test once."""
+    luck = scatter.drawn(robot, *REPEATED, trial, seed)
+    changes = {
+        "recovery": {"runs": collisions}, "simulation": {"duration": TIME_EACH * collisions},
+    }  # fmt: skip
+    flight = fly(trial_tables(robot, *REPEATED, luck, changes))
+    runs, recovered, false_alarms = (
+        int(flight.measures[name] or 0.0) for name in ("runs", "recovered_runs", "false_alarms")
+    )
+    return Repeat(
+        robot, trial, flight.outcome, collisions, runs, recovered, returns_of(flight),
+        len(_began(flight, LOOK)), false_alarms, flight if keep else None,
+    )  # fmt: skip
+
+
+def sampled(robot: str, pitch: float, speed: float, scatter: Scatter, seed: int) -> Sample:
+    """The first trial of a condition once more, with its trajectory."""
+    luck = scatter.drawn(robot, pitch, speed, 0, seed)
+    return Sample(robot, pitch, speed, luck, fly(trial_tables(robot, pitch, speed, luck)))
+
+
+def resilience_experiments(
+    trials: int = TRIALS,
+    repeats: int = REPEATS,
+    collisions: int = COLLISIONS_IN_A_ROW,
+    *,
+    compared: int = COMPARED,
+    mapped: int = MAPPED,
+    scatter: Scatter | None = None,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> ResilienceResults:
+    """Fly all collisions in flight, every one with sensors, estimator and lagging rotors.
+
+    Args:
+        trials: Of each condition.
+        repeats: Of the repeated test, for each robot.
+        collisions: Of each repeated test.
+        compared: Trials of each condition under each set of choices; none are flown with 0.
+        mapped: Trials of each cell of the map; none are flown with 0.
+        scatter: What differs from trial to trial; by default the laws of `Scatter`.
+        seed: Of all luck.
+        progress: Called with the share that is done.
+    """
+    dealt = scatter or Scatter()
+    asked = [Condition(robot, *condition) for robot in ROBOTS for condition in CONDITIONS]
+    more = [Condition(robot, *SLOWEST) for robot in ROBOTS]
+
+    def stretch(start: float, size: float) -> Callable[[float], None] | None:
+        return None if progress is None else lambda share: progress(start + size * share)
+
+    flown = fly_trials([*asked, *more], trials, scatter=dealt, seed=seed, progress=stretch(0, 0.2))
+    several = len(asked) * trials
+    results = ResilienceResults(trials, dealt, flown[:several], flown[several:])
+    if compared:
+        results.choices = fly_choices(
+            compared, durations=(DURATION,), seed=seed, progress=stretch(0.2, 0.2)
+        )
+    if mapped:
+        plan = plan_envelope(*MAP, robots=ROBOTS, trials=mapped, seed=seed, settings=MAP_SETTINGS)
+        results.envelope = fly_envelope(plan, stretch(0.4, 0.2))
+    left = len(SAMPLES) + repeats * len(ROBOTS)
+
+    def tick() -> None:
+        done = len(results.samples) + len(results.repeats)
+        if progress is not None:
+            progress(0.6 + 0.4 * done / left)
+
+    for sample in SAMPLES:
+        results.samples.append(sampled(*sample, dealt, seed))
+        tick()
+    for robot in ROBOTS:
+        for trial in range(repeats):
+            keep = trial == 0
+            results.repeats.append(repeated_test(robot, trial, dealt, seed, collisions, keep=keep))
+            tick()
+    return results

@@ -1,0 +1,1 @@
+"""Results: a flight, its measures, and the files that hold it."""

@@ -1,0 +1,108 @@
+"""The energy ledger over time: where energy is and where it went, instant by instant.
+
+Measures tell the ledger at the end of a flight; this is its course.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from springback.results.flight import Flight, fly
+from springback.scenario.scenario import Scenario
+from springback.vehicle.state import Airframe, Arm
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Columns = dict[str, Array]
+
+#: Columns of a ledger beside time, in the order in which energy wanders: held, then put in, then
+#: lost.  They are named after the measures that tell their last values, and are in J.
+HELD = ("energy_kinetic", "energy_gravity", "energy_springs", "energy_stops", "energy_contact")
+LOST = (
+    "loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling", "loss_air",
+)  # fmt: skip
+
+
+def ledger(flight: Flight | Scenario) -> dict[str, Array]:
+    """The energy ledger of a flight, instant by instant.
+
+    Args:
+        flight: As it was flown.  One that was read from a folder does not know its work: it is
+            flown again, to the same bits, and so is a scenario; then without a pilot or obstacles
+            of the user's own.
+
+    Returns:
+        Columns of shape (instants,): ``t`` [s], the same as of the trajectory; what is held
+        (`HELD`, gravity above the start), what rotors have put in (``work_thrust``) and what is
+        lost (`LOST`), all in J since the start.
+    """
+    if isinstance(flight, Scenario):
+        flight = fly(flight)
+    elif not flight.work:
+        flight = fly(flight.scenario)
+    work, world = flight.work, flight.scenario.flight_model()
+    columns = {"t": flight.t, "work_thrust": work["thrust"]}
+    columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
+    columns |= _stored(world.airframe, world.world.gravity, flight.columns)
+    # What is in contacts is the rest, as the ledger closes (tests/results/test_energy_history.py).
+    known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
+    before = sum(float(columns[name][0]) for name in HELD[:-1])  # no flight begins in contact
+    rest = np.maximum(before + columns["work_thrust"] - known, 0.0)
+    columns["energy_contact"] = np.where(work["touching"] > 0.0, rest, 0.0)
+    return {name: columns[name] for name in ("t", *HELD, "work_thrust", *LOST)}
+
+
+def _stored(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
+    """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns."""
+    velocity, spin, r = _vectors(c, "v"), _vectors(c, "w"), _rotations(c)
+    body_mass = airframe.mass - sum(arm.mass for arm in airframe.arms)
+    inertia = np.array(airframe.inertia)
+    held = {
+        "energy_kinetic": 0.5 * body_mass * np.sum(velocity**2, axis=1)
+        + 0.5 * np.einsum("ti,ij,tj->t", spin, inertia, spin),
+        "energy_gravity": body_mass * gravity * c["z"],
+        "energy_springs": np.zeros(len(velocity)),
+        "energy_stops": np.zeros(len(velocity)),
+    }
+    for j, arm in enumerate(airframe.arms, start=1):
+        length, rate = c[f"l{j}"], c[f"dl{j}"]
+        e = np.array([arm.cosine, arm.sine, 0.0])
+        lever = length[:, None] * e
+        moving = np.einsum("tji,tj->ti", r, velocity) + rate[:, None] * e + np.cross(spin, lever)
+        height = c["z"] + np.einsum("ti,ti->t", r[:, 2], lever)
+        held["energy_kinetic"] = held["energy_kinetic"] + 0.5 * arm.mass * np.sum(moving**2, axis=1)
+        held["energy_gravity"] = held["energy_gravity"] + arm.mass * gravity * height
+        held["energy_springs"] = held["energy_springs"] + _half_square(arm.stiffness, arm, length)
+        held["energy_stops"] = held["energy_stops"] + _in_stops(arm, length)
+    held["energy_gravity"] = held["energy_gravity"] - held["energy_gravity"][0]
+    return held
+
+
+def _half_square(stiffness: float, arm: Arm, length: Array) -> Array:
+    """½ k (L − l)² of an arm that slides [J]."""
+    energy: Array = 0.5 * arm.compliance * stiffness * (arm.length - length) ** 2
+    return energy
+
+
+def _in_stops(arm: Arm, length: Array) -> Array:
+    """½ k (past either stop)² of an arm that slides [J]."""
+    inner, outer = np.maximum(arm.shortest - length, 0.0), np.maximum(length - arm.length, 0.0)
+    energy: Array = 0.5 * arm.compliance * arm.stop_stiffness * (inner**2 + outer**2)
+    return energy
+
+
+def _vectors(c: Columns, stem: str) -> Array:
+    """Shape (instants, 3)."""
+    return np.stack([c[f"{stem}{axis}"] for axis in "xyz"], axis=1)
+
+
+def _rotations(c: Columns) -> Array:
+    """Body to world, shape (instants, 3, 3)."""
+    w, x, y, z = (c[f"q{part}"] for part in "wxyz")
+    rows = [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)

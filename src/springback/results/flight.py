@@ -1,0 +1,455 @@
+"""Flying a scenario, and the result of it."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from springback.contact.parameters import Own
+from springback.dynamics.motion import rates
+from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
+from springback.kernels.vectors import Vec
+from springback.results.meshes import Surface, surfaces_of
+from springback.results.recovery_measures import (
+    RECOVERY_MEASURES,
+    judged,
+    recovery_measures,
+    recovery_outcome,
+)
+from springback.scenario.arguments import check_executor, chosen_pilot
+from springback.scenario.avionics import OwnPilot, board_of
+from springback.scenario.files import checked_scenario, overridden, read_scenario
+from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.user_obstacles import check_own_obstacles
+from springback.scenario.user_pilots import as_written, careful, in_words, tried
+from springback.simulation.flight import Executor, Flown, Trace, check_instants, fly_one
+from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
+from springback.simulation.measures import (
+    FAILURES,
+    MEASURES,
+    Outcome,
+    measures_of,
+    outcome_of,
+)
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Flight:
+    """Result of a flight.  Every measure is an attribute, too: ``flight.touch_speed``."""
+
+    scenario: Scenario
+    outcome: Outcome
+    measures: dict[str, float | None]
+    """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
+    columns: dict[str, Array]
+    """Trajectory by column, each of shape (instants,); empty if none was kept."""
+    units: dict[str, str]
+    """Unit of each column, of the diary too."""
+    diary: dict[str, Array] = field(default_factory=dict)
+    """What was measured, believed, wanted and commanded, tick by tick; empty without a pilot."""
+    work: dict[str, Array] = field(default_factory=dict)
+    """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
+    `springback.results.energy_history` needs beside the columns.  No file keeps it."""
+    own: tuple[Own, ...] = ()
+    """Obstacles of the user's own that it was flown with; none of a flight that was read back."""
+    own_surfaces: tuple[Surface, ...] = ()
+    """Of a flight that was read back, the surfaces of those obstacles, to be drawn."""
+
+    def __getattr__(self, name: str) -> float | None:
+        measures: dict[str, float | None] = self.__dict__.get("measures", {})
+        if name in measures:
+            return measures[name]
+        raise AttributeError(f"a flight has no {name!r}; measures: {', '.join(measures)}")
+
+    @property
+    def success(self) -> bool:
+        """As in campaigns: recovered, where that was asked for; else neither ground nor stop hit.
+
+        A simulation that diverged is no success either.
+        """
+        if "runs" in self.measures:
+            return self.outcome is Outcome.RECOVERED
+        return self.outcome not in FAILURES
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether the simulation stayed finite."""
+        return self.outcome is not Outcome.NOT_FINITE
+
+    @property
+    def remarks(self) -> dict[type[FlightWarning], str]:
+        """What to be wary of, a sentence each, by the kind of warning."""
+        found: dict[type[FlightWarning], str] = {}
+        if self.measures.get("ledger_open"):
+            left = self.measures["ledger_residual"]  # None where it is beyond all numbers
+            share = "more than all" if left is None else f"{left:.1e}"
+            found[LedgerWarning] = (
+                f"the energy ledger leaves {share} of the energy: the "
+                "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
+            )
+        commands = [values for name, values in self.diary.items() if name.startswith("command")]
+        lowest = np.min(commands, axis=0, initial=0.0)
+        below = np.flatnonzero(lowest < 0.0)
+        propulsion = self.scenario.vehicle.propulsion
+        if len(below) and propulsion is not None:
+            found[CommandWarning] = (
+                f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
+                f"at {self.diary['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do not "
+                f"turn backwards and give their least, {propulsion.least_thrust:g} N"
+            )
+        return found
+
+    @property
+    def message(self) -> str:
+        """The outcome in a sentence."""
+        return self.outcome.value
+
+    @property
+    def t(self) -> Array:
+        """Instants of the trajectory [s], shape (instants,)."""
+        return self.columns["t"]
+
+    def __repr__(self) -> str:
+        shown = [
+            ("touch_speed", "m/s"), ("restitution_at_separation", ""),
+            ("impact_peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
+            ("impact_arm_stroke", "m"), ("contacts", ""), ("peak_acceleration", "m/s²"),
+        ]  # fmt: skip
+        if "runs" in self.measures:
+            shown += [
+                ("detection_delay", "s"), ("recovery_time", "s"), ("height_loss", "m"),
+                ("nose_up", "deg"), ("nose_down", "deg"), ("runs", ""), ("recovered_runs", ""),
+            ]  # fmt: skip
+        lines = [f"Flight {self.scenario.name!r}: {self.message}"]
+        width = max(len(name) for name, _ in shown)
+        for name, unit in shown:
+            value = self.measures[name]
+            if unit == "deg" and value is not None:  # people read degrees, the measure is in rad
+                value = math.degrees(value)
+            lines.append(
+                f"  {name:<{width}} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}"
+            )
+        return "\n".join(lines)
+
+    def _kept(self) -> None:
+        if not self.columns:
+            raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``.
+
+        Raises:
+            InputError: If pandas is not installed, or no trajectory was kept.
+        """
+        self._kept()
+        from springback.extras import needs
+
+        pd = needs("pandas", "dataframe")
+        frame: pandas.DataFrame = pd.DataFrame(self.columns)
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
+
+        Raises:
+            InputError: If xarray is not installed, or no trajectory was kept.
+        """
+        self._kept()
+        from springback.extras import needs
+
+        xr = needs("xarray", "xarray")
+        data = {
+            name: ("t", values, {"units": self.units[name]})
+            for name, values in self.columns.items()
+            if name != "t"
+        }
+        known = {name: value for name, value in self.measures.items() if value is not None}
+        dataset: xarray.Dataset = xr.Dataset(
+            data,
+            coords={"t": ("t", self.t, {"units": "s"})},
+            attrs={"name": self.scenario.name, "outcome": self.outcome.word, **known},
+        )
+        return dataset
+
+    def summary(self) -> dict[str, Any]:
+        """All there is to say in plain data: outcome, measures, units, scenario, versions."""
+        from springback.version import __version__
+
+        known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
+        return {
+            "springback": __version__,
+            "name": self.scenario.name,
+            "outcome": self.outcome.word,
+            "message": self.message,
+            "measures": self.measures,
+            "units": {name: unit for name, (unit, _) in known.items()},
+            "scenario": self.scenario.model_dump(mode="json"),
+            **self._own_obstacles(),
+        }
+
+    def _own_obstacles(self) -> dict[str, Any]:
+        """Surfaces of the user's own obstacles near the flight, if there are any."""
+        found = self.own_surfaces
+        if self.own and self.columns:
+            place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
+            pressed = [c > 0.0 for name, c in self.columns.items() if name.startswith("fn")]
+            touching = np.any(pressed, axis=0)
+            found = surfaces_of(self.own, place[touching] if touching.any() else place)
+        return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
+
+
+def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
+    """Trajectory columns under their file names, with units."""
+    trace = flown.trace
+    if trace is None:
+        return {}, {}
+    state, view = "state", "acceleration"
+    names: dict[str, tuple[str, str]] = {"t": ("time", "s")}
+    names |= {axis: (f"{state}.position.{axis}", "m") for axis in "xyz"}
+    names |= {f"q{part}": (f"{state}.attitude.{part}", "") for part in "wxyz"}
+    names |= {f"v{axis}": (f"{state}.velocity.{axis}", "m/s") for axis in "xyz"}
+    names |= {f"w{axis}": (f"{state}.angular_velocity.{axis}", "rad/s") for axis in "xyz"}
+    count = range(1, len(flown.start.arm_length) + 1)
+    names |= {f"l{j}": (f"{state}.arm_length.{j}", "m") for j in count}
+    names |= {f"dl{j}": (f"{state}.arm_rate.{j}", "m/s") for j in count}
+    names |= {f"a{axis}": (f"{view}.{axis}", "m/s^2") for axis in "xyz"}
+    names |= {f"fn{j}": (f"arms.{j}.normal", "N") for j in count}
+    names |= {"fn_body": ("hull.1.normal", "N")} if flown.model.airframe.hull else {}
+    columns = {name: np.ascontiguousarray(trace[source]) for name, (source, _) in names.items()}
+    units = {name: unit for name, (_, unit) in names.items()}
+    rubbed = {f"ff{j}": f"arms.{j}.friction" for j in count}
+    rubbed |= {"ff_body": "hull.1.friction"} if flown.model.airframe.hull else {}
+    for name, source in rubbed.items():
+        parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
+        columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
+    return columns, units
+
+
+def _work(flown: Flown) -> dict[str, Array]:
+    """Works of the trace by name, and whether any arm's cage touches."""
+    trace, stem = flown.trace, "work."
+    if trace is None:
+        return {}
+    names = [name for name in trace.columns if name.startswith(stem)]
+    work = {name.removeprefix(stem): np.ascontiguousarray(trace[name]) for name in names}
+    touching = np.zeros(len(trace.values))
+    for name in trace.columns:
+        if ".engaged." in name:
+            np.maximum(touching, trace[name], out=touching)
+    return work | {"touching": touching}
+
+
+#: Columns of a diary: name, where it comes from, unit.  An `n` stands for the number of an arm.
+_DIARY = (
+    ("t", "time", "s"),
+    ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
+    ("imu_a{a}", "measurement.inertial.specific_force.{a}", "m/s^2"),
+    ("imu_w{a}", "measurement.inertial.angular_velocity.{a}", "rad/s"),
+    ("imu_fresh", "measurement.inertial.fresh", ""),
+    ("pose_{a}", "measurement.pose.position.{a}", "m"),
+    ("pose_q{q}", "measurement.pose.attitude.{q}", ""),
+    ("pose_fresh", "measurement.pose.fresh", ""), ("pose_age", "measurement.pose.age", "s"),
+    ("hall{n}", "measurement.arm_length.{n}", "m"),
+    ("est_{a}", "told.estimate.position.{a}", "m"),
+    ("est_q{q}", "told.estimate.attitude.{q}", ""),
+    ("est_v{a}", "told.estimate.velocity.{a}", "m/s"),
+    ("est_w{a}", "told.estimate.angular_velocity.{a}", "rad/s"),
+    ("ref_{a}", "told.wanted.position.{a}", "m"), ("ref_v{a}", "told.wanted.velocity.{a}", "m/s"),
+    ("ref_a{a}", "told.wanted.acceleration.{a}", "m/s^2"), ("ref_yaw", "told.wanted.yaw", "rad"),
+    ("aim_q{q}", "told.aim.attitude.{q}", ""), ("aim_thrust", "told.aim.thrust", "N"),
+    ("aim_w{a}", "told.setpoint.{a}", "rad/s"),
+    ("leg", "told.leg", ""), ("goal_{a}", "told.goal.{a}", "m"),
+    ("pressed", "told.pressed", "m"), ("jolt", "told.jolt", "m/s^2"), ("push", "told.push", "N"),
+    ("alarms_hall", "told.alarms.1", ""), ("alarms_acceleration", "told.alarms.2", ""),
+    ("alarms_wrench", "told.alarms.3", ""),
+    ("force_{a}", "told.force.{a}", "N"), ("moment_{a}", "told.moment.{a}", "N m"),
+    ("hit_{a}", "told.direction.{a}", ""),
+)  # fmt: skip
+
+
+def _diary(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns of the diary under their file names, with units; those that the pilot told."""
+    columns: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    if trace is None:
+        return columns, units
+    for name, source, unit in _DIARY:
+        for n in range(1, arms + 1) if "{n}" in source else (0,):
+            for a in "xyz" if "{a}" in source else ("",):
+                for q in "wxyz" if "{q}" in source else ("",):
+                    known = source.format(n=n, a=a, q=q)
+                    if known in trace.columns:
+                        column = name.format(n=n, a=a, q=q)
+                        columns[column] = np.ascontiguousarray(trace[known])
+                        units[column] = unit
+    return columns, units
+
+
+def fly(
+    scenario: Scenario | Mapping[str, Any] | str | Path,
+    *overrides: str,
+    own: Sequence[Own] = (),
+    pilot: PlainPilot | OwnPilot | str | None = None,
+    trajectory: bool = True,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
+) -> Flight:
+    """Fly a scenario.
+
+    Args:
+        scenario: A `Scenario`, plain tables, or the path of a TOML file.
+        *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a ready `Scenario`.
+        own: Obstacles of one's own beside the scenario's: pairs of a shape, registered with
+            `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
+        pilot: A pilot of one's own in place of the scenario's: a plain function
+            ``(time, measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or
+            an `OwnPilot`, which is compiled, or ``"file.py:name"`` of either.
+        trajectory: Keep the trajectory.
+        executor: ``compiled``, or ``python`` for the same source run by the interpreter.
+        progress: Called now and then with the simulated time [s].
+
+    Warns:
+        LedgerWarning: If the energy ledger does not close to 1e-4.
+        CommandWarning: If a pilot commands less than 0 N of a rotor and the diary is kept.
+
+    Raises:
+        InputError: If the scenario cannot be flown; one line for each problem.  If the distance or
+            the normal of an obstacle of one's own is wrong where the vehicle could meet it.  If a
+            pilot of one's own fails, in one line with its file and line; what it raised is the
+            cause.
+    """
+    check_executor(executor)
+    flown_by = chosen_pilot(pilot)
+    ready = as_scenario(scenario, overrides, flown_by is not None)
+    check_own_obstacles(own, Vec(*ready.start.position))
+    model, start = ready.flight_model(own), ready.start_state()
+    _check_start(model, start)
+    if trajectory:
+        until, guided = model.timing.until, ready.reference is not None or flown_by is not None
+        foreseen = until * ready.clock if guided else until / model.timing.free_step
+        check_instants(int(foreseen), until, until)
+    if ready.reference is not None or flown_by is not None:
+        flight = _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        return _wary(replace(flight, own=tuple(own)))
+    flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
+    columns, units = _columns(flown)
+    outcome, measures = outcome_of(flown.record), measures_of(flown)
+    flight = Flight(ready, outcome, measures, columns, units, work=_work(flown), own=tuple(own))
+    return _wary(flight)
+
+
+def _wary(flight: Flight) -> Flight:
+    """The flight, with a warning where it needs one."""
+    for kind, sentence in flight.remarks.items():
+        warnings.warn(f"{flight.scenario.name}: {sentence}", kind, stacklevel=3)
+    return flight
+
+
+def _guided(
+    ready: Scenario,
+    model: Model,
+    start: State,
+    pilot: PlainPilot | OwnPilot | None,
+    trajectory: bool,
+    executor: Executor,
+    progress: Callable[[float], None] | None,
+) -> Flight:
+    """Fly with a pilot aboard."""
+    own = pilot if isinstance(pilot, OwnPilot) else None
+    rotors = len(start.arm_length)
+    plain = careful(pilot, rotors) if callable(pilot) else None
+    if pilot is not None and ready.reference is None and not any(model.thrust):
+        model = model._replace(thrust=ready.hover_thrusts())
+    with _as_input():  # of a scenario that was not meant to have a pilot
+        board = board_of(ready, model, start, pilot=own, relay=plain is not None)
+    if own is not None:
+        tried(own, board.cabin.aboard.measurement, rotors)
+    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
+    noise = noise_table(ready.seed, 0, ticks, board.noise)
+    with in_words(own):
+        guided = fly_guided(
+            model, start, board.cabin, noise,
+            pilot=plain, trace=trajectory, executor=executor, progress=progress,
+        )  # fmt: skip
+    columns, units = _columns(guided.flown)
+    diary, diary_units = _diary(guided.diary, len(start.arm_length))
+    outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
+    if judged(guided):
+        outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
+    return Flight(
+        ready, outcome, measures, columns, units | diary_units, diary, _work(guided.flown)
+    )
+
+
+@contextmanager
+def _as_input() -> Iterator[None]:
+    """Tell the problem of a scenario that was checked before as bad input."""
+    try:
+        yield
+    except PydanticCustomError as error:
+        raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
+
+
+def _check_start(model: Model, start: State) -> None:
+    """Refuse a start inside an obstacle of the user's own; others are checked with the scenario."""
+    m = model
+    seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
+    gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
+    gaps += [("main body", hull.gap) for hull in seen.hull]
+    for part, gap in gaps:
+        if gap < 0.0:
+            raise InputError(f"start.position: puts the {part} {-gap:.3g} m inside")
+
+
+def as_scenario(
+    scenario: Scenario | Mapping[str, Any] | str | Path,
+    overrides: tuple[str, ...] = (),
+    pilot: bool | None = None,
+) -> Scenario:
+    """A checked scenario from whatever describes one.
+
+    Args:
+        scenario: A `Scenario`, plain tables, or the path of a TOML file.
+        overrides: Words such as ``"vehicle.arms.stiffness=6000"``.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+
+    Raises:
+        InputError: If it is none of these, or cannot be flown; one line for each problem.
+    """
+    if isinstance(scenario, Scenario):
+        if overrides:
+            raise InputError(
+                "overrides need a file or tables; change a Scenario by scenario.model_copy(update=)"
+            )
+        if pilot is False:
+            with _as_input():
+                scenario.check_without_pilot()
+        return scenario
+    if isinstance(scenario, Mapping):
+        if not overrides:
+            return scenario_from(scenario, pilot)
+        given = overridden(dict(scenario), overrides)
+        return checked_scenario(given, "scenario", "", overrides, pilot)
+    if not isinstance(scenario, str | Path):
+        raise InputError(
+            "scenario must be a Scenario, tables, or the path of a TOML file "
+            f"(got {as_written(scenario)})"
+        )
+    return read_scenario(scenario, overrides, pilot=pilot)

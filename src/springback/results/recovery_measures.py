@@ -1,0 +1,139 @@
+"""How a recovery went: outcome and measures, from what the referee saw and the pilot remembers."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from springback.recovery.evaluator import RefereeMemory
+from springback.simulation.columns import Array, as_columns
+from springback.simulation.guided import GuidedFlown
+from springback.simulation.measures import Outcome, first_claimed, outcomes_of, told_of, where
+
+#: Vectors shorter than this have no direction.
+LEVEL = 1e-9
+#: Unit and meaning of every measure of a recovery; of several collisions in one flight those with
+#: "last" are of the last one.
+RECOVERY_MEASURES = {
+    "runs": ("", "collisions, each with what followed"),
+    "recovered_runs": ("", "of these, those that ended at rest, at p_r or at home"),
+    "false_alarms": ("", "alarms without a contact"),
+    "alarm_time": ("s", "of the last alarm that belongs to a collision"),
+    "planned_time": ("s", "when the way back was planned, on the last run"),
+    "rested_time": ("s", "when the pilot took itself to rest at p_r, or gave up waiting"),
+    "home_time": ("s", "when it took itself to be home again"),
+    "detection_delay": ("s", "first alarm after first touch"),
+    "hall_delay": ("s", "first time that the arms' trigger went off, after first touch"),
+    "acceleration_delay": ("s", "the same for the accelerometer's trigger"),
+    "wrench_delay": ("s", "the same for the external wrench's trigger"),
+    "recovery_time": ("s", "first touch to rest at p_r, or at home where it leant on the wall"),
+    "height_loss": ("m", "below the height at touch, until rest"),
+    "lowest_height": ("m", "of the main body over the whole flight"),
+    "excursion": ("m", "largest level distance from the place of touch, until rest"),
+    "path": ("m", "flown from touch until rest"),
+    "nose_up": ("rad", "largest pitch nose up after touch, as a negative pitch"),
+    "nose_down": ("rad", "largest pitch nose down after touch"),
+    "position_error": ("m", "of p_c: main body at the last alarm, believed and true"),
+    "direction_error": ("rad", "between f_c0 as relied on and the obstacle's normal, level parts"),
+    "arms_direction_error": ("rad", "the same, f_c0 from the arms"),
+    "acceleration_direction_error": ("rad", "the same, f_c0 from the accelerometer"),
+    "wrench_direction_error": ("rad", "the same, f_c0 from the external wrench"),
+    "intensity": ("N", "largest external force that was felt"),
+}  # fmt: skip
+
+
+def judged(guided: GuidedFlown) -> bool:
+    """Whether a flight had a referee."""
+    return isinstance(guided.aboard.witness, RefereeMemory)
+
+
+def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
+    """The outcomes of flights that a referee has judged.
+
+    Args:
+        record: `Record` whose leaves are columns, one number for each flight.
+        seen: `RefereeMemory` of columns.
+    """
+    plain = outcomes_of(record)
+    final = np.array([one in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) for one in plain])
+    claims = [
+        (Outcome.RECOVERED, seen.recovered >= seen.runs),
+        (Outcome.NOT_DETECTED, seen.run.alarm < 0.0),
+    ]
+    after = first_claimed(claims, Outcome.NOT_SETTLED)
+    stands = (final | (seen.runs == 0.0)).tolist()
+    return [a if stays else b for a, b, stays in zip(plain, after, stands, strict=True)]
+
+
+def recovery_outcome(guided: GuidedFlown) -> Outcome:
+    """The outcome of a flight that a referee has judged."""
+    record, seen = as_columns(guided.flown.record), as_columns(guided.aboard.witness)
+    return recovery_outcomes(record, seen)[0]
+
+
+def _known(time: Array) -> Array:
+    return where(time >= 0.0, time)
+
+
+def _since(time: Array, touch: Array) -> Array:
+    return where((time >= 0.0) & (touch >= 0.0), time - touch)
+
+
+def _between(a: Any, b: Any) -> Array:
+    """Angles between the level parts of vectors of columns [rad]; NaN where one has none."""
+    level = (a.x * a.x + a.y * a.y >= LEVEL**2) & (b.x * b.x + b.y * b.y >= LEVEL**2)
+    across, along = a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y
+    # By Python's own arc tangent: NumPy's may differ in the last bit with its place in an array.
+    angles = map(math.atan2, across.tolist(), along.tolist())
+    return where(level, np.abs(np.array(list(angles))))
+
+
+def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
+    """Every measure of many recoveries, in the order of `RECOVERY_MEASURES`; NaN for None.
+
+    Args:
+        record: `Record` whose leaves are columns, one number for each flight.
+        seen: `RefereeMemory` of columns.
+        memory: `ResilientMemory` of columns; only collision, detection and journey are read.
+    """
+    run, hit, d = seen.run, memory.collision, memory.detection
+    first, log = record.touch_time, memory.journey.log
+    # The record knows first touch exactly; the referee, of later runs, to a tick.
+    touch = np.where(seen.runs == 1.0, first, run.touch)
+    happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
+    gap = hit.position - run.alarm_place
+    return {
+        "runs": seen.runs,
+        "recovered_runs": seen.recovered,
+        "false_alarms": seen.false_alarms,
+        "alarm_time": where(noticed, run.alarm),
+        "planned_time": _known(log.planned),
+        "rested_time": _known(log.settled),
+        "home_time": _known(log.home),
+        "detection_delay": _since(run.alarm, touch),
+        "hall_delay": _since(d.hall.first, first),
+        "acceleration_delay": _since(d.acceleration.first, first),
+        "wrench_delay": _since(d.wrench.first, first),
+        "recovery_time": _since(run.settled, touch),
+        "height_loss": where(happened, run.place.z - run.lowest),
+        "lowest_height": seen.lowest,
+        "excursion": where(happened, run.excursion),
+        "path": where(happened, run.path),
+        "nose_up": where(happened, run.nose_up),
+        "nose_down": where(happened, run.nose_down),
+        "position_error": where(noticed, np.sqrt(gap @ gap)),
+        "direction_error": _between(hit.direction, record.inward),
+        "arms_direction_error": _between(hit.by_arms, record.inward),
+        "acceleration_direction_error": _between(hit.by_acceleration, record.inward),
+        "wrench_direction_error": _between(hit.by_wrench, record.inward),
+        "intensity": where(noticed, hit.intensity),
+    }
+
+
+def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
+    """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
+    aboard = guided.aboard
+    trees = guided.flown.record, aboard.witness, aboard.pilot
+    return told_of(recovery_columns(*(as_columns(tree) for tree in trees)))

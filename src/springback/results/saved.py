@@ -1,0 +1,186 @@
+"""Results of flights, read back from the folders that `springback fly` writes."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.results.database import in_database, locked, parquet, pattern
+from springback.results.flight import Flight
+from springback.results.meshes import read_surfaces
+from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.results.sealed_json import file_digest, is_sealed, read_object
+from springback.scenario.scenario import Scenario, scenario_from
+from springback.simulation.measures import MEASURES, Outcome
+from springback.vehicle.parameters import Vehicle
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def read_result(folder: str | Path) -> Flight:
+    """A flight as it was written, with its scenario, measures, trajectory and diary.
+
+    Args:
+        folder: With ``summary.json``, ``trajectory.parquet`` and, of a flight with a pilot,
+            ``diary.parquet``.
+
+    Raises:
+        InputError: In one line, if the folder is no result, or what is in it is torn or foreign.
+    """
+    folder = Path(folder)
+    if not folder.exists():
+        raise InputError(f"{folder}: there is no such folder")
+    if not folder.is_dir():
+        raise InputError(f"{folder}: is a file; give the folder that springback fly wrote")
+    summary = _summary(folder / "summary.json")
+    path = folder / "trajectory.parquet"
+    if path.name not in summary["files"]:
+        raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
+    for name in ("trajectory.parquet", "diary.parquet"):
+        _check_file(folder / name, summary["files"])
+    scenario = _scenario(folder / "summary.json", summary)
+    columns, units = _table(path)
+    _check(path, columns, _wanted(scenario.vehicle))
+    diary: dict[str, Array] = {}
+    path = folder / "diary.parquet"
+    if path.name in summary["files"]:
+        diary, more = _table(path)
+        _check(path, diary, ["t"])
+        units |= more
+    outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
+    told = f"{folder / 'summary.json'}: own_obstacles"
+    surfaces = read_surfaces(summary.get("own_obstacles", ()), told)
+    return Flight(scenario, outcome, measures, columns, units, diary, own_surfaces=surfaces)
+
+
+def _summary(path: Path) -> Mapping[str, Any]:
+    if not path.is_file():
+        raise InputError(
+            f"{path}: is missing; {path.parent} is no result folder as springback fly writes it"
+        )
+    read = read_object(path)
+    for name, kind in {"scenario": dict, "measures": dict, "outcome": str, "files": dict}.items():
+        if not isinstance(read.get(name), kind):
+            raise InputError(
+                f"{path}: {name}: is missing or of another kind; this is no summary of one flight"
+            )
+    if not is_sealed(read):
+        raise InputError(f"{path}: is damaged or was edited; fly the scenario again")
+    return read
+
+
+def _check_file(path: Path, files: Mapping[str, Any]) -> None:
+    """Refuse a file that is not the one of the flight: damaged, or left by another."""
+    if path.name not in files:
+        return
+    try:
+        same = file_digest(path) == files[path.name]
+    except FileNotFoundError:
+        raise InputError(f"{path}: is missing; fly the scenario again") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if not same:
+        raise InputError(
+            f"{path}: is damaged, or belongs to another flight than summary.json; fly the scenario "
+            "again"
+        )
+
+
+def _first_line(error: BaseException) -> str:
+    text = str(error).strip().splitlines() or [type(error).__name__]
+    return text[0][:200]
+
+
+def _scenario(path: Path, summary: Mapping[str, Any]) -> Scenario:
+    try:
+        return scenario_from(summary["scenario"])
+    except (InputError, TypeError, ValueError) as error:
+        by = f"; it was written by springback {str(summary.get('springback', '?'))[:20]}"
+        raise InputError(f"{path}: scenario: {_first_line(error)}{by}") from None
+
+
+def _outcome(path: Path, summary: Mapping[str, Any]) -> Outcome:
+    known = {outcome.word: outcome for outcome in Outcome}
+    if summary["outcome"] not in known:
+        raise InputError(
+            f"{path}: outcome: {summary['outcome'][:40]!r} is none of {', '.join(known)}"
+        )
+    return known[summary["outcome"]]
+
+
+def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | None]:
+    measures: dict[str, float | None] = {}
+    for name, value in summary["measures"].items():
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        if value is not None and not (number and math.isfinite(value)):
+            raise InputError(
+                f"{folder / 'summary.json'}: measures.{name[:40]}: must be a number or null "
+                f"(got {str(value)[:40]!r})"
+            )
+        measures[name] = None if value is None else float(value)
+    for name in (*MEASURES, *(RECOVERY_MEASURES if "runs" in measures else ())):
+        if name not in measures:
+            raise InputError(f"{folder / 'summary.json'}: measures.{name}: is missing")
+    return measures
+
+
+def _wanted(vehicle: Vehicle) -> list[str]:
+    """Columns of a trajectory that are needed."""
+    numbers = range(1, vehicle.arm_count + 1)
+    names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
+    names += [f"{kind}{axis}" for kind in "vwa" for axis in "xyz"]
+    names += [f"{kind}{j}" for kind in ("l", "dl", "fn", "ff") for j in numbers]
+    return names + (["fn_body", "ff_body"] if vehicle.hull else [])
+
+
+def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns of a Parquet file, and their units."""
+    path = path.absolute()
+    import duckdb
+
+    def ask(connection: Any) -> tuple[Any, Any]:
+        read = connection.execute(f"SELECT * FROM {parquet([path])}").fetchnumpy()
+        told = connection.execute(
+            "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [pattern(path)]
+        ).fetchone()
+        return read, told
+
+    try:
+        read, told = in_database(ask, locked([path], threads=1))
+    except duckdb.Error as error:
+        raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
+    columns: dict[str, Array] = {}
+    for name, values in read.items():
+        if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
+            raise InputError(f"{path}: column {name}: has missing values")
+        try:
+            columns[name] = np.ascontiguousarray(values, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(f"{path}: column {name}: must hold numbers") from None
+    try:
+        units = json.loads(told[0]) if told else {}
+    except ValueError:
+        units = {}
+    known = units if isinstance(units, dict) else {}
+    return columns, {name: str(known.get(name, "")) for name in columns}
+
+
+def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
+    """Refuse columns that are not those of a flight."""
+    missing = [name for name in wanted if name not in columns]
+    if missing:
+        raise InputError(f"{path}: has no column {', '.join(missing[:6])}; it is of another kind")
+    t = columns["t"]
+    if len(t) < 2:
+        raise InputError(f"{path}: has {len(t)} instants; a flight has at least 2")
+    for name in wanted:
+        if not np.isfinite(columns[name]).all():
+            raise InputError(f"{path}: column {name}: must be finite numbers")
+    if not (np.diff(t) > 0.0).all():
+        raise InputError(f"{path}: column t: must increase from row to row, in s")

@@ -1,0 +1,42 @@
+"""What callers in Python hand over beside a scenario, checked before anything is flown."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+from springback.errors import InputError
+from springback.scenario.avionics import OwnPilot
+from springback.scenario.user_pilots import as_written, read_pilot
+from springback.simulation.flight import Executor
+from springback.simulation.guided import PlainPilot
+
+
+def check_executor(executor: str) -> None:
+    """Refuse an executor that there is not.
+
+    Raises:
+        InputError: With the names of those that there are.
+    """
+    known = get_args(Executor)
+    if executor not in known:
+        names = " or ".join(map(repr, known))
+        raise InputError(f"executor must be {names} (got {as_written(executor)})")
+
+
+def chosen_pilot(pilot: Any) -> PlainPilot | OwnPilot | None:
+    """The pilot that was asked for, read from its file if it is in one.
+
+    Raises:
+        InputError: If it is no pilot.
+    """
+    if isinstance(pilot, str):
+        return read_pilot(pilot)
+    if pilot is None or isinstance(pilot, OwnPilot):
+        return pilot
+    if isinstance(pilot, type) or not callable(pilot):
+        raise InputError(
+            "pilot must be a function (time, measurement, memory) -> (thrusts, memory), an "
+            f"OwnPilot, or 'file.py:name' (got {as_written(pilot)})"
+        )
+    plain: PlainPilot = pilot
+    return plain

@@ -1,0 +1,459 @@
+"""What a scenario puts aboard: sensors, estimator, controller, reference, rotors, weather."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, NamedTuple
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from springback.control.cascade import Cascade, cascade_memory
+from springback.control.demands import Demands, Limits, shortfalls
+from springback.control.linear import warnings_for
+from springback.control.parameters import ControlSettings, Schedule
+from springback.control.reference_parameters import CircleSettings, RunUpSettings
+from springback.control.runup import reach
+from springback.dynamics.air import AirSettings
+from springback.dynamics.gusts import Calm
+from springback.errors import InputError
+from springback.kernels.memo import EVER, Make, afresh
+from springback.kernels.vectors import ZERO, Vec
+from springback.recovery.characterisation import Characterisation
+from springback.recovery.detection import Detection
+from springback.recovery.evaluator import referee_at_start
+from springback.recovery.parameters import RecoverySettings
+from springback.recovery.pilot import Resilient, resilient_memory
+from springback.recovery.state_machine import Route
+from springback.recovery.wrench import Observer
+from springback.scenario.model import true_airframe
+from springback.scenario.tables import ScenarioTables
+from springback.sensing.clock import inside
+from springback.sensing.estimation import EstimatorSettings, Rhythm
+from springback.sensing.measurement import Estimate
+from springback.sensing.parameters import BIASES, SensorSettings
+from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
+from springback.settings import problem
+from springback.simulation.guided import NOBODY, cabin_of
+from springback.simulation.onboard import Cabin, Draw, Guidance, NoWitness, Relay
+from springback.simulation.record import Model
+from springback.simulation.ticks import GUST_NOISE
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.rotors import Propulsion, Rotors, lag_over
+from springback.vehicle.state import Airframe, State
+
+#: Streams of a flight's luck beside that of its ticks (`springback.simulation.guided`).
+TURN_ON = 2
+#: Range of an accelerometer that has none [m/s²]; finite, as all numbers in kernels.
+UNCLIPPED = 1e6
+
+
+class OwnPilot(NamedTuple):
+    """A pilot of the user's own that is compiled: its type is registered with `piloted`."""
+
+    settings: Any  # a NamedTuple of floats
+    memory: Any  # at the start; a tree of floats
+
+
+class Board(NamedTuple):
+    """What is aboard, and the normal numbers that it takes."""
+
+    cabin: Cabin
+    noise: tuple[Draw, ...]
+
+
+@contextmanager
+def _in_table(table: str) -> Iterator[None]:
+    """Name the table of a scenario that a problem is in."""
+    try:
+        with inside(table):
+            yield
+    except InputError as error:
+        raise problem("; ".join(error.problems), table) from None
+
+
+def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) -> Propulsion:
+    """Rotors of the vehicle; refused where there are none, or where they cannot lift it.
+
+    Args:
+        scenario: To be flown.
+        airframe: The true one, if it is known already.
+    """
+    propulsion = scenario.vehicle.propulsion
+    if propulsion is None:
+        raise problem(
+            "is missing: a vehicle that is flown by a pilot needs most_thrust at least",
+            "vehicle.propulsion",
+        )
+    s = scenario
+    true = airframe or true_airframe(s.vehicle, s.model_error, s.payload)
+    share = true.mass * scenario.world.gravity / len(true.arms)
+    sides = {"most_thrust": "more", "least_thrust": "less"} if share > 0.0 else {}
+    for name, side in sides.items():
+        given = getattr(propulsion, name)
+        if (given <= share) if side == "more" else (given >= share):
+            raise problem(
+                f"must be {side} than {share:.4g} N, each rotor's share of the true weight, "
+                f"payload and model_error included (got {given:g} N)",
+                f"vehicle.propulsion.{name}",
+            )
+    return propulsion
+
+
+class Devices(NamedTuple):
+    """Sensors that are not switched on yet."""
+
+    told: SensorSettings
+    sensors: Sensors
+    noise: tuple[Draw, ...]
+
+
+class Believed(NamedTuple):
+    """What its pilot believes of a vehicle."""
+
+    airframe: Airframe
+    mass: float  # [kg]
+    rotors: Rotors
+    most_thrust: float  # collective [N]
+    gravity: float  # g [m/s²]
+
+
+def believed_of(vehicle: Vehicle, propulsion: Propulsion, gravity: float) -> Believed:
+    """What the pilot of a vehicle believes."""
+    rotors, count = propulsion.rotors(), vehicle.arm_count
+    return Believed(vehicle.airframe(), vehicle.mass, rotors, count * rotors.most, gravity)
+
+
+def limits_of(believed: Believed, rate_limit: float) -> Limits:
+    """What the vehicle can do, as its pilot believes; the limit of its rate is in rad/s."""
+    return Limits(
+        mass=believed.mass,
+        gravity=believed.gravity,
+        most_thrust=believed.most_thrust,
+        least_thrust=len(believed.airframe.arms) * believed.rotors.least,
+        most_body_rate=rate_limit,
+    )
+
+
+def reference_of(
+    settings: Any,
+    believed: Believed,
+    rate_limit: float,
+    point: Any,
+    make: Make = afresh,
+    advises: bool = True,
+) -> Any:
+    """Numbers of a reference.
+
+    Args:
+        settings: The table.
+        believed: What the pilot believes of the vehicle.
+        rate_limit: Of roll and pitch [rad/s].
+        point: Where a cage touches.
+        make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
+
+    Raises:
+        The problem of a reference that the vehicle cannot follow.
+    """
+    limits = make(limits_of, believed, rate_limit)
+    made = make(_made_reference, settings, limits, believed.airframe, point, advises)
+    if isinstance(made, InputError):
+        with _in_table("reference"):
+            raise made
+    return made
+
+
+def _made_reference(
+    settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
+) -> Any:
+    """Numbers of the reference, or the problem with it."""
+    if isinstance(settings, RunUpSettings):
+        return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
+    return _found(settings, limits)
+
+
+@functools.lru_cache(maxsize=4096)  # every scenario asks twice, and many vehicles reach as far
+def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
+    """Numbers of a run-up, or the problem with it: finding that out takes longest."""
+    try:
+        return settings.run_up(limits, lambda pitch: ahead, advises).reference
+    except InputError as problem_of_it:
+        return problem_of_it
+
+
+@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
+def _found(settings: Any, limits: Limits) -> Any:
+    """Numbers of a reference that is no run-up, or the problem with it."""
+    try:
+        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups ask how far cages reach
+    except InputError as problem_of_it:
+        return problem_of_it
+
+
+def devices_of(
+    sensors: SensorSettings, estimator: EstimatorSettings, tick: float, vehicle: Vehicle
+) -> Devices:
+    """Numbers of the sensors that are the same in every flight.
+
+    They reveal the truth to an estimator that is to be perfect.
+    """
+    told = sensors
+    if estimator.type == "perfect":
+        told = sensors.with_checked(reveal=True)
+    with _in_table("sensors"):
+        devices = told.devices(tick, vehicle)
+    return Devices(told, devices, draws_of(devices, vehicle.arm_count))
+
+
+def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
+    """Normal numbers by which sensors are biased when they are switched on, of many flights.
+
+    Args:
+        seeds: One for each flight.
+        flight: Its number in a campaign.
+    """
+    drawn = []
+    for seed in seeds:
+        luck = np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON)))
+        drawn.append(np.random.Generator(luck).standard_normal(BIASES).tolist())
+    return drawn
+
+
+def _tick(clock: float) -> float:
+    return 1.0 / clock
+
+
+def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
+    """The pace of the sensors, as the estimator must know it."""
+    s = sensors
+    return Rhythm(
+        tick=tick,
+        interval=tick if s.imu.perfect else 1.0 / s.imu.rate,
+        pose_age=0.0 if s.motion_capture.perfect else s.motion_capture.delay,
+        pose_interval=tick if s.motion_capture.perfect else 1.0 / s.motion_capture.rate,
+    )
+
+
+def _estimator_settings(given: EstimatorSettings, sensors: SensorSettings) -> EstimatorSettings:
+    """Settings of the estimator; where it stands on the robot it knows from the sensors."""
+    if "offset" in given.kalman.model_fields_set:
+        return given
+    kalman = given.kalman.with_checked(offset=sensors.imu.offset)
+    return given.with_checked(kalman=kalman)
+
+
+def _estimator(
+    given: EstimatorSettings, sensors: SensorSettings, tick: float, gravity: float
+) -> tuple[EstimatorSettings, Any]:
+    """Settings and numbers of the estimator."""
+    settings = _estimator_settings(given, sensors)
+    with _in_table("estimator"):
+        return settings, settings.estimator(_rhythm(sensors, tick), gravity)
+
+
+def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings:
+    """Settings of the controller; unless told, it feeds forward where the reference is a run-up."""
+    if given.feed_forward is not None:
+        return given
+    return given.with_checked(feed_forward=isinstance(reference, RunUpSettings))
+
+
+def _schedule(control: ControlSettings, clock: float) -> Schedule:
+    try:  # contexts cost more than schedules
+        return control.schedule(clock)
+    except PydanticCustomError:
+        with _in_table("control"):
+            raise
+
+
+def estimate_at(state: State) -> Estimate:
+    """The exact estimate of a state."""
+    return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
+
+
+def cascade_of(
+    scenario: ScenarioTables, model: Model, start: State, make: Make = afresh, advises: bool = True
+) -> OwnPilot:
+    """The pilot of the paper, and its memory at the start."""
+    s, gravity, tick = scenario, scenario.world.gravity, make(_tick, scenario.clock)
+    propulsion = propulsion_of(s, model.airframe)
+    believed = make(believed_of, s.vehicle, propulsion, gravity)
+    settings, estimator = make(_estimator, s.estimator, s.sensors, tick, gravity)
+    control = make(_control_settings, s.control, s.reference, place=EVER)
+    schedule = make(_schedule, control, s.clock)
+    point, most = model.contact_point, believed.most_thrust
+    pilot = Cascade(
+        airframe=believed.airframe,
+        lowest=believed.rotors.least,
+        highest=believed.rotors.most,
+        lift=control.lift_share * most,
+        estimator=estimator,
+        reference=reference_of(s.reference, believed, control.rate_limit, point, make, advises),
+        position=make(ControlSettings.position_law, control, believed.mass, gravity, most),
+        attitude=make(ControlSettings.attitude_law, control),
+        rate=make(ControlSettings.rate_law, control),
+        schedule=schedule,
+    )
+    at = estimate_at(start)
+    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust, make)
+    if s.recovery is None:
+        return OwnPilot(pilot, memory)
+    resilient = resilient_of(s, pilot, believed, make)
+    return OwnPilot(resilient, resilient_memory(resilient, memory, make))
+
+
+class Eyes(NamedTuple):
+    """By what a collision is noticed and made out."""
+
+    observer: Observer
+    detection: Detection
+    look: Characterisation
+
+
+def eyes_of(
+    told: RecoverySettings, vehicle: Vehicle, sensors: SensorSettings, gravity: float, tick: float
+) -> Eyes:
+    """Numbers of what notices and makes out a collision."""
+    propulsion, imu = vehicle.propulsion, sensors.imu
+    lag = propulsion.time_constant if propulsion else 0.0
+    inertial = tick if imu.perfect else 1.0 / imu.rate
+    hall = tick if sensors.hall.perfect else 1.0 / sensors.hall.rate
+    is_compliant = vehicle.fastest_arm_rate() > 0.0
+    full_scale = UNCLIPPED if imu.perfect else imu.accelerometer.full_scale
+    with _in_table("recovery"):
+        return Eyes(
+            told.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
+            told.triggers(is_compliant, inertial, hall),
+            told.looks(full_scale),
+        )
+
+
+def resilient_of(
+    scenario: ScenarioTables, cascade: Cascade, believed: Believed, make: Make = afresh
+) -> Resilient:
+    """The pilot that recovers from collisions, around the one that flies."""
+    s, told, tick = scenario, scenario.recovery, make(_tick, scenario.clock)
+    assert told is not None  # asked only of scenarios that recover
+    eyes = make(eyes_of, told, s.vehicle, s.sensors, believed.gravity, tick)
+    route: Route = make(RecoverySettings.route, told, ZERO)
+    if told.home is None:
+        route = route._replace(home=Vec(*s.start.position))
+    return Resilient(cascade, *eyes, route)
+
+
+def board_of(
+    scenario: ScenarioTables,
+    model: Model,
+    start: State,
+    *,
+    flight: int = 0,
+    pilot: OwnPilot | None = None,
+    relay: bool = False,
+    biases: Sequence[float] | None = None,
+    make: Make = afresh,
+    advises: bool = True,
+) -> Board:
+    """What is aboard before the first tick.
+
+    Args:
+        scenario: With a reference, or flown by a pilot of the user's own.
+        model: Of the flight.
+        start: State at time 0.
+        flight: Its number in a campaign, for its luck.
+        pilot: In place of the paper's.
+        relay: The pilot is in plain Python, and sits outside.
+        biases: `turn_on_normals` of the seed and the number, if they are known already.
+        make: How parts are made.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
+    """
+    s, arms, period = scenario, len(model.airframe.arms), make(_tick, scenario.clock)
+    devices = make(devices_of, s.sensors, s.estimator, period, s.vehicle)
+    drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
+    sensors = devices.told.switched_on(devices.sensors, drawn)
+    if relay:
+        pilot = OwnPilot(Relay(0.0), model.thrust)
+    flown_by = pilot or cascade_of(s, model, start, make, advises)
+    air = make(_air_of, s.air, period)
+    judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
+    witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)
+    seen: Any = referee_at_start(start.position) if judged else NOBODY
+    rotors = make(Propulsion.rotors, propulsion_of(s, model.airframe))
+    guidance = Guidance(
+        sensors=sensors,
+        pilot=flown_by.settings,
+        rotors=rotors,
+        lag=make(lag_over, rotors.time_constant, period),
+        witness=witness,
+        weather=air.weather,
+        mean_wind=air.mean_wind,
+        period=period,
+    )
+    remembered = sensors_at_start(sensors, start, s.world.gravity, make)
+    cabin = cabin_of(
+        guidance, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
+    )
+    return Board(cabin, (*devices.noise, air.noise))
+
+
+class Blowing(NamedTuple):
+    """The air about a vehicle with a pilot."""
+
+    weather: Any
+    mean_wind: Vec  # world [m/s]
+    noise: Draw
+
+
+def _air_of(air: AirSettings, tick: float) -> Blowing:
+    with _in_table("air"):
+        weather = air.turbulence(tick)
+    noise = Draw(GUST_NOISE, 0 if isinstance(weather, Calm) else 1)
+    return Blowing(weather, Vec(*air.wind), noise)
+
+
+#: Tables that only the pilot of the paper reads, and those that every pilot flies with.
+_PAPERS = ("reference", "control", "estimator", "recovery")
+_PILOTS = ("sensors", "clock", "seed")
+
+
+def uneasy(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
+    """What a user had better know before the flight: one sentence each.
+
+    Args:
+        scenario: To be flown.
+        own: By a pilot of the user's own, who takes the place of the paper's.
+    """
+    given = scenario.model_fields_set
+    if own:
+        unread = [name for name in _PAPERS if name in given]
+        return _unread(unread, "a pilot of your own flies, who is not told of it")
+    if scenario.reference is None or scenario.vehicle.propulsion is None:
+        unread = [name for name in (*_PAPERS[1:], *_PILOTS) if name in given]
+        return _unread(unread, "no pilot flies without a [reference]")
+    lag = scenario.vehicle.propulsion.time_constant
+    gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
+    return gains + _circle_shortfalls(scenario)
+
+
+def _unread(names: list[str], why: str) -> list[str]:
+    return [f"{name} is not used: {why}" for name in names]
+
+
+def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
+    """What a circle at full speed asks for beyond the limits.
+
+    The thrust leans inwards by atan(R ω²/g) and turns about the vertical with ω.
+    """
+    circle = scenario.reference
+    if not isinstance(circle, CircleSettings):
+        return []
+    believed = believed_of(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
+    limits = limits_of(believed, scenario.control.rate_limit)
+    rate = 2.0 * math.pi / circle.period
+    inwards = circle.radius * rate**2
+    thrust, tilt = math.hypot(inwards, limits.gravity), math.atan2(inwards, limits.gravity)
+    asked = Demands(limits.mass * thrust, limits.mass * thrust, tilt, rate * math.sin(tilt))
+    return shortfalls(asked, limits, "the circle")

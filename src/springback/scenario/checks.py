@@ -1,0 +1,214 @@
+"""Checks across the tables of a scenario: each raises the problem, and names the key at fault."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Iterator
+
+from pydantic_core import PydanticCustomError
+
+from springback.contact.cage import meeting
+from springback.contact.hull import hull_apart
+from springback.contact.obstacles import Plane, obstacle_seen, signed_distance
+from springback.contact.parameters import faces
+from springback.kernels.memo import Make, afresh
+from springback.kernels.vectors import Vec, norm, rotation
+from springback.scenario.model import (
+    flight_model,
+    settle_step,
+    start_state,
+    thrusts_of,
+    true_body,
+    unit,
+)
+from springback.scenario.tables import ScenarioTables, SimulationSettings
+from springback.settings import problem
+from springback.simulation.record import Model
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import Airframe, State, arm_pose
+
+#: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
+STABLE = 2.5
+#: Most steps of a flight, should all be as fine as its finest (chosen): about 2 min of a processor.
+MOST_STEPS = 1e8
+#: Most ticks of a flight with a pilot (chosen): its noise takes 1 GB.  Trajectories are bounded
+#: apart, by `springback.simulation.flight.MOST_INSTANTS`.
+MOST_TICKS = 5e6
+#: Farther from its main body than this share of its reach no point of a vehicle is (chosen: the
+#: rounding of a ring adds 1e-5).
+AMPLE = 1.01
+
+
+def check_tables(scenario: ScenarioTables, make: Make = afresh) -> None:
+    """Refuse what cannot be flown, whoever flies it; `check_start` is the last of these checks."""
+    s = scenario
+    check_reference(s)
+    thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
+    check_slider(s)
+    body = make(true_body, s.vehicle, s.model_error, s.payload, make)
+    make(check_steps, s.simulation, s.vehicle)
+    check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
+
+
+def check_reference(scenario: ScenarioTables) -> None:
+    """Refuse what cannot stand beside a reference."""
+    if scenario.reference is None:
+        return
+    if scenario.thrust not in (0.0, "hover"):
+        raise problem(
+            f"cannot be given beside a reference, whose pilot commands it (got {scenario.thrust})",
+            "thrust",
+        )
+    if scenario.model.slider is not None:
+        raise problem("cannot be given beside a reference: nobody flies on it", "model.slider")
+
+
+def check_without_pilot(scenario: ScenarioTables) -> None:
+    """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
+    if scenario.reference is None and scenario.air.gusts is not None:
+        raise problem(
+            "blow only where a pilot flies: give a [reference], or a pilot of your own",
+            "air.gusts",
+        )
+
+
+def check_aboard(scenario: ScenarioTables, own: bool) -> None:
+    """Refuse what a pilot cannot fly with; ``own`` is one of the user's."""
+    from springback.scenario.avionics import board_of
+
+    if own and scenario.model.slider is not None:
+        raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
+    check_clock(scenario)
+    with _blaming_the_clock(scenario):
+        model, start = flight_model(scenario), start_state(scenario.start, scenario.vehicle)
+        board_of(scenario, model, start, relay=own)
+
+
+def check_clock(scenario: ScenarioTables) -> None:
+    """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
+    duration, clock = scenario.simulation.duration, scenario.clock
+    if clock * duration <= MOST_TICKS:
+        return
+    if "clock" not in scenario.model_fields_set:
+        raise problem(
+            f"must be at most {MOST_TICKS / clock:.6g} s with a pilot and a clock of {clock:g} 1/s "
+            f"(got {duration:g} s)",
+            "simulation.duration",
+        )
+    raise problem(
+        f"must be at most {MOST_TICKS / duration:.6g} 1/s for a flight of {duration:g} s "
+        f"(got {clock:g} 1/s)",
+        "clock",
+    )
+
+
+@contextlib.contextmanager
+def _blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
+    """Where the clock was given and a rate was not, the clock is at fault, not the rate."""
+    try:
+        yield
+    except PydanticCustomError as error:
+        field, given = str((error.context or {}).get("field", "")), scenario.model_fields_set
+        innocent = "clock" in given and field.partition(".")[0] not in given
+        if innocent and "clock" in error.message():
+            raise problem(f"does not suit {field}, which {error.message()}", "clock") from None
+        raise
+
+
+def check_slider(scenario: ScenarioTables) -> None:
+    """Refuse a start that a slider would not let be."""
+    axis = scenario.model.slider
+    if axis is None:
+        return
+    if not math.hypot(*axis) > 0.0:
+        raise problem("must not be zero", "model.slider")
+    along, velocity = unit(Vec(*axis)), Vec(*scenario.start.velocity)
+    across = velocity - (velocity @ along) * along
+    if math.sqrt(across @ across) > 1e-9:
+        raise problem("must lie along model.slider", "start.velocity")
+    if any(scenario.start.angular_velocity):
+        raise problem("must be zero on a slider", "start.angular_velocity")
+
+
+def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
+    """Refuse steps without number, and those too long for the arms."""
+    shortest = simulation.duration / MOST_STEPS
+    for name in ("impact_step", "settle_step", "free_step"):
+        step = getattr(simulation, name)
+        if step is None or step >= shortest:
+            continue
+        if name not in simulation.model_fields_set:
+            raise problem(
+                f"must be at most {MOST_STEPS * step:.3g} s with {name} of {step:g} s "
+                f"(got {simulation.duration:g} s)",
+                "simulation.duration",
+            )
+        raise problem(
+            f"must be at least {shortest:.3g} s for a flight of {simulation.duration:g} s "
+            f"(got {step:g} s)",
+            f"simulation.{name}",
+        )
+    rate = vehicle.fastest_arm_rate()
+    settling = settle_step(simulation, vehicle)
+    steps = {"impact_step": simulation.impact_step, "settle_step": settling}
+    for name, step in steps.items():
+        if step * rate > STABLE:
+            raise problem(
+                f"must be at most {STABLE / rate:.3g} s for arms this stiff, damped and light "
+                f"(got {step:g} s)",
+                f"simulation.{name}",
+            )
+
+
+def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...]) -> None:
+    """Refuse steps too long for the drag of a main body of some mass [kg]."""
+    if not scenario.air.has_drag:
+        return
+    start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
+    rate = scenario.air.drag_rate(mass, sum(thrust), norm(start - wind))
+    step = scenario.simulation.free_step
+    if step * rate > STABLE:
+        raise problem(
+            f"must be at most {STABLE / rate:.3g} s for this much drag (got {step:g} s)",
+            "simulation.free_step",
+        )
+
+
+def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
+    """Refuse a start inside an obstacle."""
+    if is_clear(model, state):
+        return
+    r, still = rotation(state.attitude), Vec(0.0, 0.0, 0.0)
+    vertical, given = Vec(0.0, 0.0, 1.0) @ r, scenario.world.obstacles
+    owners = [k for k, entry in enumerate(given) for _ in faces(entry)]
+    for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
+        there, gaps = obstacle_seen(obstacle, state.position, r), []
+        for j, arm in enumerate(model.airframe.arms):
+            pose = arm_pose(arm, arm.length, 0.0, still)
+            met = meeting(there, model.contact_point, arm.cage_radius, pose, still, vertical)
+            gaps.append((f"cage of arm {j + 1}", met.gap))
+        gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
+        for part, gap in gaps:
+            if gap < 0.0:
+                raise problem(
+                    f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
+                    f"{given[owner].type} (got {list(scenario.start.position)} m)",
+                    "start.position",
+                )
+
+
+def reach_of(airframe: Airframe) -> float:
+    """No point of a vehicle is farther from the main body than this [m], arms unpressed."""
+    cages = [arm.length + arm.cage_radius for arm in airframe.arms]
+    return AMPLE * max(cages + [norm(hull.centre) + hull.radius for hull in airframe.hull])
+
+
+def is_clear(model: Model, state: State) -> bool:
+    """Whether all planes are out of reach, whatever the attitude."""
+    reach = reach_of(model.airframe)
+    for obstacle in model.world.obstacles:
+        shape = obstacle.shape
+        if not isinstance(shape, Plane) or signed_distance(shape, state.position) < reach:
+            return False
+    return True

@@ -1,0 +1,237 @@
+"""Scenario files: TOML with presets and overrides, and errors that name file, line and field."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from springback.errors import InputError, shortened, shown_value
+from springback.problems import dotted, key_path, problem_paths
+from springback.scenario.scenario import Scenario, expanded
+from springback.scenario.source_text import (
+    MOST_DEPTH,
+    check_depth,
+    source_text,
+    toml_tables,
+)
+from springback.settings import Settings
+
+Key = str | int
+#: Lines of a file, and characters of a line, that are searched for the one at fault (chosen).
+MOST_LINES, LONGEST_LINE = 20_000, 500
+
+
+def _value(text: str) -> Any:
+    """The value of an override: TOML where it is TOML, else the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (ValueError, RecursionError):
+        return text
+
+
+def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """A raw scenario with ``key=value`` words applied, in order.
+
+    Raises:
+        InputError: For a word that is no ``key=value``, or that points into something that is no
+            table.
+    """
+    result: Any = given
+    check_depth(given, "scenario")
+    for word in overrides:
+        if not isinstance(word, str):
+            raise InputError(f"{word!r} is no override; write text such as 'start.pitch=15 deg'")
+        key, sign, text = word.partition("=")
+        parts = list(key_path(key.strip()))
+        if not sign or not parts:
+            raise InputError(
+                f"{shown_value(word)} is no override; write key=value, such as "
+                "vehicle.arms.stiffness=6000"
+            )
+        if len(parts) > MOST_DEPTH:
+            raise InputError(
+                f"{shown_value(word)} is no override; its key has {len(parts)} parts, "
+                f"and at most {MOST_DEPTH} are read"
+            )
+        result = replaced(_spelled_out(result, parts, word), parts, _value(text.strip()), word)
+        check_depth(result, f"override {shown_value(word)}")
+    return dict(result)
+
+
+def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
+    """Raw tables in which the list whose entry ``parts`` name is spelled out.
+
+    An entry such as ``start.position.2`` can be overridden although the list is not given, but
+    stands in a preset or is a default: the other entries stay as they are.
+    """
+    lists = [parts[:k] for k, part in enumerate(parts) if isinstance(part, int) and k]
+    if not lists or (found := default_at(given, lists[0])) is None:
+        return given
+    return replaced(given, lists[0], found, word)
+
+
+def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
+    """The list at a path that raw tables leave out; None where there is none, or one is given.
+
+    Args:
+        given: Raw tables of a scenario.
+        path: Keys of the list.
+    """
+    if not isinstance(given, dict) or _at(given, path) is not None:
+        return None
+    try:
+        found = _at(expanded(given), path)
+    except InputError:  # of another part, to be reported when the whole is read
+        return None
+    table: Any = Scenario
+    for key in path if found is None else ():
+        field = table.model_fields.get(key) if issubclass(table, Settings) else None
+        found = field.default if field is not None else None
+        table = type(found)
+    return list(found) if isinstance(found, list | tuple) else None
+
+
+def _at(tables: Any, path: Sequence[Key]) -> Any:
+    """What stands at a path of raw tables; None if nothing does."""
+    for key in path:
+        if isinstance(tables, dict):
+            tables = tables.get(key)
+        elif isinstance(tables, list | tuple) and isinstance(key, int) and key < len(tables):
+            tables = tables[key]
+        else:
+            return None
+    return tables
+
+
+def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
+    """``node`` with one value replaced, copied on the way; all that is beside the way is shared.
+
+    Args:
+        node: Raw tables, of which strings are names of presets.
+        parts: Keys and indices of the value.
+        value: In its place.
+        word: Who asks, for errors.
+    """
+    head, *rest = parts
+    if isinstance(node, str):  # a preset's name, about to be adjusted
+        node = {"preset": node}
+    if isinstance(head, int):
+        if not isinstance(node, list) or head >= len(node):
+            raise InputError(f"{shown_value(word)}: there is no entry {head}{_counted(node)}")
+        entry = replaced(node[head], rest, value, word) if rest else value
+        return [*node[:head], entry, *node[head + 1 :]]
+    if not isinstance(node, dict):
+        raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
+    if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
+        value = {"preset": value}
+    return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
+
+
+def _counted(node: Any) -> str:
+    """How many entries there are, in words."""
+    if not isinstance(node, list):
+        return "; it is not a list"
+    last = len(node) - 1
+    if last < 0:
+        return "; the list is empty"
+    return f"; entries are 0 to {last}" if last else "; the only entry is 0"
+
+
+def line_of(text: str, path: Sequence[Key]) -> int | None:
+    """Line of the most exact mention of a key path in a TOML text; None if there is none.
+
+    TOML parsers keep no positions, so this follows table headers and keys; inline tables and dotted
+    keys count as their first line.
+    """
+    counts: dict[str, int] = {}
+    table: list[Key] = []
+    best, best_length = None, 0
+    for number, line in enumerate(text.splitlines()[:MOST_LINES], start=1):
+        if len(line) > LONGEST_LINE:
+            continue
+        header = re.match(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$", line)
+        key = re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line)
+        if header:
+            name = header.group(2)
+            table = list(key_path(name))
+            if header.group(1) == "[[":
+                counts[name] = counts.get(name, -1) + 1
+                table = [*table, counts[name]]
+            else:
+                for owner, index in counts.items():
+                    stem = list(key_path(owner))
+                    if table[: len(stem)] == stem:
+                        table = [*stem, index, *table[len(stem) :]]
+            here = table
+        elif key:
+            here = [*table, *key_path(key.group(1).replace('"', "").replace("'", ""))]
+        else:
+            continue
+        if list(path[: len(here)]) == here and len(here) > best_length:
+            best, best_length = number, len(here)
+    return best
+
+
+def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]) -> str:
+    """Where a problem comes from: the override that set it, else file and line."""
+    for word in reversed(overrides):
+        parts = key_path(word.partition("=")[0])
+        if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
+            return f"override {shortened(word)}"
+    return place_of(name, text, path)
+
+
+def place_of(name: str, text: str, path: Sequence[Key]) -> str:
+    """File and line of a key path, or the file alone where its text does not mention the path."""
+    line = line_of(text, path)
+    return name if line is None else f"{name}:{line}"
+
+
+def read_scenario(
+    path: str | Path, overrides: Sequence[str] = (), *, pilot: bool | None = None
+) -> Scenario:
+    """Read a scenario file, apply overrides, and check it.
+
+    Args:
+        path: TOML file.
+        overrides: Words such as ``vehicle.arms.stiffness=6000`` or ``start.pitch="15 deg"``.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+
+    Raises:
+        InputError: One line for each problem: file and line or override, field, value, unit, range.
+    """
+    if not isinstance(path, str | Path):
+        raise InputError(f"scenario must be the path of a TOML file (got {path!r})")
+    if isinstance(overrides, str):
+        raise InputError(f"overrides must be a list of words (got {overrides!r})")
+    path = Path(path)
+    text = source_text(path)
+    given = toml_tables(text, str(path))
+    return checked_scenario(overridden(given, overrides), str(path), text, overrides, pilot)
+
+
+def checked_scenario(
+    given: dict[str, Any],
+    name: str,
+    text: str,
+    overrides: Sequence[str],
+    pilot: bool | None = None,
+) -> Scenario:
+    """A scenario from raw tables; problems are blamed on lines of ``text`` or on overrides."""
+    found: list[tuple[tuple[Key, ...], str]]
+    try:
+        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
+    except InputError as error:
+        found = [(error.path, line) for line in error.problems]
+    except ValidationError as error:
+        found = problem_paths(error)
+    problems = []
+    for path, what in found:
+        where = _blame(path, name, text, overrides)
+        problems.append(f"{where}: {dotted(path)}: {what}" if path else f"{where}: {what}")
+    raise InputError(*problems)

@@ -1,0 +1,250 @@
+"""A scenario's tables made numbers for the equations of motion.
+
+Each function is given exactly what it reads, so that flights which share a table share what follows
+from it (`springback.kernels.memo`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.cage import ArmTip, Ring
+from springback.contact.obstacles import Forces, Impulses, World
+from springback.contact.parameters import Own, obstacles
+from springback.dynamics.air import AirSettings
+from springback.dynamics.motion import Free, Slider
+from springback.frames import attitude_from_euler
+from springback.kernels.memo import EVER, Make, afresh
+from springback.kernels.tracing import sqrt
+from springback.kernels.vectors import Mat, Quat, Vec
+from springback.quantities import checked
+from springback.scenario.tables import (
+    ModelError,
+    ModelSettings,
+    Payload,
+    ScenarioTables,
+    SimulationSettings,
+    Start,
+    WorldSettings,
+)
+from springback.settings import naming, problem
+from springback.simulation.record import Model, Timing
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import Airframe, State
+
+#: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
+RING_ROUNDING = 5e-3
+
+Matrix = np.ndarray[Any, np.dtype[np.float64]]
+
+
+# -- thrust ---------------------------------------------------------------------------------------
+
+
+def hover_thrusts(vehicle: Vehicle, gravity: float) -> tuple[float, ...]:
+    """The weight of a vehicle, shared by all rotors [N]."""
+    count = vehicle.arm_count
+    return (vehicle.mass * gravity / count,) * count
+
+
+def thrusts_of(
+    vehicle: Vehicle, gravity: float, thrust: Any, is_piloted: bool
+) -> tuple[float, ...]:
+    """Thrust of each rotor [N].
+
+    Args:
+        vehicle: As it is believed to be.
+        gravity: g [m/s²].
+        thrust: As given: one for all, a list, or ``"hover"``.
+        is_piloted: A pilot starts at the thrust of hovering.
+    """
+    count = vehicle.arm_count
+    if thrust == "hover" or is_piloted:
+        return hover_thrusts(vehicle, gravity)
+    if isinstance(thrust, list | tuple) and len(thrust) != count:
+        raise problem(f"has {len(thrust)} entries for {count} rotors", "thrust")
+    given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
+    with naming("thrust"):
+        return tuple(checked(entry, "N", least=0.0) for entry in given)
+
+
+# -- the vehicle as it is -------------------------------------------------------------------------
+
+
+class Masses(NamedTuple):
+    """What is believed of a vehicle's mass and inertia."""
+
+    body: float  # [kg]
+    arms: float  # all together [kg]
+    whole: float  # [kg]
+    body_inertia: Matrix  # about its centre of mass, body axes [kg m²]
+    whole_inertia: Matrix  # about the main body's, arms at their free length [kg m²]
+
+
+class TrueBody(NamedTuple):
+    """The main body as it is."""
+
+    mass: float  # [kg]
+    inertia: tuple[tuple[float, ...], ...]  # about its centre of mass, body axes [kg m²]
+
+
+def masses_of(vehicle: Vehicle) -> Masses:
+    """Masses and inertias as they are believed to be."""
+    arms = sum(vehicle.arms.at("mass", j) for j in range(vehicle.arm_count))
+    body = vehicle.body
+    return Masses(body.mass, arms, vehicle.mass, np.array(body.inertia), vehicle.inertia())
+
+
+def true_body(
+    vehicle: Vehicle, error: ModelError, load: Payload, make: Make = afresh
+) -> TrueBody | None:
+    """The main body with the errors of what is believed, and the payload; None where it is that.
+
+    Raises:
+        The problem of an error that leaves nothing to the main body beside the arms.
+    """
+    if error.mass == 1.0 and error.inertia == 1.0 and make(_is_empty, load):
+        return None
+    believed = make(masses_of, vehicle)
+    mass = believed.body + (error.mass - 1.0) * believed.whole
+    inertia = believed.body_inertia + (error.inertia - 1.0) * believed.whole_inertia
+    if not mass > 0.0:
+        raise problem(
+            f"must be more than {1.0 - believed.body / believed.whole:.3g}, the share of "
+            f"the arms (got {error.mass:g})",
+            "model_error.mass",
+        )
+    if not _is_positive(inertia):
+        raise problem(
+            f"must leave the main body an inertia beside the arms' (got {error.inertia:g})",
+            "model_error.inertia",
+        )
+    rows = (inertia + make(_own_inertia, load)).tolist()
+    return TrueBody(mass + load.mass, tuple(tuple(row) for row in rows))
+
+
+def _is_empty(load: Payload) -> bool:
+    return load == Payload()
+
+
+def _own_inertia(load: Payload) -> Matrix:
+    return np.diag(load.inertia)
+
+
+def _is_positive(matrix: Matrix) -> bool:
+    """Whether a symmetric matrix is positive definite; a dominant diagonal settles it at once."""
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = matrix.tolist()
+    xy, xz, yz = abs(xy), abs(xz), abs(yz)
+    if xx > xy + xz and yy > xy + yz and zz > xz + yz:
+        return True
+    return bool(np.linalg.eigvalsh(matrix)[0] > 0.0)
+
+
+def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
+    """The vehicle as it is, as its designer would have written it down had he known."""
+    body = true_body(vehicle, error, load)
+    if body is None:
+        return vehicle
+    return vehicle.with_checked(body=vehicle.body.with_checked(**body._asdict()))
+
+
+def true_airframe(
+    vehicle: Vehicle, error: ModelError, load: Payload, make: Make = afresh
+) -> Airframe:
+    """The numbers of the vehicle as it is, for the equations of motion."""
+    airframe = make(Vehicle.airframe, vehicle)
+    body = make(true_body, vehicle, error, load, make)
+    if body is None:
+        return airframe
+    inertia = Mat(*(Vec(*row) for row in body.inertia))
+    return Airframe(
+        body.mass + make(masses_of, vehicle).arms, inertia, airframe.arms, airframe.hull
+    )
+
+
+# -- the rest -------------------------------------------------------------------------------------
+
+
+def world_numbers(world: WorldSettings, own: Sequence[Own] = (), make: Make = afresh) -> World:
+    """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
+    built = obstacles(world.obstacles, own, make)
+    impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
+    return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
+
+
+def settle_step(simulation: SimulationSettings, vehicle: Vehicle) -> float:
+    """Step while the arms settle [s]."""
+    s = simulation
+    if s.settle_step is not None:
+        return float(s.settle_step)
+    rate = vehicle.fastest_arm_rate()
+    if rate == 0.0:
+        return float(s.free_step)
+    return float(max(s.impact_step, min(8.0 * s.impact_step, 1.0 / rate)))
+
+
+def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Vehicle) -> Timing:
+    """When to stop, and how finely to step."""
+    s = simulation
+    return Timing(
+        until=s.duration,
+        free_step=s.free_step,
+        impact_step=s.impact_step,
+        settle_step=settle_step(s, vehicle),
+        arm_tolerance=s.arm_tolerance,
+        rate_tolerance=s.rate_tolerance,
+        dwell=s.dwell,
+        hybrid=1.0 if model.arms == "hybrid" else 0.0,
+    )
+
+
+def unit(v: Vec) -> Vec:
+    """A vector made one long."""
+    one: Vec = v * (1.0 / sqrt(v @ v))
+    return one
+
+
+def guide_of(model: ModelSettings) -> Free | Slider:
+    """What guides the vehicle."""
+    return Free(0.0) if model.slider is None else Slider(unit(Vec(*model.slider)))
+
+
+def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
+    """Where a cage touches."""
+    return Ring(RING_ROUNDING) if model.contact_point == "ring" else ArmTip(0.0)
+
+
+def flight_model(scenario: ScenarioTables, own: Sequence[Own] = (), make: Make = afresh) -> Model:
+    """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
+    s = scenario
+    airframe = true_airframe(s.vehicle, s.model_error, s.payload, make)
+    world = make(world_numbers, s.world, own, make, place=EVER)
+    thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
+    point, guide, timing = make(_chosen, s.model, s.simulation, s.vehicle)
+    return Model(airframe, world, point, guide, make(AirSettings.air, s.air), thrust, timing)
+
+
+def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
+    """Contact point, guide and timing."""
+    return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
+
+
+def start_state(start: Start, vehicle: Vehicle, make: Make = afresh) -> State:
+    """State at time 0, arms at their free length."""
+    s, arms = start, make(_unpressed, vehicle)
+    attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
+    spin = make(_vector, s.angular_velocity)
+    return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
+
+
+def _vector(given: tuple[float, float, float]) -> Vec:
+    return Vec(*given)
+
+
+def _unpressed(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Lengths and rates of arms at rest."""
+    lengths = vehicle.lengths()
+    return lengths, (0.0,) * len(lengths)

@@ -1,0 +1,98 @@
+"""A scenario: all that one flight needs, as a user writes it down, checked, made ready to fly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic import ValidationError, ValidationInfo, model_validator
+
+from springback.contact.parameters import Own
+from springback.errors import InputError
+from springback.problems import dotted
+from springback.scenario.checks import (
+    check_aboard,
+    check_start,
+    check_tables,
+    check_without_pilot,
+)
+from springback.scenario.model import (
+    flight_model,
+    hover_thrusts,
+    start_state,
+    thrusts_of,
+    true_airframe,
+    true_vehicle,
+)
+from springback.scenario.presets import expanded as expanded
+from springback.scenario.presets import merged as merged
+from springback.scenario.presets import preset as preset
+from springback.scenario.tables import ScenarioTables
+from springback.simulation.record import Model
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import Airframe, State
+
+
+class Scenario(ScenarioTables):
+    """Everything one flight needs, checked to be flyable."""
+
+    @model_validator(mode="after")
+    def _can_be_flown(self, info: ValidationInfo) -> Scenario:
+        check_tables(self)
+        check_start(self, self.flight_model(), self.start_state())
+        given = (info.context or {}).get("pilot")
+        if self.reference is not None or given:
+            check_aboard(self, own=bool(given))
+        elif given is False:
+            check_without_pilot(self)
+        return self
+
+    # -- made ready -------------------------------------------------------------------------------
+
+    def thrusts(self) -> tuple[float, ...]:
+        """Thrust of each rotor [N]."""
+        gravity, is_piloted = self.world.gravity, self.reference is not None
+        return thrusts_of(self.vehicle, gravity, self.thrust, is_piloted)
+
+    def hover_thrusts(self) -> tuple[float, ...]:
+        """The weight of `vehicle`, shared by all rotors [N]."""
+        return hover_thrusts(self.vehicle, self.world.gravity)
+
+    def true_vehicle(self) -> Vehicle:
+        """The vehicle as it is: `vehicle` with the errors of what is believed, and the payload."""
+        return true_vehicle(self.vehicle, self.model_error, self.payload)
+
+    def true_airframe(self) -> Airframe:
+        """The numbers of the vehicle as it is, for the equations of motion."""
+        return true_airframe(self.vehicle, self.model_error, self.payload)
+
+    def flight_model(self, own: Sequence[Own] = ()) -> Model:
+        """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
+        return flight_model(self, own)
+
+    def start_state(self) -> State:
+        """State at time 0, arms at their free length."""
+        return start_state(self.start, self.vehicle)
+
+    def check_without_pilot(self) -> None:
+        """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
+        check_without_pilot(self)
+
+
+def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenario:
+    """A scenario from plain tables, presets included.
+
+    Args:
+        given: The tables.
+        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+
+    Raises:
+        InputError: One line for each problem: its path, and what is wrong.
+    """
+    try:
+        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
+    except InputError as error:
+        where = f"{dotted(error.path)}: " if error.path else ""
+        raise InputError(*(where + line for line in error.problems)) from None
+    except ValidationError as error:
+        raise InputError(*Scenario.in_words(error)) from None

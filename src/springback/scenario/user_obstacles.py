@@ -1,0 +1,206 @@
+"""Obstacles of the user's own, sampled before a flight: is the normal the distance's gradient?
+
+Contact laws take penetration from the distance and the direction of the force from the normal.  A
+shape that gets either wrong flies all the same, and the energy ledger need not notice: a distance
+a third of the true one is a softer surface.  So both are sampled, in plain Python, where rays from
+the vehicle meet the surface.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from springback.contact.obstacles import outward_normal, signed_distance
+from springback.contact.parameters import Own, SurfaceSettings
+from springback.errors import InputError, shown_value
+from springback.kernels.vectors import Vec, norm
+from springback.scenario.user_pilots import failure_place
+
+#: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
+STEP = 1e-5
+#: A normal is a unit vector within this.
+UNIT = 1e-6
+#: The gradient is the normal within this, 0.6 deg or 1 % (chosen: room for interpolated shapes).
+GRADIENT = 0.01
+#: Points on the way may be told to be farther away than they are by this share (chosen).
+SHARE = 0.05
+#: Steps along a ray, and of the bisection that ends it, at most.
+STEPS, HALVINGS = 150, 50
+
+
+class _Met(NamedTuple):
+    """Where a ray meets a surface."""
+
+    point: Vec
+    before: tuple[Vec, ...]  # points on the way there
+
+
+def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
+    """Refuse obstacles whose distance or normal is wrong where a vehicle could meet them.
+
+    Rays go from the start along the axes, the diagonals and the gradient of the distance.  At the
+    points of the surface that they meet, the normal must be a unit vector and the gradient of the
+    distance (points of a crease are left out, where there is none).  On the way there no point may
+    be told to be farther from the surface than it is.  Flights that begin in the same cubic metre
+    are looked at once.
+
+    Args:
+        own: Pairs of a shape and its surface.
+        start: Position of the vehicle at time 0, world [m].
+
+    Raises:
+        InputError: With the obstacle, the point, what was returned and what it should have been.
+    """
+    for k, entry in enumerate(own, start=1):
+        pair = entry if isinstance(entry, tuple | list) and len(entry) == 2 else (None, None)
+        if not isinstance(pair[0], tuple) or not isinstance(pair[1], SurfaceSettings):
+            raise InputError(
+                f"own obstacle {k}: must be a pair of a shape, a NamedTuple of floats and vectors, "
+                f"and its SurfaceSettings (got {shown_value(entry)})"
+            )
+        known = (type(pair[0]), repr(pair[0]), *(round(x) for x in start))
+        if known not in _SEEN:
+            _Sampled(f"own obstacle {k}, {type(pair[0]).__name__}", pair[0]).check(start)
+            _SEEN.add(known)
+
+
+#: Shapes found right, by their numbers and the metre that the start is in.
+_SEEN: set[tuple[Any, ...]] = set()
+
+
+class _Sampled:
+    """A shape whose two functions are looked at with care."""
+
+    def __init__(self, name: str, shape: Any) -> None:
+        self.name, self.shape = name, shape
+
+    def check(self, start: Vec) -> None:
+        there = self.distance(start)
+        found = False
+        for direction in itertools.chain([-self.gradient(start)], _directions()):
+            if norm(direction) > UNIT:
+                met = self.met(start, direction * (1.0 / norm(direction)), abs(there))
+                if met is not None:
+                    found = True
+                    self.check_at(met)
+        if not found:
+            self.normal(start)  # nothing is met: at least it is a unit vector
+
+    def met(self, start: Vec, direction: Vec, first: float) -> _Met | None:
+        """Where a ray meets the surface, of which the start has some distance [m]."""
+        side = self.distance(start) >= 0.0
+        low, passed = 0.0, list[Vec]()
+        for _ in range(STEPS):
+            point = start + direction * low
+            passed.append(point)
+            stride = max(0.25 * abs(self.distance(point)), 2e-3 * first, 1e-6)
+            high = low + stride
+            if (self.distance(start + direction * high) >= 0.0) != side:
+                break
+            if high > 50.0 * (first + 1.0):
+                return None
+            low = high
+        else:
+            return None
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            same = (self.distance(start + direction * middle) >= 0.0) == side
+            low, high = (middle, high) if same else (low, middle)
+        return _Met(start + direction * high, tuple(passed[::8]))
+
+    def check_at(self, met: _Met) -> None:
+        """Look at a point of the surface."""
+        point = met.point
+        n = self.normal(point)
+        for before in met.before:
+            true, told = norm(before - point), self.distance(before)
+            if told > true * (1.0 + SHARE) + STEP:
+                self.refuse(
+                    "signed_distance", before,
+                    f"{told:.6g} m, and its surface is no farther than {true:.6g} m",
+                )  # fmt: skip
+        if self.is_crease(point):
+            return
+        gradient = self.gradient(point)
+        if norm(gradient - n) > GRADIENT:
+            size = norm(gradient)
+            if abs(size - 1.0) > GRADIENT and norm(gradient * (1.0 / max(size, UNIT)) - n) < 0.1:
+                self.refuse(
+                    "signed_distance", point,
+                    f"what changes by {size:.4g} m a metre along the normal; of a distance it is 1",
+                )  # fmt: skip
+            self.refuse(
+                "outward_normal", point,
+                f"{_shown(n)}, and the gradient of signed_distance is {_shown(gradient)}",
+            )  # fmt: skip
+
+    def is_crease(self, point: Vec) -> bool:
+        """Whether the gradient differs between both sides of a point: an edge has none."""
+        here = self.distance(point)
+        for axis in _AXES:
+            ahead = (self.distance(point + axis * STEP) - here) / STEP
+            behind = (here - self.distance(point - axis * STEP)) / STEP
+            if abs(ahead - behind) > GRADIENT:
+                return True
+        return False
+
+    def gradient(self, point: Vec) -> Vec:
+        """Of the distance, by central differences."""
+        return Vec(
+            *(
+                (self.distance(point + axis * STEP) - self.distance(point - axis * STEP))
+                / (2.0 * STEP)
+                for axis in _AXES
+            )
+        )
+
+    def distance(self, point: Vec) -> float:
+        """What the shape says is its distance [m]."""
+        told = self.asked(signed_distance, point)
+        if not isinstance(told, float) or not math.isfinite(told):
+            self.refuse("signed_distance", point, f"{shown_value(told)}; it must be a finite float")
+        return float(told)
+
+    def normal(self, point: Vec) -> Vec:
+        """What the shape says is its normal."""
+        told = self.asked(outward_normal, point)
+        if not isinstance(told, Vec):
+            self.refuse("outward_normal", point, f"{shown_value(told)}; it must be a Vec")
+        if not abs(norm(told) - 1.0) <= UNIT:
+            self.refuse(
+                "outward_normal", point, f"{_shown(told)}, {norm(told):.6g} long; it must be 1 long"
+            )
+        return Vec(*told)
+
+    def asked(self, function: Any, point: Vec) -> Any:
+        """What one of the functions returns."""
+        try:
+            return function(self.shape, point)
+        except Exception as error:
+            raise InputError(
+                f"{self.name}: {failure_place(error)}: {type(error).__name__}: {error}, "
+                f"at {_shown(point)} m"
+            ) from error
+
+    def refuse(self, function: str, point: Vec, what: str) -> None:
+        raise InputError(f"{self.name}: {function} at {_shown(point)} m is {what}")
+
+
+_AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
+
+
+def _directions() -> Iterator[Vec]:
+    """Along the axes and the diagonals between all three, a little aside of them.
+
+    A shape is often drawn along the axes; rays beside them miss its edges.
+    """
+    for x, y, z in itertools.product((-1.0, 0.0, 1.0), repeat=3):
+        if abs(x) + abs(y) + abs(z) in (1.0, 3.0):
+            yield Vec(x + 0.013, y - 0.017, z + 0.011)
+
+
+def _shown(v: Vec) -> str:
+    return f"[{', '.join(f'{part:.4g}' for part in v)}]"

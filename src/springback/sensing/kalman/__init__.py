@@ -1,0 +1,1 @@
+"""Inertial navigation by an error-state Kalman filter, in blocks of three."""

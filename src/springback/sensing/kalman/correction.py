@@ -1,0 +1,189 @@
+"""How the Kalman filter takes up a pose from motion capture that was taken some time ago."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import Seldom, along, each, least, total
+from springback.kernels.vectors import (
+    Mat,
+    Quat,
+    Vec,
+    conjugate,
+    inverse_symmetric,
+    isotropic,
+    normalised,
+    positive_part,
+    quaternion_product,
+    rotation,
+    rotation_vector,
+    skew,
+    transposed,
+    turned_by,
+)
+from springback.sensing.kalman.covariance import (
+    Column,
+    Covariance,
+    corrected,
+    correction,
+    times,
+    with_gyroscope_bias,
+    with_position,
+    with_rotation,
+    with_velocity,
+)
+from springback.sensing.kalman.memory import (
+    Kalman,
+    KalmanMemory,
+    Kept,
+    Known,
+    Nominal,
+    Surprise,
+    Track,
+    empty_window,
+    exposed_before,
+)
+from springback.sensing.measurement import Pose
+
+
+@kernel
+def _weighted(kept: Kept, weight: float) -> Kept:
+    """A kept pose times a weight."""
+    q = kept.attitude
+    return Kept(
+        weight * kept.position, Quat(weight * q.w, weight * q.x, weight * q.y, weight * q.z)
+    )
+
+
+@kernel
+def _share(kept: Kept, delay: float, lag: float, interval: float) -> Kept:
+    """A kept pose times its weight in linear interpolation at a lag."""
+    return _weighted(kept, positive_part(1.0 - abs(lag - delay) / interval))
+
+
+@kernel
+def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> Kept:
+    """What the filter now believes its pose was, some time before the last sample.
+
+    At an exposure this is the pose kept there.  Elsewhere, as where motion capture is faster than
+    the inertial samples, it is interpolated linearly.
+
+    Args:
+        kalman: Settings of the filter.
+        track: Of the filter.
+        since: Time from the newest kept pose to the last sample [s].
+        lag: Before the last sample, not beyond the oldest kept pose [s].
+    """
+    kept = each(_share, (track.kept, kalman.delays), (lag - since, kalman.pose_interval))
+    pose = total(kept)
+    if lag < since:
+        n, share = track.nominal, lag / since
+        now = _weighted(Kept(n.position, n.attitude), 1.0 - share)
+        pose = total((now, _weighted(track.kept[0], share)))
+    return Kept(pose.position, normalised(pose.attitude))
+
+
+@kernel
+def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
+    """Section 6.2: the estimate takes up the correction δx = K z."""
+    d = correction(seen, weighed)
+    return Nominal(
+        n.position + d.p,
+        n.velocity + d.v,
+        normalised(quaternion_product(n.attitude, turned_by(d.t))),
+        n.accelerometer_bias + d.a,
+        n.gyroscope_bias + d.w,
+    )
+
+
+@kernel
+def _moved(kept: Kept, delay: float, since: float, before: Nominal, after: Nominal) -> Kept:
+    """A kept pose after a correction of the last sample's: at its time, δp − t δv, and the turn.
+
+    Its time t before the last sample is its delay behind the newest kept pose, and since that one.
+    """
+    shift = after.position - before.position - (since + delay) * (after.velocity - before.velocity)
+    turn = quaternion_product(after.attitude, conjugate(before.attitude))
+    return Kept(kept.position + shift, quaternion_product(turn, kept.attitude))
+
+
+class _Corrected(NamedTuple):
+    """A filter that has taken up a measurement."""
+
+    nominal: Nominal
+    covariance: Covariance
+    surprise: float
+
+
+@kernel
+def _with_position(
+    kalman: Kalman, pose: Pose, lag: float, then: Kept, n: Nominal, c: Covariance
+) -> _Corrected:
+    """The position of the main body as it was some time ago.
+
+    z = p_m − (p_s − R r) at that time, and its error is δp − t δv + R [r]× δθ there.
+    """
+    r = rotation(then.attitude)
+    z = pose.position - (then.position - r @ kalman.offset)
+    lever = r @ skew(kalman.offset) @ (transposed(r) @ rotation(n.attitude))
+    position = along(with_position(c), with_velocity(c), -lag)
+    seen = along(position, times(with_rotation(c), transposed(lever)), 1.0)
+    variance = isotropic(kalman.position_noise * kalman.position_noise)
+    s = seen.p - lag * seen.v + lever @ seen.t + variance
+    return _taken_up(n, c, seen, s, z)
+
+
+@kernel
+def _with_attitude(
+    kalman: Kalman, pose: Pose, lag: float, then: Kept, n: Nominal, c: Covariance
+) -> _Corrected:
+    """The attitude as it was some time ago.
+
+    z = log(q⁻¹ ⊗ q_m) at that time, turned to the present body axes; its error is δθ + t δw.
+    """
+    turn = rotation_vector(quaternion_product(conjugate(then.attitude), pose.attitude))
+    z = (rotation(then.attitude) @ turn) @ rotation(n.attitude)
+    seen = along(with_rotation(c), with_gyroscope_bias(c), lag)
+    variance = isotropic(kalman.attitude_noise * kalman.attitude_noise)
+    return _taken_up(n, c, seen, seen.t + lag * seen.w + variance, z)
+
+
+@kernel
+def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat, z: Vec) -> _Corrected:
+    """Section 6.1: a measurement with innovation z of covariance S, and P Hᵀ."""
+    inverse = inverse_symmetric(s)
+    weighed = inverse @ z
+    return _Corrected(_injected(n, seen, weighed), corrected(c, seen, inverse), z @ weighed)
+
+
+@kernel
+def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
+    """The filter after a pose: first its position, then its attitude.
+
+    Args:
+        kalman: Settings of the filter.
+        tick: Number of the tick.
+        pose: The pose.
+        track: Of the filter, its window empty.
+        c: Covariance, at the last inertial sample.
+    """
+    before = track.nominal
+    late = positive_part(pose.age - track.waiting - kalman.inertial_lag)
+    since = exposed_before(kalman, tick - track.waiting / kalman.tick)
+    lag = least((late, since + kalman.delays[-1]))
+    then = _recalled(kalman, track, since, lag)
+    first = _with_position(kalman, pose, lag, then, before, c)
+    then = _moved(then, lag, 0.0, before, first.nominal)
+    second = _with_attitude(kalman, pose, lag, then, first.nominal, first.covariance)
+    after = second.nominal
+    corrected_track = Track(
+        nominal=after,
+        angular_velocity=track.angular_velocity + before.gyroscope_bias - after.gyroscope_bias,
+        acceleration=track.acceleration,
+        window=empty_window(after.attitude),
+        kept=each(_moved, (track.kept, kalman.delays), (since, before, after)),
+        waiting=track.waiting,
+    )
+    known = Known(second.covariance, Surprise(first.surprise, second.surprise))
+    return KalmanMemory(corrected_track, Seldom(1.0, known))

@@ -1,0 +1,207 @@
+"""Inertial navigation corrected by motion capture: an error-state Kalman filter.
+
+The filter follows the place of the inertial sensor, where the measured specific force is exactly
+that of the motion, and speaks for the main body: with the offset r of the sensor from it,
+p = p_s − R r and v = v_s − R (ω × r).  So no angular acceleration needs to be made from rates.
+
+A pose from motion capture arrives late.  The filter keeps what it believed at each instant at which
+the cameras expose, until their pose arrives, and compares there; corrections move the kept poses
+too.  So a delay causes no bias, not even while the robot is accelerated by an impact.
+
+Source: J. Solà, Quaternion kinematics for the error-state Kalman filter, arXiv 1711.02508, with
+rotation errors in body axes: sections 5.4 (prediction), 6.1 (correction), 6.2 (injection). The
+reset's Jacobian of section 6.3 is taken as the identity, as the source allows: it differs by half
+the correction of the rotation, some 1e-3.
+"""
+
+from __future__ import annotations
+
+from springback.kernels.compiler import kernel
+from springback.kernels.trees import Seldom, largest
+from springback.kernels.vectors import (
+    Quat,
+    Vec,
+    normalised,
+    quaternion_product,
+    rotation,
+    skew,
+    transposed,
+    turned_by,
+)
+from springback.sensing.kalman.correction import informed
+from springback.sensing.kalman.covariance import Noise, Transition, carried
+from springback.sensing.kalman.memory import (
+    ROUNDING,
+    Deviations,
+    Kalman,
+    KalmanMemory,
+    Kept,
+    Known,
+    Nominal,
+    Track,
+    Window,
+    empty_window,
+    exposed_before,
+    kalman_memory,
+)
+from springback.sensing.measurement import Believed, Estimate, Inertial, Measurement, estimated
+
+__all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
+
+#: A reading above this share of its range may stand for more (chosen: a low-pass behind the
+#: converter rounds the top of a clipped peak).
+AT_RANGE = 0.9
+
+
+@estimated.register(Kalman)
+@kernel
+def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> Believed:
+    track = memory.track
+    if seen.inertial.fresh > 0.5:
+        track = _followed(kalman, tick, seen.inertial, track)
+    else:
+        track = _waited(kalman, track)
+    after = KalmanMemory(track, Seldom(0.0, memory.known.tree))
+    posed = seen.pose.fresh > 0.5
+    if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
+        after = _predicted(kalman, after)
+        if posed:
+            after = informed(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
+    return Believed(_spoken(kalman, after.track), after)
+
+
+@kernel
+def _spoken(kalman: Kalman, track: Track) -> Estimate:
+    """The main body's motion, now: on from the last sample, late as it is, at steady rates."""
+    n, omega, a = track.nominal, track.angular_velocity, track.acceleration
+    ahead = track.waiting + kalman.inertial_lag
+    q = quaternion_product(n.attitude, turned_by(ahead * omega))
+    r = rotation(q)
+    position = n.position + ahead * n.velocity + (0.5 * ahead * ahead) * a
+    velocity = n.velocity + ahead * a
+    return Estimate(position - r @ kalman.offset, q, velocity - r @ (omega ^ kalman.offset), omega)
+
+
+@kernel
+def _waited(kalman: Kalman, track: Track) -> Track:
+    """A tick without an inertial sample."""
+    return Track(
+        track.nominal,
+        track.angular_velocity,
+        track.acceleration,
+        track.window,
+        track.kept,
+        track.waiting + kalman.tick,
+    )
+
+
+@kernel
+def _begun(track: Track) -> Track:
+    """A new window begins."""
+    return Track(
+        track.nominal,
+        track.angular_velocity,
+        track.acceleration,
+        empty_window(track.nominal.attitude),
+        track.kept,
+        track.waiting,
+    )
+
+
+@kernel
+def _at_range(reading: Vec, limit: float) -> bool:
+    """Whether a reading stands at its range."""
+    return largest((abs(reading.x), abs(reading.y), abs(reading.z))) > AT_RANGE * limit
+
+
+@kernel
+def _kept(
+    kalman: Kalman, tick: float, n: Nominal, omega: Vec, acceleration: Vec, kept: tuple[Kept, ...]
+) -> tuple[Kept, ...]:
+    """The kept poses after a sample, with a new one if the cameras exposed during it.
+
+    The way back to the exposure is the way that the sample has come, at steady rate and
+    acceleration.
+    """
+    since = exposed_before(kalman, tick)
+    if since < (1.0 - ROUNDING) * kalman.interval:
+        position = n.position - since * n.velocity + (0.5 * since * since) * acceleration
+        attitude = quaternion_product(n.attitude, turned_by(-since * omega))
+        return (Kept(position, attitude), *kept[:-1])
+    return kept
+
+
+@kernel
+def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> Track:
+    """Section 5.4.1, with the force turned by the attitude in the middle of the sample.
+
+    A sample stands for the mean over the interval that ends with it.
+    """
+    n, window, dt = track.nominal, track.window, kalman.interval
+    omega = inertial.angular_velocity - n.gyroscope_bias
+    half = turned_by((0.5 * dt) * omega)
+    middle = quaternion_product(n.attitude, half)
+    force = rotation(middle) @ (inertial.specific_force - n.accelerometer_bias)
+    acceleration = force - Vec(0.0, 0.0, kalman.gravity)
+    position = n.position + dt * n.velocity + (0.5 * dt * dt) * acceleration
+    attitude = normalised(quaternion_product(middle, half))
+    clipped = dt if _at_range(inertial.specific_force, kalman.accelerometer_range) else 0.0
+    spun = dt if _at_range(inertial.angular_velocity, kalman.gyroscope_range) else 0.0
+    velocity = n.velocity + dt * acceleration
+    after = Nominal(position, velocity, attitude, n.accelerometer_bias, n.gyroscope_bias)
+    return Track(
+        nominal=after,
+        angular_velocity=omega,
+        acceleration=acceleration,
+        window=Window(
+            window.duration + dt,
+            window.gained + dt * force,
+            window.attitude,
+            window.clipped + clipped,
+            window.spun + spun,
+        ),
+        kept=_kept(kalman, tick, after, omega, acceleration, track.kept),
+        waiting=0.0,
+    )
+
+
+@kernel
+def _transition(window: Window, attitude: Quat) -> Transition:
+    """F over a window that ends with an attitude."""
+    before, after = rotation(window.attitude), rotation(attitude)
+    return Transition(
+        duration=window.duration,
+        vt=skew(window.gained) @ before * -1.0,
+        va=(before + after) * (-0.5 * window.duration),
+        tt=transposed(after) @ before,
+    )
+
+
+@kernel
+def _noise(kalman: Kalman, window: Window) -> Noise:
+    """Q over a window: a one-sided density N, as in data sheets, leaves the variance ½ N² T.
+
+    (Its power N² f/2 per sample at the rate f, times f T samples of 1/f² each.)  A bias that
+    wanders with density K leaves K² T.
+
+    While a reading stands at its range the truth may lie anywhere beyond.  Then the variance grows
+    by range² τ per time: as if the range itself were missing, over a clipping that lasts τ.
+    """
+    a, w, duration = kalman.accelerometer_noise, kalman.gyroscope_noise, window.duration
+    missing = kalman.accelerometer_range * kalman.accelerometer_range * kalman.distrust
+    unturned = kalman.gyroscope_range * kalman.gyroscope_range * kalman.distrust
+    return Noise(
+        velocity=0.5 * a * a * duration + missing * window.clipped,
+        rotation=0.5 * w * w * duration + unturned * window.spun,
+        accelerometer_bias=kalman.accelerometer_walk * kalman.accelerometer_walk * duration,
+        gyroscope_bias=kalman.gyroscope_walk * kalman.gyroscope_walk * duration,
+    )
+
+
+@kernel
+def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
+    """The covariance brought up to the last sample, and a new window."""
+    track, known = m.track, m.known.tree
+    transition = _transition(track.window, track.nominal.attitude)
+    covariance = carried(known.covariance, transition, _noise(kalman, track.window))
+    return KalmanMemory(_begun(track), Seldom(1.0, Known(covariance, known.surprise)))

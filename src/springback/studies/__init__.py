@@ -1,0 +1,1 @@
+"""Studies: trials, run-ups, envelopes, ablations and what is said of them."""

@@ -1,0 +1,424 @@
+"""The study of detection and characterisation: how soon, how surely, how well collisions are known.
+
+Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and
+they fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger looks at
+every flight, whether it is in use or not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.recovery.characterisation import Collision
+from springback.recovery.state_machine import LOOK
+from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
+from springback.studies.roc import Array, Judged, Point, Quiet, curve, quiet
+from springback.studies.trials import Scatter, made_ready, trial_tables
+
+ROBOTS = ("arq", "quad")
+#: Speeds at contact [m/s]; the paper's are 2 and 3.5.
+SPEEDS = (0.25, 0.5, 1.0, 2.0, 3.5)
+#: Below this a collision is there to be noticed, not to be made out [m/s], chosen.
+CHARACTERISED_FROM = 1.0
+#: How the wall and how the robot stand [deg]; what was asked for is −30 to 30.
+ASKEW = ((0, 0), (-30, 0), (-15, 0), (15, 0), (30, 0), (0, -30), (0, -15), (0, 15), (0, 30))
+#: An alarm later than this after touch counts as a miss [s], chosen: contacts take 26 ms at least.
+IN_TIME = 0.03
+#: Free flight of each robot [s].
+FREE = 1000.0
+#: One free flight [s], chosen: its diary then takes some 30 MB.
+PIECE = 50.0
+#: From where the robot first cruises to the wall, at least [m], chosen; less for slow approaches.
+RUN, SHORT_RUN, SLOW = 2.4, 0.6, 0.7
+#: Where the main body is when a robot that is not askew touches the paper's wall [m].
+CONTACT_X = 2.5
+#: A wall that is never met [m]; with it free flights are of the same kind as the others.
+FAR = 50.0
+#: Peak over mean speed of the polynomial of least snap from rest to rest: 35/16.
+PEAK_OVER_MEAN = 35.0 / 16.0
+#: An arm took part if it took this share of the normal impulse by the end of the window (chosen).
+TOOK_PART = 0.1
+#: The signals of the diary, and the sensor at whose pace each changes.
+SIGNALS = {"hall": "pressed", "acceleration": "jolt", "wrench": "push", "momentum": "push"}
+UNITS = {"hall": "m", "acceleration": "m/s^2", "wrench": "N", "momentum": "N"}
+SOURCES = ("arms", "acceleration", "wrench", "fused")
+THRESHOLDS: dict[str, Array] = {
+    "hall": np.geomspace(2e-5, 2e-2, 31),
+    "acceleration": np.geomspace(1.0, 150.0, 31),
+    "wrench": np.geomspace(0.5, 150.0, 31),
+    "momentum": np.geomspace(0.5, 150.0, 31),
+}
+#: A storm for free flight: 6 m/s of mean wind, turbulence of a moderate wind of 30 knots; the drag
+#: is strong for robots this heavy; all chosen.
+STORM = {
+    "wind": [6.0, 0.0, 0.0],
+    "gusts": {"wind_at_6_m": 30.0 * 1852.0 / 3600.0},
+    "rotor_drag": [0.3, 0.3, 0.1],
+}
+#: The observer on the estimated momentum, in place of the accelerometer.
+ON_MOMENTUM = {"recovery": {"observer": {"basis": "momentum"}}}
+
+
+class Approach(NamedTuple):
+    """One flight at a wall."""
+
+    robot: str
+    speed: float  # at contact [m/s]
+    wall_yaw: float  # of the wall [deg]
+    robot_yaw: float  # of the robot [deg]
+    trial: int
+
+
+def approach_tables(
+    approach: Approach, seed: int, changes: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """The scenario of a flight at a wall: level cruise at the speed asked for, then contact.
+
+    Args:
+        approach: What is asked for.
+        seed: Of all luck.
+        changes: Tables laid over those of the test.
+    """
+    robot, speed, wall_yaw, robot_yaw, trial = approach
+    luck = Scatter().drawn(robot, 0.0, speed, trial, seed)
+    luck = luck._replace(wall_yaw=luck.wall_yaw + math.radians(wall_yaw))
+    given = trial_tables(robot, 0.0, speed, luck, changes)
+    run = RUN if speed > SLOW else SHORT_RUN
+    begin, lasting = CONTACT_X - run, PEAK_OVER_MEAN * 2.0 * run / speed
+    x, y, z = luck.position
+    return given | {
+        "name": f"{robot}, {speed:g} m/s, wall {wall_yaw:g} deg, robot {robot_yaw:g} deg",
+        "reference": {
+            "type": "waypoints",
+            "positions": [[begin, 0.0, 1.0], [begin + 2.0 * run, 0.0, 1.0]],
+            "duration": lasting,
+            "yaw": math.radians(robot_yaw),
+        },
+        "control": given["control"] | {"feed_forward": True},
+        "start": given["start"]
+        | {"position": [x + begin, y, z], "yaw": luck.heading + math.radians(robot_yaw)},
+        "simulation": {"duration": round(0.5 * lasting + 0.4, 3)},
+    }
+
+
+def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) -> dict[str, Any]:
+    """The scenario of a free flight: fast circles and steps in turn, half of them in gusts.
+
+    The circle is the paper's fast one (Free Flight: 1 m, period π s), whose speed jumps at first.
+
+    Args:
+        robot: Preset.
+        number: Of the flight.
+        changes: Tables laid over those of the test.
+    """
+    steps = [[0, 0, 1], [0, 0, 2], [1, 0, 2], [1, 1, 2], [-1, -1, 1], [1, 1, 3]]
+    references: tuple[dict[str, Any], ...] = (
+        {"type": "circle", "radius": 1.0, "period": math.pi},
+        {"type": "steps", "dwell": 2.5, "positions": steps * 4},
+    )
+    start = ([1.0, 0.0, 1.0], [0.0, 0.0, 1.0])[number % 2]
+    given: dict[str, Any] = {
+        "name": f"{robot}, free flight {number + 1}",
+        "vehicle": robot,
+        "reference": references[number % 2],
+        "recovery": {},
+        "world": {
+            "obstacles": [
+                {"type": "wall", "distance": FAR, "surface": "wall"},
+                {"type": "ground", "surface": "wall"},
+            ]
+        },
+        "start": {"position": start},
+        "simulation": {"duration": PIECE},
+        "seed": number,
+    }
+    if number % 4 >= 2:
+        given["air"] = STORM
+    return given | (changes or {})
+
+
+def flown(tables: dict[str, Any]) -> tuple[Any, GuidedFlown]:
+    """A flight made ready and flown, trajectory, diary and all."""
+    ready = made_ready(tables)
+    period = ready.board.cabin.guidance.period
+    ticks = ticks_of(ready.model.timing.until, period)
+    noise = noise_table(ready.scenario.seed, 0, ticks, ready.board.noise)
+    return ready, fly_guided(ready.model, ready.start, ready.board.cabin, noise)
+
+
+def signals_of(ready: Any, guided: GuidedFlown) -> dict[str, Judged]:
+    """The signal of every trigger, tick by tick."""
+    assert guided.diary is not None  # asked only of flights that keep one
+    sensors, tick = ready.scenario.sensors, 1.0 / ready.scenario.clock
+    paces = {"pressed": sensors.hall, "jolt": sensors.imu, "push": sensors.imu}
+    found = {}
+    for name in ("hall", "acceleration", "wrench"):
+        column, pace = SIGNALS[name], paces[SIGNALS[name]]
+        every = 1 if pace.perfect else round(1.0 / (pace.rate * tick))
+        values = np.ascontiguousarray(guided.diary[f"told.{column}"])
+        found[name] = Judged(values, tick, every)
+    return found
+
+
+class MadeOut(NamedTuple):
+    """How well one collision was made out, against the truth."""
+
+    approach: Approach
+    clipped: bool  # the accelerometer was at its range
+    arms_right: bool  # those that took part
+    to_impulse: dict[str, float | None]  # angle to the true contact impulse by source [rad]
+    to_normal: dict[str, float | None]  # angle to the wall's normal by source [rad]
+    friction: float  # angle from the normal to the true impulse [rad]
+    position: float  # p_c, of the main body at the alarm, against the truth [m]
+    contact_point: float  # against the true one at the alarm [m]
+    intensity: float  # largest external force, over the largest contact force
+    looked: float  # from touch to the end of the window [s]
+
+
+@dataclass(frozen=True)
+class Encounter:
+    """One collision: when it was noticed, and as what."""
+
+    approach: Approach
+    touch: float
+    """Time of first touch [s]."""
+    delays: dict[str, float | None]
+    """Of each trigger at its threshold, after touch [s]; None if it missed."""
+    signals: dict[str, Judged] = field(repr=False)
+    made_out: MadeOut | None = None
+
+
+def _angle(a: Any, b: Any) -> float | None:
+    """Signed angle between the level parts of two vectors [rad]."""
+    if math.hypot(a[0], a[1]) < 1e-9 or math.hypot(b[0], b[1]) < 1e-9:
+        return None
+    return math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
+
+
+def _vectors(columns: Any, stem: str, axes: str = "xyz") -> Array:
+    """Columns of a vector side by side, shape (instants, axes)."""
+    return np.stack([columns[f"{stem}.{axis}"] for axis in axes], axis=1)
+
+
+def _turned(quaternion: Array) -> Array:
+    """Rotation matrix, body to world, of a quaternion wxyz."""
+    w, (x, y, z) = quaternion[0], quaternion[1:]
+    skewed = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    turned: Array = np.eye(3) + 2.0 * w * skewed + 2.0 * skewed @ skewed
+    return turned
+
+
+def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms: Any) -> Array:
+    """Mean of the foremost points of the cages that are hit, world [m], by NumPy.
+
+    Args:
+        trace: Of the flight.
+        airframe: True.
+        row: Of the instant.
+        normal: Into the obstacle, world.
+        arms: Which are hit, true or false.
+    """
+    r = _turned(_vectors(trace, "state.attitude", "wxyz")[row])
+    place = _vectors(trace, "state.position")[row]
+    flat = normal - (normal @ r[:, 2]) * r[:, 2]
+    rim = flat / np.linalg.norm(flat)
+    points = [
+        place
+        + trace[f"state.arm_length.{j + 1}"][row] * (r @ [arm.cosine, arm.sine, 0.0])
+        + arm.cage_radius * rim
+        for j, arm in enumerate(airframe.arms)
+        if arms[j]
+    ]
+    mean: Array = np.mean(points, axis=0)
+    return mean
+
+
+def made_out(approach: Approach, ready: Any, guided: GuidedFlown, touch: float) -> MadeOut | None:
+    """What the robot made of a collision, against the truth; None if it noticed nothing.
+
+    Two things count as true: the direction of the impulse of the contact force, with friction, from
+    touch to the end of the window; and the wall's normal.
+    """
+    diary, trace = guided.diary, guided.flown.trace
+    assert diary is not None  # asked only of flights that keep both
+    assert trace is not None
+    looking = np.flatnonzero(diary["told.leg"] == LOOK)
+    if not len(looking):
+        return None
+    alarm, end = diary["time"][looking[0]], diary["time"][looking[-1]] + 1.0 / ready.scenario.clock
+    hit: Collision = guided.aboard.pilot.collision
+    t: Array = np.asarray(trace["time"])
+    first, at, last = (min(int(np.searchsorted(t, x)), len(t) - 1) for x in (touch, alarm, end))
+    impulse = -(_vectors(trace, "work.impulse")[last] - _vectors(trace, "work.impulse")[first])
+    count = len(ready.model.airframe.arms)
+    pressed = np.stack([trace[f"arms.{j + 1}.normal"][first : last + 1] for j in range(count)])
+    shares = np.trapezoid(pressed, t[first : last + 1], axis=1)
+    touched = shares >= TOOK_PART * shares.sum()
+    normal = np.array(guided.flown.record.inward)
+    told = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
+    said = dict(zip(SOURCES, told, strict=True))
+    there = true_contact_point(trace, ready.model.airframe, at, normal, touched)
+    force = np.linalg.norm(_vectors(trace, "contact_force")[first : last + 1], axis=1).max()
+    place = _vectors(trace, "state.position")[at]
+    imu = np.abs(_vectors(diary, "measurement.inertial.specific_force")[looking])
+    limit = ready.board.cabin.guidance.pilot.look.limit
+    return MadeOut(
+        approach=approach,
+        clipped=bool(imu.max() >= limit),
+        arms_right=[bool(x) for x in hit.arms] == touched.tolist(),
+        to_impulse={name: _angle(impulse, way) for name, way in said.items()},
+        to_normal={name: _angle(normal, way) for name, way in said.items()},
+        friction=_angle(normal, impulse) or 0.0,
+        position=float(np.linalg.norm(np.array(hit.position) - place)),
+        contact_point=float(np.linalg.norm(np.array(hit.contact_point) - there)),
+        intensity=hit.intensity / float(force),
+        looked=float(end - touch),
+    )
+
+
+def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = None) -> Encounter:
+    """Fly one approach and look at the collision.
+
+    Args:
+        approach: What is asked for.
+        seed: Of all luck.
+        changes: Tables laid over those of the test.
+    """
+    ready, guided = flown(approach_tables(approach, seed, changes))
+    touch = guided.flown.record.touch_time
+    seen = guided.aboard.pilot.detection
+    firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
+    delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}
+    end = int((touch + 0.1) / ready.board.cabin.guidance.period)
+    signals = {
+        name: one._replace(signal=one.signal[:end].copy())
+        for name, one in signals_of(ready, guided).items()
+    }
+    return Encounter(approach, touch, delays, signals, made_out(approach, ready, guided, touch))
+
+
+@dataclass
+class DetectionResults:
+    """All flights of the study."""
+
+    flights: int
+    """Trials of each approach."""
+    seed: int
+    encounters: list[Encounter] = field(default_factory=list)
+    on_momentum: list[Encounter] = field(default_factory=list)
+    free: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    """Signals of the free flights of each robot."""
+    free_on_momentum: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    alarms: dict[str, dict[str, float]] = field(default_factory=dict)
+    """Alarms of each trigger in the free flights of each robot, at its default threshold."""
+    _quiet: dict[tuple[str, str, int], Quiet] = field(default_factory=dict, repr=False)
+    """Looked through once: free flight is long."""
+
+    def free_time(self, robot: str) -> float:
+        """Free flight of a robot [s]."""
+        return sum(len(one["wrench"].signal) * one["wrench"].period for one in self.free[robot])
+
+    def triggers(self, robot: str) -> list[str]:
+        """Triggers that say anything on a robot: where no arm slides, its sensors do not."""
+        return [name for name in SIGNALS if name != "hall" or robot == "arq"]
+
+    def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[Encounter]:
+        """Collisions of a robot, on which a trigger looked."""
+        flights = self.on_momentum if trigger == "momentum" else self.encounters
+        return [
+            one for one in flights
+            if one.approach.robot == robot and speed in (None, one.approach.speed)
+        ]  # fmt: skip
+
+    def delays(self, robot: str, trigger: str, speed: float) -> list[float | None]:
+        """Of a trigger at its default threshold [s]; None where it missed or was late."""
+        name = "wrench" if trigger == "momentum" else trigger
+        found = [one.delays[name] for one in self.hits(robot, trigger, speed)]
+        return [x if x is not None and x <= IN_TIME else None for x in found]
+
+    def curve(
+        self, robot: str, trigger: str, speed: float | None = None, persistence: int = 1
+    ) -> list[Point]:
+        """The receiver operating curve of a trigger, at one speed or over all."""
+        key, name = (robot, trigger, persistence), "wrench" if trigger == "momentum" else trigger
+        thresholds = THRESHOLDS[trigger].tolist()
+        if key not in self._quiet:
+            free = self.free_on_momentum if trigger == "momentum" else self.free
+            signals = [one[name] for one in free[robot]]
+            self._quiet[key] = quiet(signals, thresholds, persistence=persistence)
+        return curve(
+            self._quiet[key],
+            [(one.signals[name], one.touch) for one in self.hits(robot, trigger, speed)],
+            thresholds, persistence=persistence, within=IN_TIME,
+        )  # fmt: skip
+
+    def made_out(self, robot: str | None = None, speed: float | None = None) -> list[MadeOut]:
+        """Collisions that were made out, of all or of some."""
+        return [
+            one.made_out for one in self.encounters
+            if one.made_out is not None and robot in (None, one.approach.robot)
+            and speed in (None, one.approach.speed) and one.approach.speed >= CHARACTERISED_FROM
+        ]  # fmt: skip
+
+
+def _approaches(flights: int, askew: Sequence[tuple[int, int]]) -> Iterator[Approach]:
+    for robot, speed, (wall, yaw), trial in product(ROBOTS, SPEEDS, askew, range(flights)):
+        yield Approach(robot, speed, float(wall), float(yaw), trial)
+
+
+def detection_study(
+    flights: int = 4,
+    *,
+    free: float = FREE,
+    seed: int = 0,
+    askew: Sequence[tuple[int, int]] = ASKEW,
+    progress: Callable[[float], None] | None = None,
+) -> DetectionResults:
+    """Fly the study.
+
+    Args:
+        flights: Trials of each approach.
+        free: Free flight of each robot [s], in pieces of `PIECE`.
+        seed: Of all luck.
+        askew: How wall and robot stand [deg].
+        progress: Called with the share done.
+    """
+    results = DetectionResults(flights, seed)
+    hits, straight = list(_approaches(flights, askew)), list(_approaches(flights, askew[:1]))
+    pieces = max(1, round(free / PIECE))
+    total = len(hits) + len(straight) + 2.0 * len(ROBOTS) * pieces
+    done = 0.0
+
+    def step() -> None:
+        nonlocal done
+        done += 1.0
+        if progress is not None:
+            progress(done / total)
+
+    for approach in hits:
+        results.encounters.append(encounter(approach, seed))
+        step()
+    for approach in straight:
+        results.on_momentum.append(encounter(approach, seed, ON_MOMENTUM))
+        step()
+    for robot in ROBOTS:
+        raised = dict.fromkeys(("hall", "acceleration", "wrench", "momentum"), 0.0)
+        for number in range(pieces):
+            for changes, kept in ((None, results.free), (ON_MOMENTUM, results.free_on_momentum)):
+                ready, guided = flown(free_tables(robot, number, changes))
+                kept.setdefault(robot, []).append(signals_of(ready, guided))
+                seen = guided.aboard.pilot.detection
+                if changes is None:
+                    for name in ("hall", "acceleration", "wrench"):
+                        raised[name] += getattr(seen, name).alarms
+                else:
+                    raised["momentum"] += seen.wrench.alarms
+                step()
+        results.alarms[robot] = raised
+    return results

@@ -1,0 +1,265 @@
+"""The resilience envelope: how often a robot recovers, over two parameters of its trials.
+
+A cell is a pair of values, flown several times.  A cell whose test the vehicle cannot fly, because
+the run-up asks for more than it can do, is no failure and counts nowhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from springback.simulation.measures import Outcome
+from springback.studies.axes import Axis
+from springback.studies.proportions import CONFIDENCE, wilson
+from springback.studies.trials import Scatter
+
+#: The line of the envelope: least share of trials that succeed.
+LEVEL = 0.95
+
+Values = npt.NDArray[np.float64]
+
+
+class Place(NamedTuple):
+    """Of a cell: its robot, and its place along both axes."""
+
+    robot: str
+    column: int
+    row: int
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A robot at a pair of values, and how its trials ended."""
+
+    place: Place
+    outcomes: dict[str, int]
+    """Number of trials by outcome; none where the test cannot be flown."""
+    reason: str = ""
+    """Why the test cannot be flown."""
+
+    @property
+    def trials(self) -> int:
+        """Number of trials flown."""
+        return sum(self.outcomes.values())
+
+    @property
+    def successes(self) -> int:
+        """Number of trials in which the robot recovered."""
+        return self.outcomes.get(Outcome.RECOVERED.word, 0)
+
+    @property
+    def share(self) -> float | None:
+        """Of trials that succeeded."""
+        return self.successes / self.trials if self.trials else None
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """Wilson's interval of the success probability."""
+        return wilson(self.successes, self.trials) if self.trials else None
+
+
+class Stretch(NamedTuple):
+    """Part of a line of cells on which a level is reached.
+
+    It ends where the level is crossed, or at the last cell that was flown.
+    """
+
+    low: float
+    high: float
+    crossed_low: bool
+    crossed_high: bool
+
+
+def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> list[Stretch]:
+    """Where shares along a line of cells reach a level, linear between neighbouring cell centres.
+
+    Args:
+        values: Of the cell centres, rising or falling.
+        shares: There; NaN where nothing was flown, towards which nothing is interpolated.
+        level: To be reached.
+    """
+    order = np.argsort(values)
+    v, s = np.asarray(values, float)[order], np.asarray(shares, float)[order]
+    inside, count = s >= level, len(v)
+
+    def end(k: int, outside: int) -> tuple[float, bool]:
+        if not 0 <= outside < count or np.isnan(s[outside]):
+            return float(v[k]), False
+        part = (s[k] - level) / (s[k] - s[outside])
+        return float(v[k] + part * (v[outside] - v[k])), True
+
+    found, k = [], 0
+    while k < count:
+        first = k
+        while k < count and inside[k]:
+            k += 1
+        if k > first:
+            (low, crossed_low), (high, crossed_high) = end(first, first - 1), end(k - 1, k)
+            found.append(Stretch(low, high, crossed_low, crossed_high))
+        k += 1
+    return found
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """Successes over two parameters."""
+
+    x: Axis
+    y: Axis
+    robots: tuple[str, ...]
+    trials: int
+    """Of each cell."""
+    seed: int
+    settings: tuple[str, ...]
+    """What is the same in all trials, as it was given."""
+    cells: dict[Place, Cell]
+
+    def shares(self, robot: str) -> Values:
+        """Success share of every cell, shape (values of y, values of x); NaN where not flown."""
+        rows, columns = range(len(self.y.values)), range(len(self.x.values))
+        found = [[self.cells[Place(robot, i, j)].share for i in columns] for j in rows]
+        return np.array(found, float)
+
+    def along_x(self, robot: str, row: int) -> list[Stretch]:
+        """Where along x, in shown units, the level is reached in a row of cells."""
+        return stretches(self.x.shown, self.shares(robot)[row])
+
+    def along_y(self, robot: str, column: int) -> list[Stretch]:
+        """Where along y, in shown units, the level is reached in a column of cells."""
+        return stretches(self.y.shown, self.shares(robot)[:, column])
+
+    def sentence(self, robot: str) -> str:
+        """How far the envelope of a robot reaches, through the middle of the map."""
+        flown = [cell for cell in self.cells.values() if cell.place.robot == robot]
+        grounded = sum(not cell.trials for cell in flown)
+        good = sum((cell.share or 0.0) >= LEVEL for cell in flown)
+        if grounded == len(flown):
+            return f"{robot}: none of {len(flown)} cells can be flown: {flown[0].reason}"
+        able = len(flown) - grounded
+        head = f"{robot}: at least {_percent(LEVEL)} in {good} of {able} cells that can be flown"
+        column, row = len(self.x.values) // 2, len(self.y.values) // 2
+        parts = [head + (f" ({grounded} cannot)" if grounded else "")]
+        for line, axis, across, at in (
+            (self.along_x(robot, row), self.x, self.y, row),
+            (self.along_y(robot, column), self.y, self.x, column),
+        ):
+            parts.append(f"at {_value(across, across.shown[at])}: {_reach(line, axis)}")
+        return "; ".join(parts)
+
+    def table(self, robot: str) -> str:
+        """Successes of a robot as text, a row for each value of y, the largest on top."""
+        head = [f"{v:g}" for v in self.x.shown]
+        lines = []
+        for row in sorted(range(len(self.y.values)), key=lambda j: -self.y.values[j]):
+            cells = [self.cells[Place(robot, i, row)] for i in range(len(head))]
+            entries = [str(cell.successes) if cell.trials else "-" for cell in cells]
+            lines.append([f"{self.y.shown[row]:g}", *entries])
+        width = max(len(word) for line in [head, *lines] for word in line) + 2
+        left = max(len(self.y.label), width)
+        title = f"{robot}: successes of {self.trials} trials"
+        top = f"{self.y.label:>{left}}" + "".join(f"{word:>{width}}" for word in head)
+        body = [
+            f"{line[0]:>{left}}" + "".join(f"{word:>{width}}" for word in line[1:])
+            for line in lines
+        ]
+        return "\n".join([title, f"{top}  {self.x.label}", *body, *self.reasons(robot)])
+
+    def reasons(self, robot: str) -> list[str]:
+        """Why cells of a robot were not flown: a line for each reason, with a cell it holds for."""
+        found: dict[str, list[Place]] = {}
+        for place, cell in self.cells.items():
+            if place.robot == robot and not cell.trials:
+                found.setdefault(cell.reason, []).append(place)
+        lines = []
+        for reason, places in found.items():
+            at = ", ".join(
+                _value(axis, axis.shown[k])
+                for axis, k in ((self.x, places[0].column), (self.y, places[0].row))
+            )
+            where = at if len(places) == 1 else f"{len(places)} cells, such as {at}"
+            lines.append(f"- not flown: {where}: {reason}")
+        return lines
+
+    def rows(self) -> list[dict[str, Any]]:
+        """One row of a table for each cell."""
+        known = [outcome.word for outcome in Outcome]
+        seen = [word for word in known if any(word in c.outcomes for c in self.cells.values())]
+        found = []
+        for (robot, column, row), cell in self.cells.items():
+            low, high = cell.interval or (None, None)
+            head = {
+                "robot": robot,
+                self.x.label: self.x.shown[column],
+                self.y.label: self.y.shown[row],
+                "trials": cell.trials,
+                "successes": cell.successes if cell.trials else None,
+                "share": cell.share,
+                "low": low,
+                "high": high,
+            }
+            outcomes = {word: cell.outcomes.get(word, 0) if cell.trials else None for word in seen}
+            found.append({**head, **outcomes, "cannot_be_flown": cell.reason})
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data, for JSON."""
+        from springback.version import __version__
+
+        return {
+            "springback": __version__,
+            "axes": {side: _axis_data(axis) for side, axis in (("x", self.x), ("y", self.y))},
+            "trials": self.trials,
+            "seed": self.seed,
+            "settings": list(self.settings),
+            "scatter": Scatter()._asdict(),
+            "level": LEVEL,
+            "confidence": CONFIDENCE,
+            "interval": "Wilson",
+            "line": {
+                robot: {
+                    "along_x": [
+                        {"y": y, "stretches": [part._asdict() for part in self.along_x(robot, j)]}
+                        for j, y in enumerate(self.y.shown)
+                    ],
+                    "along_y": [
+                        {"x": x, "stretches": [part._asdict() for part in self.along_y(robot, i)]}
+                        for i, x in enumerate(self.x.shown)
+                    ],
+                }
+                for robot in self.robots
+            },
+            "sentences": [self.sentence(robot) for robot in self.robots],
+            "cells": self.rows(),
+        }
+
+
+def _axis_data(axis: Axis) -> dict[str, Any]:
+    unit = axis.parameter.shown_unit
+    return {"parameter": axis.name, "unit": unit, "values": list(axis.shown)}
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:g} %"
+
+
+def _value(axis: Axis, *values: float) -> str:
+    unit = axis.parameter.shown_unit
+    numbers = " to ".join(f"{value:.3g}" for value in values)
+    return f"{axis.name} {numbers}" + ("" if unit == "-" else f" {unit}")
+
+
+def _reach(line: list[Stretch], axis: Axis) -> str:
+    """Stretches in words."""
+    if not line:
+        return "nowhere"
+    parts = []
+    for low, high, crossed_low, crossed_high in line:
+        ends = [e for e, crossed in (("first", crossed_low), ("last", crossed_high)) if not crossed]
+        note = f" (the {' and the '.join(ends)} flown)" if ends else ""
+        parts.append((_value(axis, low) if low == high else _value(axis, low, high)) + note)
+    return " and ".join(parts)

@@ -1,0 +1,224 @@
+"""What friction does to the springs: stroke and peak over its axes, its coefficient and the yaw.
+
+An arm slides along its own direction.  At 45 degrees to a wall it can give way only if its cage
+slides along the wall, so that of a normal force f the arm feels f (1 - mu)/sqrt(2) where friction
+opposes that slip, and f/sqrt(2) where it acts along the vertical only.  An arm straight ahead needs
+no slip.  This study flies hovering robots into the paper's wall, and prints what is left.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.batch.scenarios import fly_scenarios
+from springback.studies.run_ups import WALL_DISTANCE
+from springback.studies.trials import Condition, Trial, fly_trials
+from springback.vehicle.library import VEHICLES
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+ROBOTS = ("arq", "quad")
+AXES = ("vertical", "both")
+"""Of `SurfaceSettings.friction_axes`."""
+FRICTIONS = tuple(round(0.1 * k, 1) for k in range(11))
+"""Coefficients; Table II prints 0.8."""
+YAWS = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 7.5, *(5.0 * k for k in range(2, 10)))
+"""[deg]: at 0 two arms at 45 degrees meet the wall, at 45 one arm straight ahead."""
+SPEED = 2.0
+"""[m/s], the slower of the paper's speeds."""
+PRINTED_FRICTION = 0.8
+SPEEDS = (2.0, 3.5)
+"""[m/s], of the trials."""
+TRIALS = 40
+ROOM = 0.03
+"""[m], free run before the touch."""
+DURATION = 0.25
+"""[s]: approach, contact, and the arms' way back."""
+
+
+class Impact(NamedTuple):
+    """One collision of a hovering robot."""
+
+    robot: str
+    axes: str
+    friction: float
+    yaw: float  # [deg]
+    speed: float  # [m/s]
+    stroke: float  # largest compression of an arm [m]
+    peak: float  # peak acceleration of the main body [m/s²]
+    restitution: float
+    arm_share: float  # of the energy lost, by the arms' dampers
+
+    def as_dict(self) -> dict[str, Any]:
+        """One row of a table."""
+        return {
+            "robot": self.robot, "friction axes": self.axes, "friction": self.friction,
+            "yaw [deg]": self.yaw, "speed [m/s]": self.speed, "stroke [m]": self.stroke,
+            "peak acceleration [m/s^2]": self.peak, "restitution at separation": self.restitution,
+            "share of the losses in the arms": self.arm_share,
+        }  # fmt: skip
+
+
+class Flown(NamedTuple):
+    """The paper's straight collision, with run-up, sensors and recovery: medians of trials."""
+
+    robot: str
+    axes: str
+    speed: float  # [m/s]
+    trials: int
+    recovered: int
+    stroke: float  # [m]
+    peak: float  # [m/s²]
+
+    def as_dict(self) -> dict[str, Any]:
+        """One row of a table."""
+        return {
+            "robot": self.robot, "friction axes": self.axes, "speed [m/s]": self.speed,
+            "trials": self.trials, "recovered": self.recovered,
+            "median stroke [m]": self.stroke, "median peak acceleration [m/s^2]": self.peak,
+        }  # fmt: skip
+
+
+@dataclass
+class FrictionResults:
+    """All collisions of the study."""
+
+    impacts: list[Impact] = field(default_factory=list)
+    flown: list[Flown] = field(default_factory=list)
+
+    def grid(self, robot: str, axes: str, measure: str) -> tuple[list[float], list[float], Array]:
+        """Coefficients, yaws [deg] and a measure of shape (coefficients, yaws)."""
+        mine = {(i.friction, i.yaw): i for i in self.impacts if (i.robot, i.axes) == (robot, axes)}
+        frictions, yaws = (sorted({key[k] for key in mine}) for k in (0, 1))
+        values = [[getattr(mine[mu, yaw], measure) for yaw in yaws] for mu in frictions]
+        return frictions, yaws, np.array(values, float).reshape(len(frictions), len(yaws))
+
+    def at(self, robot: str, axes: str, friction: float, yaw: float) -> Impact:
+        """One collision of the grid."""
+        asked = (robot, axes, friction, yaw)
+        return next(i for i in self.impacts if (i.robot, i.axes, i.friction, i.yaw) == asked)
+
+
+def impact_tables(
+    robot: str, axes: str, friction: float, yaw: float, speed: float
+) -> dict[str, Any]:
+    """The scenario of one collision, as plain tables: level, with hover thrust, no pilot.
+
+    Args:
+        robot: Preset.
+        axes: Along which tangents friction acts, ``vertical`` or ``both``.
+        friction: Coefficient.
+        yaw: Of the robot against the wall's normal [deg].
+        speed: Into the wall [m/s].
+    """
+    psi, arms = math.radians(yaw), VEHICLES[robot].vehicle.arms
+    ahead = max(
+        float(arms.at("length", j)) * math.cos(float(direction) + psi)
+        + float(arms.at("cage_radius", j))
+        for j, direction in enumerate(arms.directions)
+    )
+    surface = {"preset": "wall", "friction": friction, "friction_axes": axes}
+    return {
+        "name": f"{robot}, {axes}, mu {friction:g}, yaw {yaw:g} deg",
+        "vehicle": robot,
+        "thrust": "hover",
+        "world": {"obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": surface}]},
+        "start": {
+            "position": [WALL_DISTANCE - ahead - ROOM, 0.0, 1.0],
+            "velocity": [speed, 0.0, 0.0],
+            "yaw": psi,
+        },
+        "simulation": {"duration": DURATION},
+    }
+
+
+def friction_study(
+    trials: int = TRIALS,
+    *,
+    frictions: Sequence[float] = FRICTIONS,
+    yaws: Sequence[float] = YAWS,
+    speed: float = SPEED,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> FrictionResults:
+    """Fly the grid of collisions, and the paper's straight tests with either friction.
+
+    Args:
+        trials: Of each straight test; none are flown with 0.
+        frictions: Coefficients.
+        yaws: [deg].
+        speed: Of the grid [m/s].
+        seed: Of the luck of the trials.
+        progress: Called with the share done.
+    """
+    asked = [
+        (robot, axes, friction, yaw)
+        for robot in ROBOTS
+        for axes in AXES
+        for friction in frictions
+        for yaw in yaws
+    ]
+    half = None if progress is None else lambda share: progress(0.5 * share)
+    rows = fly_scenarios([impact_tables(*one, speed) for one in asked], progress=half)
+    names = "impact_arm_stroke", "impact_peak_acceleration", "restitution_at_separation"
+    columns = [rows.measures[name] for name in names]
+    arms = rows.measures["loss_arm"]
+    lost = arms + rows.measures["loss_contact"] + rows.measures["loss_friction"]
+    results = FrictionResults()
+    for k, (robot, axes, friction, yaw) in enumerate(asked):
+        stroke, peak, restitution = (float(column[k]) for column in columns)
+        share = float(arms[k] / lost[k])
+        results.impacts.append(
+            Impact(robot, axes, friction, yaw, speed, stroke, peak, restitution, share)
+        )
+    for k, axes in enumerate(AXES if trials else ()):
+        surface = {"preset": "wall", "friction_axes": axes}
+        wall = {"type": "wall", "distance": WALL_DISTANCE, "surface": surface}
+        tests = [
+            Condition(robot, 0.0, speed, {"world": {"obstacles": [wall]}})
+            for robot in ROBOTS
+            for speed in SPEEDS
+        ]
+        flown = fly_trials(tests, trials, seed=seed)
+        for n, test in enumerate(tests):
+            mine = flown[n * trials : (n + 1) * trials]
+            results.flown.append(_flown(test, axes, mine))
+        if progress is not None:
+            progress(0.5 + 0.5 * (k + 1) / len(AXES))
+    return results
+
+
+def _flown(test: Condition, axes: str, trials: Sequence[Trial]) -> Flown:
+    def median(name: str) -> float:
+        return float(np.median([trial.measures[name] or 0.0 for trial in trials]))
+
+    return Flown(
+        test.robot, axes, test.speed, len(trials), sum(t.success for t in trials),
+        median("impact_arm_stroke"), median("impact_peak_acceleration"),
+    )  # fmt: skip
+
+
+def friction_sentences(results: FrictionResults) -> list[str]:
+    """What the study says, a line each."""
+    said = []
+    words = {"vertical": "along e_Z, the paper's", "both": "along both tangents"}
+    held = [results.at("arq", axes, PRINTED_FRICTION, 0.0) for axes in AXES]
+    ahead = results.at("arq", "both", PRINTED_FRICTION, YAWS[-1])
+    for one, where in ((held[0], "yaw 0"), (held[1], "yaw 0"), (ahead, f"yaw {YAWS[-1]:g} deg")):
+        said.append(
+            f"ARQ, mu {one.friction:g} {words[one.axes]}, {where}, {one.speed:g} m/s: stroke "
+            f"{1e3 * one.stroke:.1f} mm, peak {one.peak:.0f} m/s^2, arms take "
+            f"{100 * one.arm_share:.0f} % of the losses"
+        )
+    for row in results.flown:
+        said.append(
+            f"{row.robot} in flight at 0 deg, {row.speed:g} m/s, friction {words[row.axes]}: "
+            f"median stroke {1e3 * row.stroke:.1f} mm, peak {row.peak:.0f} m/s^2, recovered "
+            f"{row.recovered} of {row.trials}"
+        )
+    return said

@@ -1,0 +1,107 @@
+"""How well a robot arrives: speed and pitch at the wall, against what its run-up asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.control.reference_parameters import RunUpSettings
+from springback.errors import InputError
+from springback.results.flight import Flight
+
+#: Pitch [deg, positive nose down] and speed [m/s] of the paper's collisions, Impact Resilience.
+CONDITIONS = (
+    (0.0, 2.0), (0.0, 3.5), (-45.0, 2.0), (-30.0, 2.0), (30.0, 2.0), (-15.0, 2.0), (15.0, 2.0),
+)  # fmt: skip
+#: Paper: start to wall [m].
+WALL_DISTANCE = 2.75
+#: Preset of the paper's wall with the paper's friction, which acts along the vertical only.
+PAPER_WALL = "paper-wall"
+#: Long enough to arrive, and to be seen leaving [s], chosen.
+DURATION = 4.0
+
+
+class Arrival(NamedTuple):
+    """Motion at first touch, and what is left between it and what was asked for."""
+
+    speed: float  # of the main body into the wall [m/s]
+    pitch: float  # positive nose down [rad]
+    speed_error: float  # had less wanted [m/s]
+    pitch_error: float  # [rad]
+    pitch_rate: float  # d(pitch)/dt where neither roll nor yaw are [rad/s]
+    height_error: float  # of the main body, against the run-up's height [m]
+    time: float  # of first touch [s]
+
+
+def run_up_scenario(vehicle: str, pitch: float, speed: float, **tables: Any) -> dict[str, Any]:
+    """A run-up of a preset vehicle at the paper's wall, as plain tables.
+
+    Args:
+        vehicle: Preset.
+        pitch: At contact, positive nose down [deg].
+        speed: At contact [m/s].
+        **tables: Further tables, or others in place of these.
+    """
+    given: dict[str, Any] = {
+        "name": f"{vehicle}, {speed:g} m/s, {pitch:g} deg",
+        "vehicle": vehicle,
+        "reference": {"type": "run-up", "speed": speed, "pitch": math.radians(pitch)},
+        "world": {
+            "obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": PAPER_WALL}]
+        },
+        "start": {"position": [0.0, 0.0, 1.0]},
+        "simulation": {"duration": DURATION},
+    }
+    return given | tables
+
+
+def run_up_errors(flight: Flight) -> Arrival:
+    """Speed and pitch with which a run-up arrived, against what was asked for.
+
+    Args:
+        flight: Of a scenario with a run-up, its trajectory kept.
+
+    Raises:
+        InputError: If the flight was no run-up, touched nothing, or kept no trajectory.
+    """
+    wanted, time = flight.scenario.reference, flight.measures["touch_time"]
+    if not isinstance(wanted, RunUpSettings):
+        raise InputError("reference.type: must be run-up, to ask how a run-up arrived")
+    if time is None or not flight.columns:
+        raise InputError("the flight touched nothing, or kept no trajectory")
+    c = flight.columns
+    at = {name: c[name][np.searchsorted(c["t"], time)] for name in ("qw", "qx", "qy", "qz", "wy")}
+    pitch = math.asin(2.0 * (at["qw"] * at["qy"] - at["qz"] * at["qx"]))
+    speed, height = float(flight.measures["touch_speed"] or 0.0), np.interp(time, c["t"], c["z"])
+    return Arrival(
+        speed=speed,
+        pitch=pitch,
+        speed_error=speed - float(wanted.speed),
+        pitch_error=pitch - float(wanted.pitch),
+        pitch_rate=float(at["wy"]),
+        height_error=float(height) - float(tuple(wanted.start)[2]),
+        time=time,
+    )
+
+
+def arrivals_table(rows: Sequence[tuple[str, Arrival]]) -> str:
+    """Arrivals as a Markdown table.
+
+    Args:
+        rows: What flew, and how it arrived.
+    """
+    lines = [
+        "| flight | speed [m/s] | error | pitch [deg] | error | rate [deg/s] | height error [m] |",
+        "|:---|---:|---:|---:|---:|---:|---:|",
+    ]
+    for name, a in rows:
+        turned = (math.degrees(x) for x in (a.pitch, a.pitch_error, a.pitch_rate))
+        pitch, off, rate = turned
+        lines.append(
+            f"| {name} | {a.speed:.3f} | {a.speed_error:+.3f} | {pitch:.2f} | {off:+.2f} "
+            f"| {rate:+.0f} | {a.height_error:+.3f} |"
+        )
+    return "\n".join(lines)

@@ -1,0 +1,279 @@
+"""Trials of a recovery: the same test again and again, but for luck, many abreast."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.results.recovery_measures import recovery_measures, recovery_outcome
+from springback.scenario.avionics import Board, board_of
+from springback.scenario.scenario import Scenario, merged, scenario_from
+from springback.simulation.guided_batch import fly_guided_many
+from springback.simulation.measures import Outcome, measures_of
+from springback.simulation.record import Model
+from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
+from springback.vehicle.state import State
+
+#: The paper's start and return point, section Impact Resilience [m].
+HOME = (0.0, 0.0, 1.0)
+#: Long enough for the slowest run-up of the paper, 2.75 s, recovery and the way home [s], chosen.
+DURATION = 11.0
+
+
+class Scatter(NamedTuple):
+    """Standard deviations of what differs from trial to trial; normal laws, all chosen.
+
+    The approach: where and how the robot hovers when it sets out, and how the wall stands to it.
+    The rest: how well its makers know it, and what a pack of gains is worth on this day.
+    """
+
+    position: float = 0.03  # of the start, each axis [m]
+    velocity: float = 0.05  # at the start, each axis [m/s]
+    heading: float = math.radians(2.0)  # yaw at the start [rad]
+    wall_distance: float = 0.02  # [m]
+    wall_yaw: float = math.radians(1.0)  # [rad]
+    mass: float = 0.02  # true over believed
+    inertia: float = 0.05  # true over believed
+    gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
+
+    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> Luck:
+        """What one trial is dealt.  It depends on these words alone, in whatever order they fly.
+
+        Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
+        """
+        key = (round(1e3 * pitch) % 2**32, round(1e3 * speed) % 2**32, trial)
+        luck = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
+        z = luck.standard_normal(16).tolist()
+        return Luck(
+            position=tuple(h + self.position * x for h, x in zip(HOME, z[:3], strict=True)),
+            velocity=tuple(self.velocity * x for x in z[3:6]),
+            heading=self.heading * z[6],
+            wall_distance=WALL_DISTANCE + self.wall_distance * z[7],
+            wall_yaw=self.wall_yaw * z[8],
+            mass=math.exp(self.mass * z[9]),
+            inertia=math.exp(self.inertia * z[10]),
+            gains=tuple(math.exp(self.gains * x) for x in z[11:16]),
+            seed=int(luck.integers(2**31)),
+        )
+
+
+class Luck(NamedTuple):
+    """What one trial is dealt."""
+
+    position: tuple[float, ...]
+    velocity: tuple[float, ...]
+    heading: float
+    wall_distance: float
+    wall_yaw: float
+    mass: float
+    inertia: float
+    gains: tuple[float, ...]  # factors of both stiffnesses, damping ratio, 1/τ, k_ω
+    seed: int
+
+
+NO_SCATTER = Scatter(*(0.0,) * len(Scatter._fields))
+
+
+def trial_tables(
+    robot: str,
+    pitch: float,
+    speed: float,
+    luck: Luck,
+    changes: Mapping[str, Any] | None = None,
+) -> dict[str, Any]:
+    """The scenario of one trial, as plain tables: run-up, wall, ground, recovery.
+
+    The robot knows nothing of its luck: it flies the run-up that was made for the paper's wall.
+
+    Args:
+        robot: Preset.
+        pitch: At contact, positive nose down [deg].
+        speed: At contact [m/s].
+        luck: Of the trial.
+        changes: Tables laid over those of the test, the same in every trial.
+    """
+    base = merged(run_up_scenario(robot, pitch, speed), changes or {})
+    control = dict(base.get("control", {}))
+    defaults = Scenario.model_fields["control"].default
+    names = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
+    for name, factor in zip(names, luck.gains, strict=True):
+        control[name] = float(control.get(name, getattr(defaults, name))) * factor
+    normal = [math.cos(luck.wall_yaw), math.sin(luck.wall_yaw), 0.0]
+    surface = base["world"]["obstacles"][0]["surface"]
+    obstacles = [
+        {
+            "type": "wall",
+            "normal": [-normal[0], -normal[1], 0.0],
+            "position": [luck.wall_distance, 0.0, 0.0],
+            "surface": surface,
+        },
+        {"type": "ground", "surface": "wall"},
+    ]
+    error = dict(base.get("model_error", {}))
+    return base | {
+        "world": {**base["world"], "obstacles": obstacles},
+        "start": {
+            "position": list(luck.position),
+            "velocity": list(luck.velocity),
+            "yaw": luck.heading,
+        },
+        "control": control,
+        "model_error": {
+            "mass": error.get("mass", 1.0) * luck.mass,
+            "inertia": error.get("inertia", 1.0) * luck.inertia,
+        },
+        "recovery": {"home": list(HOME)} | dict(base.get("recovery", {})),
+        "simulation": {"duration": DURATION} | dict((changes or {}).get("simulation", {})),
+        "seed": luck.seed,
+    }
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One trial and how it ended."""
+
+    robot: str
+    pitch: float
+    """Asked for at contact, positive nose down [deg]."""
+    speed: float
+    """Asked for at contact [m/s]."""
+    number: int
+    outcome: Outcome
+    measures: dict[str, float | None]
+
+    @property
+    def success(self) -> bool:
+        """Noticed every collision, touched no ground, came to rest where it should."""
+        return self.outcome is Outcome.RECOVERED
+
+    def as_dict(self) -> dict[str, Any]:
+        """One row of a table."""
+        head = {"robot": self.robot, "pitch_deg": self.pitch, "speed": self.speed}
+        tail = {"trial": self.number, "outcome": self.outcome.word, "success": self.success}
+        return head | tail | self.measures
+
+
+class Ready(NamedTuple):
+    """A flight made ready."""
+
+    scenario: Scenario
+    model: Model
+    start: State
+    board: Board
+
+
+def made_ready(tables: Mapping[str, Any]) -> Ready:
+    """Check a trial's tables and put everything aboard."""
+    scenario = scenario_from(tables)
+    model, start = scenario.flight_model(), scenario.start_state()
+    return Ready(scenario, model, start, board_of(scenario, model, start))
+
+
+def fly_ready(
+    flights: Sequence[Ready], progress: Callable[[float], None] | None = None
+) -> list[tuple[Outcome, dict[str, float | None]]]:
+    """Fly many flights of equal types and duration abreast; outcomes and measures in their order.
+
+    Args:
+        flights: With a recovery.
+        progress: Called with the share done.
+    """
+    if not flights:
+        return []
+    flown = fly_guided_many(
+        [one.model for one in flights], [one.start for one in flights],
+        [one.board.cabin for one in flights], flights[0].board.noise,
+        [one.scenario.seed for one in flights], progress=progress,
+    )  # fmt: skip
+    return [
+        (recovery_outcome(one), measures_of(one.flown) | recovery_measures(one)) for one in flown
+    ]
+
+
+class Condition(NamedTuple):
+    """One test that is flown several times."""
+
+    robot: str
+    pitch: float  # [deg]
+    speed: float  # [m/s]
+    changes: Mapping[str, Any] = {}
+
+
+def fly_trials(
+    conditions: Sequence[Condition],
+    trials: int,
+    *,
+    scatter: Scatter | None = None,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> list[Trial]:
+    """Fly every condition several times.
+
+    Conditions that ask for a run-up which the vehicle cannot fly have no trials.
+
+    Args:
+        conditions: To be flown.
+        trials: Of each.
+        scatter: What differs; by default the distributions of `Scatter`.
+        seed: Of all luck.
+        progress: Called with the share done.
+    """
+    dealt = scatter or Scatter()
+    asked, flights = [], []
+    for condition in conditions:
+        robot, pitch, speed, changes = condition
+        for number in range(trials):
+            luck = dealt.drawn(robot, pitch, speed, number, seed)
+            try:
+                flights.append(made_ready(trial_tables(robot, pitch, speed, luck, changes)))
+            except InputError:
+                if number or not _too_hard(condition):
+                    raise
+                break
+            asked.append((condition, number))
+    groups: dict[Any, list[int]] = {}
+    for k, one in enumerate(flights):
+        groups.setdefault(kind_of(one), []).append(k)
+    results: dict[int, tuple[Outcome, dict[str, float | None]]] = {}
+    for members in groups.values():
+        done = len(results)
+
+        def share(x: float, done: int = done, count: int = len(members)) -> None:
+            if progress is not None:
+                progress((done + x * count) / len(flights))
+
+        ended = fly_ready([flights[k] for k in members], share)
+        results |= dict(zip(members, ended, strict=True))
+    return [
+        Trial(c.robot, c.pitch, c.speed, number, *results[k]) for k, (c, number) in enumerate(asked)
+    ]
+
+
+def _too_hard(condition: Condition) -> bool:
+    """Whether a condition cannot be flown even without scatter: the run-up asks for too much."""
+    robot, pitch, speed, changes = condition
+    luck = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
+    try:
+        scenario_from(trial_tables(robot, pitch, speed, luck, changes))
+    except InputError as error:
+        return all(line.startswith("reference: the run-up") for line in error.problems)
+    return False
+
+
+def kind_of(one: Ready) -> Any:
+    """Flights of one kind can fly abreast."""
+    return (
+        _types(one.model), _types(one.board.cabin), one.model.timing.until,
+        one.board.cabin.guidance.period, one.board.noise,
+    )  # fmt: skip
+
+
+def _types(tree: Any) -> Any:
+    if not isinstance(tree, tuple):
+        return None
+    return (type(tree).__name__, *(_types(branch) for branch in tree))

@@ -1,0 +1,274 @@
+"""Films: what they show is the flight, they are the same again, and wrong wishes get one line."""
+
+import math
+import shutil
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+from PIL import Image
+
+from springback.errors import InputError
+from springback.interfaces.animation import bodies, timing
+from springback.interfaces.animation import film as animation
+from springback.interfaces.animation.frame import Picture
+from springback.interfaces.cli.app import cli
+from springback.interfaces.output.folders import output_folder
+from springback.interfaces.replay.scene import Scene, scene_of
+from springback.interfaces.reports.flight_files import write_flight
+from springback.results.flight import fly
+from springback.scenario.scenario import scenario_from
+
+SMALL = (200, 180)
+
+
+def thrown(**wall: Any) -> Any:
+    """ARQ is thrown level into a wall, its rotors at hover thrust."""
+    wall = wall or {"distance": "2.75 m"}
+    return fly(scenario_from({
+        "name": "thrown", "vehicle": "arq", "thrust": "hover",
+        "world": {"obstacles": [{"type": "wall", "surface": "wall", **wall}]},
+        "start": {"position": ["2.3 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
+        "simulation": {"duration": "0.3 s"},
+    }))  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("film") / "arq"
+    with output_folder(out) as place:
+        write_flight(thrown(), place, figures=False)
+    return out
+
+
+@pytest.fixture(scope="module")
+def scene(folder: Path) -> Scene:
+    from springback.interfaces.replay.scene import read_result
+
+    return scene_of(read_result(folder))
+
+
+def animate(*words: Any) -> Result:
+    return CliRunner().invoke(cli, ["animate", *map(str, words)])
+
+
+def refused(*words: Any) -> str:
+    """The one line that a wrong wish gets."""
+    done = animate(*words)
+    assert isinstance(done.exception, InputError), done.output
+    (line,) = done.exception.problems
+    return line
+
+
+# -- what is shown
+
+
+def test_a_pose_is_the_flight(scene: Scene) -> None:
+    k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
+    now = bodies.pose(scene, float(scene.t[k]))
+    assert now.position == pytest.approx(scene.position[k])
+    assert now.lengths == pytest.approx(scene.arm_length[k])
+    assert now.force == pytest.approx(scene.force[k])
+    middle = bodies.pose(scene, 0.5 * float(scene.t[k] + scene.t[k + 1]))
+    assert middle.position == pytest.approx(0.5 * (scene.position[k] + scene.position[k + 1]))
+    assert middle.rotation @ middle.rotation.T == pytest.approx(np.eye(3))
+
+
+def test_attitudes_turn_the_way_the_house_does() -> None:
+    half = math.radians(15.0)
+    nose_down = bodies.rotation(np.array([math.cos(half), 0.0, math.sin(half), 0.0]))
+    assert nose_down @ [1.0, 0.0, 0.0] == pytest.approx([math.cos(2 * half), 0.0, -0.5])
+
+
+def test_arms_are_drawn_as_long_as_they_are(scene: Scene) -> None:
+    k = int(np.argmin(scene.arm_length[:, 0]))
+    assert scene.arm_length[k, 0] < scene.arms[0].length - 1e-3
+    now = bodies.pose(scene, float(scene.t[k]))
+    tips = bodies.ends(scene.arms, now)
+    assert np.linalg.norm(tips - now.position, axis=1) == pytest.approx(scene.arm_length[k])
+    for j, arm in enumerate(scene.arms):
+        line = bodies.arm_line(arm, now, float(now.lengths[j]))
+        assert line[-1] == pytest.approx(tips[j])
+        assert line[0] == pytest.approx(now.position)
+        coils = np.linalg.norm(line[1:-1] - now.position, axis=1).max()
+        assert coils < scene.arm_length[k, j]
+
+
+def test_cages_and_forces_are_at_the_wall(scene: Scene) -> None:
+    side, above = bodies.views(scene)
+    touch = bodies.pose(scene, scene.impacts[0][0])
+    tips = bodies.ends(scene.arms, touch)
+    reach = max(
+        float(above(bodies.ring(tip, arm.cage_radius, touch.rotation))[:, 0].max())
+        for tip, arm in zip(tips, scene.arms, strict=True)
+    )
+    (wall,) = scene.obstacles
+    area = bodies.half_plane(wall, above, 0.0, 5.0)
+    assert area is not None
+    face = float(area[:2, 0].mean())
+    assert face == pytest.approx(2.75)
+    assert reach == pytest.approx(face, abs=1e-3)
+    assert area[2:, 0].min() > face  # matter is behind it
+    k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
+    for force, point in zip(scene.force[k], scene.point[k], strict=True):
+        if np.linalg.norm(force) > 0.0:
+            assert side(force)[0] < 0.0
+            assert side(point)[0] == pytest.approx(face, abs=0.03)
+
+
+def test_the_obstacle_that_is_hit_stands_on_the_right() -> None:
+    assert bodies.views(scene_of(thrown()))[0].right == pytest.approx([1.0, 0.0, 0.0])
+    turned = thrown(position=[2.9, 0, 0], normal=[-1, -1, 0])
+    side, above = bodies.views(scene_of(turned))
+    for view in (side, above):
+        assert view.right == pytest.approx([math.sqrt(0.5), math.sqrt(0.5), 0.0])
+    assert above.up == pytest.approx([-math.sqrt(0.5), math.sqrt(0.5), 0.0])
+
+
+def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
+    from springback.interfaces.replay.geometry import Drawable
+
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    thing = Drawable("mesh", "tetrahedron", vertices=corners, triangles=faces)
+    view = bodies.View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), np.array([0, 0, 0.5]))
+    pieces = bodies.cut(thing, view).reshape(-1, 2)
+    assert {tuple(np.round(p, 9)) for p in pieces} == {(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)}
+
+
+def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) -> None:
+    when = timing.timing([scene], slow=20.0, fps=25.0)
+    picture = Picture([scene], when, (400, 360))
+    first, same, other = picture.at(0), picture.at(0), picture.at(len(when.t) // 2)
+    assert first.shape == (360, 400, 3)
+    assert np.array_equal(first, same)
+    assert not np.array_equal(first, other)
+    foot = slice(int(360 * 0.97), None)  # below the curve
+    assert np.array_equal(first[foot], other[foot])
+
+
+# -- timing
+
+
+def test_impacts_are_slow_and_the_rest_is_not(scene: Scene) -> None:
+    when = timing.timing([scene], slow=40.0, fps=25.0, begin=-0.1, end=0.15)
+    steps = np.diff(when.t)
+    assert np.all(steps > 0.0)
+    a, b = scene.impacts[0]
+    hit = (when.t[:-1] > 0.0) & (when.t[1:] < b - a)
+    assert steps[hit] == pytest.approx(1.0 / (25.0 * 40.0), rel=0.02)
+    assert steps[0] == pytest.approx(1.0 / (25.0 * timing.LIFE), rel=0.02)
+    assert when.slowness.min() == pytest.approx(timing.LIFE)
+    assert when.slowness.max() == pytest.approx(40.0)
+    assert (when.t[0], when.begin) == pytest.approx((-0.1, -0.1))
+
+
+def test_two_flights_touch_at_the_same_time(scene: Scene) -> None:
+    later = replace(
+        scene, t=scene.t + 1.0, impacts=tuple((a + 1.0, b + 1.0) for a, b in scene.impacts)
+    )
+    assert timing.origin(later) == pytest.approx(timing.origin(scene) + 1.0)
+    alone = timing.timing([scene], slow=20.0, fps=20.0)
+    both = timing.timing([scene, later], slow=20.0, fps=20.0)
+    assert both.t == pytest.approx(alone.t, abs=1e-9)
+
+
+def test_a_flight_that_touches_nothing_is_shown_whole(scene: Scene) -> None:
+    free = replace(scene, impacts=(), force=0.0 * scene.force)
+    when = timing.timing([free], slow=20.0, fps=10.0)
+    assert (when.begin, when.end) == (0.0, pytest.approx(float(scene.t[-1])))
+    assert when.slow == ()
+    assert Picture([free], when, SMALL).at(0).shape == (180, 200, 3)
+
+
+# -- files
+
+
+def frames_of(path: Path) -> tuple[int, float]:
+    """Frames and duration [s]."""
+    with Image.open(path) as film:
+        durations = []
+        for k in range(film.n_frames):  # type: ignore[attr-defined]
+            film.seek(k)
+            film.load()
+            durations.append(film.info["duration"])
+        assert film.info.get("loop") == 0
+        return len(durations), 1e-3 * sum(durations)
+
+
+@pytest.mark.parametrize("suffix", [".gif", ".webp"])
+def test_the_same_flight_gives_the_same_bytes(folder: Path, tmp_path: Path, suffix: str) -> None:
+    words = ("--size", "200x180", "--from", "-0.02", "--to", "0.04", "--fps", "20")
+    made = [tmp_path / f"{name}{suffix}" for name in "ab"]
+    for path in made:
+        done = animate(folder, "--out", path, *words)
+        assert done.exit_code == 0, done.output
+    assert made[0].read_bytes() == made[1].read_bytes()
+    count, lasts = frames_of(made[0])
+    assert f"{count} frames" in done.output
+    assert lasts == pytest.approx((count - 1) / 20.0 + 0.05 + animation.HOLD, abs=0.06)
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted(p.name for p in made)
+
+
+def test_two_flights_and_mp4(folder: Path, tmp_path: Path) -> None:
+    av = pytest.importorskip("av", reason="mp4 needs the extra video")
+    words = ("--size", "200x180", "--from", "-0.01", "--to", "0.02", "--fps", "20", "-q")
+    made = [tmp_path / name for name in ("a.mp4", "b.mp4")]
+    for path in made:
+        assert animate(folder, folder, "--out", path, *words).exit_code == 0
+    assert made[0].read_bytes() == made[1].read_bytes()
+    header = made[0].read_bytes()
+    movie = header.index(b"mvhd") + 8  # after version and flags, the time of creation
+    assert header[movie : movie + 4] == b"\0\0\0\0"
+    assert b"Lavf" not in header  # nor by whom
+    with av.open(str(made[0])) as film:
+        pictures = [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
+    assert pictures[0].shape == (180, 200, 3)
+    assert not np.array_equal(pictures[0], pictures[-1])
+
+
+def test_durations_add_up_to_the_time_that_is_shown() -> None:
+    for fps in (7.0, 24.0, 25.0, 30.0):
+        stays = animation._durations(100, fps)
+        assert sum(stays) == pytest.approx(1e3 * (100 / fps + animation.HOLD), abs=10.0)
+        assert all(stay % 10 == 0 for stay in stays)
+
+
+# -- wrong wishes
+
+
+def test_what_cannot_be_gets_one_line_and_leaves_nothing(folder: Path, tmp_path: Path) -> None:
+    out = tmp_path / "film.gif"
+    assert "must end in .gif, .webp, .mp4" in refused(folder, "--out", tmp_path / "film.avi")
+    assert "--from 1 s must be before --to 0.5 s" in refused(folder, "--out", out, "--from", "1", "--to", "0.5")  # fmt: skip
+    assert "the flight is from" in refused(folder, "--out", out, "--from", "50", "--to", "60")
+    assert "must be WIDTHxHEIGHT" in refused(folder, "--out", out, "--size", "big")
+    assert "99999 px must be from" in refused(folder, "--out", out, "--size", "99999x200")
+    assert "even width" in refused(folder, "--out", tmp_path / "a.mp4", "--size", "201x180")
+    assert "--fps 0.5: must be from 1" in refused(folder, "--out", out, "--fps", "0.5")
+    assert "finite" in refused(folder, "--out", out, "--from", "nan")
+    assert "frames is too long" in refused(folder, "--out", out, "--slow", "1000")
+    assert "no such folder" in refused(tmp_path / "none", "--out", out)
+    assert "summary.json" in refused(tmp_path, "--out", out)
+    assert "one folder, or two" in refused("--out", out)
+    assert "one folder, or two" in refused(folder, folder, folder, "--out", out)
+    out.write_text("mine")
+    assert "is there already" in refused(folder, "--out", out)
+    assert out.read_text() == "mine"
+    assert [path.name for path in tmp_path.iterdir()] == ["film.gif"]
+
+
+def test_a_missing_extra_is_named(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # fmt: skip
+    monkeypatch.setitem(sys.modules, "av", None)
+    assert "[video]" in refused(folder, "--out", tmp_path / "a.mp4")
+
+
+def test_a_flight_without_its_trajectory_says_so(folder: Path, tmp_path: Path) -> None:
+    torn = tmp_path / "torn"
+    shutil.copytree(folder, torn)
+    (torn / "trajectory.parquet").unlink()
+    assert "trajectory.parquet" in refused(torn, "--out", tmp_path / "a.gif")

@@ -1,0 +1,221 @@
+"""The command line as a newcomer meets it: files, exit codes, one clear line for each error."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import duckdb
+import pytest
+from click.testing import CliRunner
+
+from interfaces.interrupts import heed_interrupts
+from springback.errors import InputError
+from springback.interfaces.cli.app import cli
+
+SCENARIO = """\
+name = "test flight"
+vehicle = "arq"
+thrust = "hover"
+
+[[world.obstacles]]
+type = "wall"
+distance = "2.75 m"
+surface = "wall"
+
+[start]
+position = ["2.45 m", 0, "1 m"]
+velocity = ["2 m/s", 0, 0]
+
+[simulation]
+duration = "0.1 s"
+"""
+
+
+def run(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "springback", *words],
+        cwd=cwd, capture_output=True, text=True, timeout=300, check=False,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "s.toml").write_text(SCENARIO)
+    return tmp_path
+
+
+def refused(done: subprocess.CompletedProcess[str], *words: str) -> None:
+    """Exit code 2, one line on stderr with all the words, nothing on stdout, no traceback."""
+    assert done.returncode == 2, done.stderr
+    lines = done.stderr.strip().splitlines()
+    assert len(lines) == 1, done.stderr
+    assert lines[0].startswith("error: ")
+    for word in words:
+        assert word in lines[0], f"{word!r} not in {lines[0]!r}"
+    assert done.stdout == ""
+
+
+def test_fly_writes_summary_trajectory_and_figures(folder: Path) -> None:
+    done = run("fly", "s.toml", "--out", "out", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    assert "hit an obstacle and left it again" in done.stdout
+    names = {path.name for path in (folder / "out").iterdir()}
+    assert {"summary.json", "trajectory.parquet", "flight.png"} <= names
+    summary = json.loads((folder / "out" / "summary.json").read_text())
+    assert summary["outcome"] == "separated"
+    assert summary["units"]["peak_acceleration"] == "m/s^2"
+    assert summary["scenario"]["vehicle"]["arms"]["stiffness"] == 5000.0
+
+    path = str(folder / "out" / "trajectory.parquet")
+    database = duckdb.connect()
+    table = database.sql(f"SELECT * FROM '{path}'")
+    expected = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"]
+    assert table.columns[:14] == expected
+    for stem in ("l", "dl", "fn", "ff"):
+        assert {f"{stem}{j}" for j in (1, 2, 3, 4)} <= set(table.columns)
+    [(keys,)] = database.execute(
+        f"SELECT decode(value) FROM parquet_kv_metadata('{path}') WHERE decode(key) = 'units'"
+    ).fetchall()
+    assert json.loads(keys)["fn1"] == "N"
+    [(peak,)] = database.execute(
+        f"SELECT max(sqrt(ax*ax + ay*ay + az*az)) FROM '{path}'"
+    ).fetchall()
+    assert peak == pytest.approx(summary["measures"]["peak_acceleration"], rel=1e-12)
+
+
+def test_json_is_the_summary_and_quiet_is_quiet(folder: Path) -> None:
+    done = run("fly", "s.toml", "--out", "out", "--no-figures", "--json", "--quiet", cwd=folder)
+    assert json.loads(done.stdout) == json.loads((folder / "out" / "summary.json").read_text())
+    assert done.stderr == ""
+
+
+def test_overrides_reach_the_flight(folder: Path) -> None:
+    words = (
+        "vehicle.arms.compliant=false",
+        'start.velocity=["1 m/s",0,0]',
+        "world.obstacles.0.distance=2.7 m",
+    )
+    done = run("fly", "s.toml", *words, "--out", "out", "--no-figures", "--json", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads(done.stdout)
+    assert summary["measures"]["arm_stroke"] == 0.0
+    assert summary["scenario"]["start"]["velocity"] == [1.0, 0.0, 0.0]
+    assert summary["scenario"]["world"]["obstacles"][0]["distance"] == 2.7
+
+
+def test_results_are_kept_unless_forced(folder: Path) -> None:
+    (folder / "out").mkdir()
+    (folder / "out" / "summary.json").write_text("precious")
+    (folder / "out" / "notes.txt").write_text("mine")
+    refused(run("fly", "s.toml", "--out", "out", "--no-figures", cwd=folder), "--out", "--force")
+    assert (folder / "out" / "summary.json").read_text() == "precious"
+    done = run("fly", "s.toml", "--out", "out", "--no-figures", "--force", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    assert (folder / "out" / "summary.json").read_text() != "precious"
+    assert (folder / "out" / "notes.txt").read_text() == "mine"
+
+
+def test_bad_input_leaves_nothing_behind(folder: Path) -> None:
+    before = sorted(folder.rglob("*"))
+    refused(run("fly", "s.toml", "vehicle.body.mass=-1 kg", "--out", "a/b/out", cwd=folder),
+            "vehicle.body.mass", "more than 0 kg", "-1 kg")  # fmt: skip
+    refused(
+        run("fly", "nothing.toml", "--out", "out", cwd=folder), "nothing.toml", "cannot be read"
+    )
+    refused(
+        run("fly", "s.toml", "vehicle=arqq", "--out", "out", cwd=folder),
+        "arqq",
+        "did you mean arq?",
+    )
+    assert sorted(folder.rglob("*")) == before
+
+
+def test_errors_name_file_and_line(folder: Path) -> None:
+    (folder / "s.toml").write_text(SCENARIO.replace('"2.75 m"', '"2.75 kg"'))
+    refused(run("fly", "s.toml", "--out", "out", cwd=folder),
+            "s.toml:7:", "world.obstacles[0].distance", "2.75 kg", "expected m")  # fmt: skip
+
+
+def test_out_must_be_a_folder_that_can_be_written(folder: Path) -> None:
+    (folder / "file").write_text("")
+    refused(run("fly", "s.toml", "--out", "file", cwd=folder), "is a file")
+    refused(run("fly", "s.toml", "--out", "file/inside", cwd=folder), "--out")
+    refused(run("fly", "s.toml", "--out", "/proc/springback", cwd=folder), "cannot be written")
+
+
+def test_wrong_usage_exits_with_2(folder: Path) -> None:
+    for words in (
+        ("fly", "s.toml"),
+        ("flyy",),
+        ("fly", "s.toml", "--outt", "x"),
+        ("reproduce", "moon", "--out", "x"),
+    ):
+        done = run(*words, cwd=folder)
+        assert done.returncode == 2
+        assert "Traceback" not in done.stderr
+
+
+def test_a_diverging_flight_ends_with_1_and_its_last_good_state(folder: Path) -> None:
+    words = (
+        "world.obstacles.0.surface.stiffness=1e30",
+        "world.obstacles.0.surface.dissipation=1e9",
+    )
+    done = run("fly", "s.toml", *words, "--out", "out", "--no-figures", "--json", cwd=folder)
+    assert done.returncode == 1
+    assert json.loads(done.stdout)["outcome"] == "not_finite"
+    assert "NaN" not in (folder / "out" / "summary.json").read_text()
+
+
+def test_show_names_the_source_of_every_number(folder: Path) -> None:
+    listed = run("show", cwd=folder).stdout
+    assert "arq" in listed
+    assert "mat" in listed
+    shown = json.loads(run("show", "quad-slider", "--json", cwd=folder).stdout)
+    assert shown["settings"]["body"]["mass"] == 1.892
+    assert "Table II" in shown["sources"]["body.mass"]
+    refused(run("show", "quod", cwd=folder), "did you mean quad?")
+
+
+def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
+    code = (
+        "import sys; from springback.interfaces.cli.app import cli; "
+        "heavy = {'numba', 'scipy', 'numpy', 'matplotlib', 'duckdb', 'pydantic', 'rich'} & set(sys.modules); "
+        "sys.exit(', '.join(heavy) or 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "fly" in run("--help", cwd=folder).stdout
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
+def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
+    slow = "import time\n\ndef slow(now, seen, memory):\n    time.sleep(0.01)\n    return [3.0] * 4, memory\n"
+    (folder / "p.py").write_text(slow)
+    words = ["fly", "s.toml", "--pilot", "p.py:slow", "simulation.duration=60 s", "--out", "out"]
+    words += ["--no-figures"]
+    with subprocess.Popen(
+        [sys.executable, "-m", "springback", *words],
+        cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=heed_interrupts,
+    ) as process:  # fmt: skip
+        try:
+            time.sleep(4.0)
+            process.send_signal(signal.SIGINT)
+            _, errors = process.communicate(timeout=60)
+        finally:
+            process.kill()
+    assert process.returncode == 130, errors
+    assert "Traceback" not in errors
+    left = sorted(path.name for path in folder.iterdir() if path.name != "__pycache__")
+    assert left == ["p.py", "s.toml"]
+
+
+def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
+    for part in ("flight", "resilience"):
+        words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
+        assert isinstance(CliRunner().invoke(cli, words).exception, InputError)
+        assert not (tmp_path / "out").exists()

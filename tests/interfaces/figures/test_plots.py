@@ -1,0 +1,357 @@
+"""Figures of made-up flights: units on every axis, nothing that a flight may lack brings them down.
+
+Nothing here is flown: trajectories are formulas, measures are typed in.
+"""
+
+import hashlib
+import math
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import springback
+from springback.errors import InputError
+from springback.interfaces.figures import flight as plots
+from springback.interfaces.figures import style
+from springback.interfaces.reproduction.figures import slider
+from springback.paper.printed import SWEEP_SPEEDS, TABLE_III
+from springback.paper.slider import (
+    QUAD,
+    QUANTITIES,
+    READINGS,
+    Case,
+    Reading,
+    SliderResults,
+    SweepPoint,
+    slider_tables,
+)
+from springback.results.flight import Flight, fly
+from springback.scenario.scenario import scenario_from
+from springback.simulation.measures import MEASURES, Outcome
+from springback.studies.comparison import Mark, Row
+
+TOUCH, LASTS = 0.03, 0.04
+KNOWN = {
+    "touch_time": TOUCH, "return_time": TOUCH + LASTS, "contact_time": LASTS, "time_to_return": LASTS,
+    "touch_speed": 1.85, "impact_peak_acceleration": 100.0, "impact_peak_acceleration_time": TOUCH + LASTS / 2,
+    "restitution_at_separation": 0.5, "restitution_at_return": 0.5, "restitution_of_mass_centre": 0.5,
+    "travel": 0.02, "energy_start": 3.0, "loss_contact": 2.0, "energy_kinetic": 1.0, "steps": 500.0,
+    "ledger_residual": -4e-8, "work_thrust": 0.0, "energy_gravity": 0.0,
+}  # fmt: skip
+
+
+def made_up_flight(
+    reading: Reading = QUAD,
+    surface: str = "wall",
+    *,
+    arms: int = 4,
+    stroke: float = 0.0,
+    hit: bool = True,
+) -> Flight:
+    """A body that meets a wall, or does not; the front arms, 1 and 2, do the same."""
+    t = np.linspace(0.0, 0.2, 401)
+    phase = np.clip((t - TOUCH) / LASTS, 0.0, 1.0)
+    bump = np.where((phase > 0.0) & (phase < 1.0), np.sin(np.pi * phase), 0.0) * float(hit)
+    zero = np.zeros_like(t)
+    columns = {
+        "t": t,
+        "x": 0.7 + 1.85 * t,
+        "y": zero,
+        "z": zero + 1.0,
+        "vx": 1.85 - 2.7 * phase * hit,
+    }
+    columns |= {"vy": zero, "vz": zero, "ax": -100.0 * bump, "ay": zero, "az": zero}
+    columns |= {"qw": zero + 1.0} | dict.fromkeys(("qx", "qy", "qz", "wx", "wy", "wz"), zero)
+    for j in range(1, arms + 1):
+        front = float(j <= 2)
+        columns |= {
+            f"l{j}": 0.19 - stroke * front * bump,
+            f"dl{j}": zero,
+            f"fn{j}": 150.0 * front * bump,
+            f"ff{j}": zero,
+        }
+    measures: dict[str, float | None] = dict.fromkeys(MEASURES)
+    measures |= KNOWN if hit else {"energy_start": 3.0, "energy_kinetic": 3.0}
+    scenario = scenario_from(slider_tables(reading, surface, 1.85, 0.4))
+    outcome = Outcome.SEPARATED if hit else Outcome.NO_CONTACT
+    return Flight(scenario, outcome, measures, columns, dict.fromkeys(columns, ""))
+
+
+def made_up_results(readings: tuple[Reading, ...] = READINGS) -> SliderResults:
+    """Results with the numbers 0.9, 1.0, 1.1 ... of what is printed, reading by reading."""
+    results = SliderResults(readings=readings)
+    results.rows.append(
+        Row(
+            "Table II",
+            "",
+            "",
+            "",
+            "arm stiffness",
+            "N/m",
+            5e3,
+            5e3,
+            None,
+            Mark.GIVEN,
+            0.0,
+            "",
+            "k_l",
+        )
+    )
+    for (robot, surface), printed in TABLE_III.items():
+        for k, reading in enumerate([QUAD] if robot == "quad" else readings):
+            flight = made_up_flight(reading, surface, stroke=0.0 if robot == "quad" else 0.01)
+            for source in ("Quad's restitution", "ARQ's own restitution")[: 1 + (robot == "arq")]:
+                results.cases.append(Case(robot, surface, reading, 0.4, source, flight))
+                for quantity, unit in QUANTITIES.items():
+                    stem = "restitution" if quantity.startswith("restitution") else quantity
+                    stem = stem.removeprefix("impact_").replace("time_to_return", "contact_time")
+                    number = getattr(printed, stem)
+                    ours = (1.0 if robot == "quad" else 0.9 + 0.1 * k) * number / 1.001
+                    mark = Mark.PREDICTED if abs(ours / number - 1.0) < 0.05 else Mark.CONTRADICTED
+                    results.rows.append(
+                        Row("Table III", robot, surface, reading.name, quantity, unit, ours, number,
+                            None, mark, 0.4 + k / 7.0, source)
+                    )  # fmt: skip
+    for k, reading in enumerate(readings):
+        for speed in SWEEP_SPEEDS:
+            results.sweep.append(
+                SweepPoint(reading.name, speed, 200.0 * speed, (100.0 + k) * speed)
+            )
+        results.rows.append(
+            Row("Sweep", "quad - arq", "wall", reading.name, "gap of peak accelerations at 6 m/s",
+                "m/s^2", 600.0 - 6.0 * k, 493.0, None, Mark.CONTRADICTED, 0.4, "Quad's restitution")
+        )  # fmt: skip
+    return results
+
+
+def panels(figure: Figure) -> dict[str, Any]:
+    """Axes of a figure by their label."""
+    return {ax.get_ylabel(): ax for ax in figure.axes}
+
+
+def figures() -> dict[str, Figure]:
+    results = made_up_results()
+    return {
+        "flight": plots.flight_figure(made_up_flight(stroke=0.01)),
+        "no contact": plots.flight_figure(made_up_flight(hit=False)),
+        "quad": slider.slider_figure(results, "quad"),
+        "arq": slider.slider_figure(results, "arq"),
+        "sweep": slider.sweep_figure(results),
+        "readings": slider.readings_figure(results),
+        "energy": plots.energy_figure(made_up_flight(), made_up_flight(hit=False)),
+        "readme": slider.readme_figure(results),
+    }
+
+
+def test_every_axis_has_its_unit() -> None:
+    for name, figure in figures().items():
+        grid = figure.axes[0].get_gridspec()
+        assert grid is not None
+        for ax in figure.axes:
+            place = ax.get_subplotspec()
+            assert place is not None
+            if place.is_last_row():
+                assert ax.get_xlabel().endswith("]"), name
+            words = [tick.get_text() for tick in ax.get_yticklabels()]
+            categories = any(word[:1].isalpha() for word in words)
+            if place.is_first_col() and not categories and name != "readings":
+                label = ax.get_ylabel() or ax.get_title(loc="left")
+                assert label.endswith("]"), name
+
+
+def test_a_flight_is_shown_around_its_contact() -> None:
+    figure = plots.flight_figure(made_up_flight(stroke=0.01))
+    axes = panels(figure)
+    assert list(axes) == [
+        "Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]", "Contact force [N]",
+    ]  # fmt: skip
+    assert figure.axes[-1].get_xlabel() == "Time from first touch [ms]"
+    low, high = figure.axes[-1].get_xlim()
+    assert -TOUCH * 1e3 <= low < 0.0 < LASTS * 1e3 < high < 0.17e3
+    (shade,) = axes["Velocity [m/s]"].patches
+    assert shade.get_x() == pytest.approx(0.0, abs=0.6)
+    assert shade.get_width() == pytest.approx(1e3 * LASTS, abs=1.1)
+    past = axes["Position [mm]"].lines[0]
+    assert np.interp(0.0, past.get_xdata(), past.get_ydata()) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_arms_that_do_the_same_share_a_curve() -> None:
+    axes = panels(plots.flight_figure(made_up_flight(stroke=0.01)))
+    names = [line.get_label() for line in axes["Arm length [mm]"].lines]
+    assert names == ["arm 1, 2", "arm 3, 4"]
+    assert [line.get_label() for line in axes["Contact force [N]"].lines] == ["arm 1, 2"]
+
+
+def test_a_flight_without_contact_arms_or_motion_is_shown_too() -> None:
+    free = plots.flight_figure(made_up_flight(hit=False))
+    assert list(panels(free)) == ["Position [m]", "Velocity [m/s]", "Acceleration [m/s²]"]
+    assert free.axes[-1].get_xlabel() == "Time [s]"
+    assert not [patch for ax in free.axes for patch in ax.patches]
+    rounding = made_up_flight(hit=False)
+    rounding.columns["ax"] = 1e-14 * rounding.columns["t"]
+    limits = panels(plots.flight_figure(rounding))["Acceleration [m/s²]"].get_ylim()
+    assert limits == pytest.approx((-1.0, 1.0), abs=0.1)
+    armless = plots.flight_figure(made_up_flight(arms=0, hit=False))
+    assert len(armless.axes) == 3
+    rigid = plots.flight_figure(made_up_flight(stroke=0.0))
+    assert "Arm length [mm]" not in panels(rigid)
+
+
+def test_a_single_instant_can_be_shown() -> None:
+    flight = made_up_flight(hit=False)
+    short = replace(flight, columns={name: values[:1] for name, values in flight.columns.items()})
+    assert style.png(plots.flight_figure(short))
+
+
+def test_a_flight_without_trajectory_says_so() -> None:
+    with pytest.raises(ValueError, match="trajectory=True"):
+        plots.flight_figure(replace(made_up_flight(), columns={}))
+
+
+def test_slider_figures_mark_what_is_printed() -> None:
+    for robot, rows in (("quad", 3), ("arq", 4)):
+        figure = slider.slider_figure(made_up_results(), robot)
+        assert len(figure.axes) == 2 * rows
+        for column, surface in enumerate(("wall", "mat")):
+            printed = TABLE_III[robot, surface]
+            heights = [
+                [
+                    float(np.asarray(line.get_ydata())[0])
+                    for line in ax.lines
+                    if len(np.asarray(line.get_ydata()))
+                ]
+                for ax in figure.axes[column::2]
+            ]
+            assert 1e3 * printed.travel in heights[0]
+            assert -1.85 * printed.restitution in heights[1]
+            assert -printed.peak_acceleration in heights[2]
+
+
+def test_readings_are_told_apart_by_more_than_colour() -> None:
+    figure = slider.slider_figure(made_up_results(), "arq")
+    lines = [line for line in figure.axes[0].lines if str(line.get_label()).startswith("reading")]
+    assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == len(READINGS)  # type: ignore[attr-defined]  # fmt: skip
+    assert len({line.get_color() for line in lines}) == len(READINGS)
+
+
+def test_any_number_of_readings_with_any_names() -> None:
+    names = ("<script>", "$\\frac$", "_hidden", "{brace}", "long " * 30, "%s", "G", "H")
+    extra = tuple(replace(READINGS[1], name=name) for name in names)
+    results = made_up_results((*READINGS, *extra))
+    for figure in (
+        slider.slider_figure(results, "arq"), slider.sweep_figure(results), slider.readings_figure(results),
+    ):  # fmt: skip
+        assert style.png(figure)
+    legend = slider.readings_figure(results).legends[0]
+    words = [text.get_text() for text in legend.get_texts()]
+    assert "reading \\$\\frac\\$" in words  # drawn as it is
+    assert "reading _hidden" in words
+    assert all(len(word) <= 24 for word in words)
+
+
+def test_energy_bars_begin_where_the_last_one_ended() -> None:
+    (ax,) = plots.energy_figure(made_up_flight()).axes
+    bars = {
+        tick.get_text(): bar for tick, bar in zip(ax.get_yticklabels(), ax.patches, strict=True)
+    }
+    assert list(bars) == ["at the start", "contact damping", "left in motion"]
+    ends = {
+        name: sorted((bar.get_x(), bar.get_x() + bar.get_width())) for name, bar in bars.items()
+    }
+    assert ends["at the start"] == [0.0, 3.0]
+    assert ends["contact damping"] == [1.0, 3.0]
+    assert ends["left in motion"] == [0.0, 1.0]
+    assert [text.get_text() for text in ax.texts] == [
+        "3 J (100.0 %)", "−2 J (66.7 %)", "1 J (33.3 %)",
+    ]  # fmt: skip
+
+
+def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
+    fallen = made_up_flight()
+    fallen.measures.update(
+        {
+            "energy_start": 0.0,
+            "energy_gravity": -5.0,
+            "loss_contact": 4.0,
+            "work_thrust": -0.5,
+            "energy_kinetic": 0.5,
+        }
+    )
+    (ax,) = plots.energy_figure(fallen).axes
+    names = [tick.get_text() for tick in ax.get_yticklabels()]
+    assert names == ["fall put in", "rotors took", "contact damping", "left in motion"]
+    fallen.measures.update(dict.fromkeys(MEASURES))
+    assert style.png(plots.energy_figure(fallen))
+
+
+def test_the_users_own_style_is_neither_used_nor_changed() -> None:
+    plain = style.png(plots.energy_figure(made_up_flight()))
+    with mpl.rc_context({"font.size": 30.0, "axes.grid": False, "text.usetex": True}):
+        before = dict(mpl.rcParams)
+        assert style.png(plots.energy_figure(made_up_flight())) == plain
+        assert dict(mpl.rcParams) == before
+
+
+def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None:
+    files = style.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
+    assert [file.name for file in files] == ["energy.v1.png", "energy.v1.pdf", "energy.v1.csv"]
+    png, pdf, _ = files
+    assert b"Date" not in pdf.read_bytes()
+    assert b"tEXt" not in png.read_bytes()
+    assert b"/FontFile2" in pdf.read_bytes()  # TrueType, embedded
+    assert png.read_bytes()[16:20] == math.ceil(style.WIDTH * style.RESOLUTION).to_bytes(4)
+    program = (
+        "import sys, runpy, hashlib, pathlib; here = runpy.run_path(sys.argv[1])\n"
+        "plots, style = here['plots'], here['style']\n"
+        "files = style.save(plots.energy_figure(here['made_up_flight']()), pathlib.Path(sys.argv[2]))\n"
+        "assert 'matplotlib.pyplot' not in sys.modules\n"
+        "print(*(hashlib.sha256(f.read_bytes()).hexdigest() for f in files))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, __file__, str(tmp_path / "b")],
+        capture_output=True, text=True, check=True, env={"PYTHONHASHSEED": "7", "PYTHONPATH": ":".join(sys.path)},
+    )  # fmt: skip
+    assert done.stdout.split() == [hashlib.sha256(f.read_bytes()).hexdigest() for f in files]
+
+
+def test_a_flight_is_plotted_in_one_call() -> None:
+    flight = made_up_flight()
+    shown = style.png(springback.plot(flight))
+    assert shown == style.png(plots.flight_figure(flight))
+
+
+def test_what_cannot_be_plotted_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    flight = made_up_flight()
+    with pytest.raises(InputError, match="trajectory=True"):
+        springback.plot(replace(flight, columns={}))
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(InputError, match=r"this needs matplotlib.*plot"):
+        springback.plot(flight)
+
+
+def test_notebooks_show_figures() -> None:
+    figure = plots.energy_figure(made_up_flight())
+    assert figure._repr_png_().startswith(b"\x89PNG")  # type: ignore[attr-defined]
+
+
+def test_readme_figure_has_the_size_of_its_place() -> None:
+    data = style.png(slider.readme_figure(made_up_results()))
+    assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (1600, 600)
+    assert len(data) < 200_000
+
+
+def test_names_are_drawn_as_they_are_written() -> None:
+    """A dollar sign begins no formula, which this one would be no right one of."""
+    name = r"a $\foo$ b"
+    scenario = {"name": name, "vehicle": "quad", "simulation": {"duration": 0.01}}
+    figure = plots.energy_figure(fly(scenario, executor="python"))
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    assert axes.get_title(loc="left").replace(r"\$", "$") == name

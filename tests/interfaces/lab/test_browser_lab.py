@@ -1,0 +1,239 @@
+"""The impact lab in a browser: a slider moves and everything follows, links and files carry it on.
+
+It needs Chromium, its driver and selenium, and is skipped where one is missing.
+"""
+
+# what is optional is asked for before what needs it
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("uvicorn", reason="the lab needs the extra web")
+
+from interfaces.browsing import browser as a_browser
+from interfaces.browsing import needs_browser, resized
+from interfaces.lab.lab_served import served_lab
+from springback.interfaces.lab.responses import answer
+from springback.interfaces.lab.settings import settings_from
+
+pytestmark = needs_browser
+ID, CSS = "id", "css selector"
+CONTROL, ENTER = "\ue009", "\ue007"  # of the WebDriver standard
+PATIENCE = 60.0
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[str]:
+    with served_lab() as port:
+        yield f"http://127.0.0.1:{port}/"
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    with a_browser(tmp_path_factory.mktemp("browser"), 1000, 700) as driver:
+        yield driver
+
+
+def until(claim: Callable[[], Any], what: str) -> Any:
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        found = claim()
+        if found:
+            return found
+        time.sleep(0.05)
+    raise AssertionError(f"in vain waited for: {what}")
+
+
+def opened(browser: Any, url: str) -> None:
+    browser.get(url)
+    until(lambda: browser.execute_script("return !!window.springback?.answer"), "the first answer")
+
+
+def shown(browser: Any) -> dict[str, Any]:
+    """Everything that a reader sees of the flight, in plain data."""
+    return dict(
+        browser.execute_script("""
+        const S = window.springback;
+        return {
+          query: S.answer.query, settings: S.answer.settings,
+          fields: Object.fromEntries([...document.querySelectorAll(".knob input[type=text]")].map((f) => [f.id, f.value])),
+          outcomes: document.querySelector(".outcomes").innerText,
+          table: document.querySelector(".measures").innerText,
+          peaks: S.plots.curve("Acceleration"), energy: S.plots.curve("Energy, ARQ"),
+          link: document.querySelector("#link").value,
+        };""")
+    )
+
+
+def slide(browser: Any, name: str, share: int) -> None:
+    browser.execute_script(
+        "const s = document.querySelector(arguments[0]); s.value = arguments[1];"
+        "for (const kind of ['input', 'change']) s.dispatchEvent(new Event(kind, {bubbles: true}));",
+        f"#set-{name}-slider", share,
+    )  # fmt: skip
+
+
+def errors(browser: Any) -> list[str]:
+    logged = [
+        entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"
+    ]
+    return [text for text in logged if "422" not in text]
+
+
+def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
+    browser: Any, lab: str
+) -> None:
+    opened(browser, lab)
+    before = shown(browser)
+    assert before["link"] == lab
+    assert "ARQ meets the wall at 1.85 m/s" in before["outcomes"]
+
+    slide(browser, "stiffness", 200)
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") != "",
+        "a new answer",
+    )
+    after = shown(browser)
+    assert after["query"].startswith("stiffness=")
+    assert after["settings"]["stiffness"] < 5.0
+    assert after["outcomes"] != before["outcomes"]
+    assert after["table"] != before["table"]
+    arq, quad = (next(c for c in after["peaks"] if c["name"] == name) for name in ("ARQ", "Quad"))
+    assert arq["peak"] < before["peaks"][0]["peak"]  # a softer spring
+    assert quad["peak"] == before["peaks"][1]["peak"]  # the rigid twin has none
+    python = answer(settings_from([tuple(after["query"].split("="))]))  # type: ignore[list-item]
+    peak = next(row for row in python["measures"] if row["name"] == "impact_peak_acceleration")[
+        "values"
+    ]["arq"]
+    assert arq["peak"] == pytest.approx(peak, rel=1e-6)
+
+    link = browser.find_element(ID, "link").get_attribute("value")
+    assert link == f"{lab}?{after['query']}" == browser.current_url
+    first = browser.current_window_handle
+    browser.switch_to.new_window("tab")
+    try:
+        resized(browser, 1000, 700)
+        opened(browser, link)
+        assert shown(browser) == after
+    finally:
+        browser.close()
+        browser.switch_to.window(first)
+
+    browser.back()
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") == "",
+        "the way back",
+    )
+    assert shown(browser) == before
+    browser.forward()
+    until(
+        lambda: browser.execute_script("return window.springback.answer.query") != "",
+        "the way forth",
+    )
+    assert shown(browser) == after
+    assert errors(browser) == []
+
+
+def test_the_robots_move_when_it_plays(browser: Any, lab: str) -> None:
+    opened(browser, lab)
+    before = browser.execute_script("return window.springback.pose()")
+    browser.find_element(CSS, ".player .play").click()
+    moved = until(
+        lambda: (
+            (now := browser.execute_script("return window.springback.pose()"))["t"]
+            > before["t"] + 1e-3
+            and now
+        ),
+        "playing",
+    )
+    assert moved["flights"][0]["position"] != before["flights"][0]["position"]
+    assert moved["flights"][0]["armLengths"] != before["flights"][0]["armLengths"]
+    browser.execute_script("window.springback.player.pause()")
+
+
+def test_nonsense_in_a_field_is_told_and_the_flight_stays(browser: Any, lab: str) -> None:
+    opened(browser, lab)
+    before = shown(browser)
+    for text, words in (
+        ("99", "must be at most 6 m/s (got 99 m/s); 0.5 to 6 m/s"),
+        ("NaN", "must be finite"),
+        ("../x", "is not a number (got '../x'); expected m/s"),
+    ):
+        field = browser.find_element(ID, "set-speed")
+        field.send_keys(CONTROL, "a")
+        field.send_keys(text, ENTER)
+        alert = browser.find_element(CSS, ".alert")
+        until(lambda alert=alert, words=words: words in alert.text, words)
+        assert field.get_attribute("aria-invalid") == "true"
+        assert browser.current_url == lab
+        assert shown(browser)["outcomes"] == before["outcomes"]
+    field.send_keys(CONTROL, "a")
+    field.send_keys("2", ENTER)
+    until(lambda: not alert.is_displayed(), "the message to go")
+    until(
+        lambda: browser.execute_script("return window.springback.answer.settings.speed") == 2,
+        "2 m/s",
+    )
+    assert field.get_attribute("aria-invalid") == "false"
+
+
+def test_a_wrong_link_is_told_and_the_lab_opens_all_the_same(browser: Any, lab: str) -> None:
+    opened(browser, f"{lab}?stiffness=1e9")
+    assert "stiffness: must be at most 50 N/mm" in browser.find_element(CSS, ".alert").text
+    assert shown(browser)["query"] == ""
+
+
+def test_a_pinned_flight_stays_beside_the_next(browser: Any, lab: str) -> None:
+    opened(browser, lab)
+    kept = next(c["peak"] for c in shown(browser)["peaks"] if c["name"] == "ARQ")
+    browser.find_element(ID, "pin").click()
+    slide(browser, "damping", 900)
+    until(
+        lambda: "damping" in browser.execute_script("return window.springback.answer.query"),
+        "a new answer",
+    )
+    peaks = {curve["name"]: curve["peak"] for curve in shown(browser)["peaks"]}
+    assert peaks["ARQ, pinned"] == kept != peaks["ARQ"]
+    assert "pinned" in shown(browser)["table"]
+
+
+def test_scenes_that_are_replaced_leave_nothing_behind(browser: Any, lab: str) -> None:
+    held = "return window.springback.scene.memory().geometries"
+    answers = "return window.springback.latency.length"
+    opened(browser, lab)
+    memory = [until(lambda: browser.execute_script(held), "the picture")]
+    for share in (300, 450, 600):
+        before = browser.execute_script(answers)
+        slide(browser, "stiffness", share)
+        until(lambda before=before: browser.execute_script(answers) > before, "a new answer")
+        browser.execute_async_script(
+            "requestAnimationFrame(() => requestAnimationFrame(arguments[0]))"
+        )
+        memory.append(until(lambda: browser.execute_script(held), "the picture"))
+    assert max(memory) <= 1.5 * min(memory) + 20
+
+
+@pytest.mark.parametrize("width", [390, 1440])
+def test_nothing_sticks_out_of_the_page(browser: Any, lab: str, width: int) -> None:
+    resized(browser, width, 844)
+    try:
+        opened(browser, f"{lab}?surface=own")
+        assert browser.execute_script("return document.documentElement.scrollWidth") <= width
+        drawer = browser.find_element(ID, "drawer")
+        assert drawer.is_displayed() == (width < 500)
+        if width < 500:
+            drawer.click()
+            until(lambda: browser.find_element(ID, "set-speed").is_displayed(), "the drawer")
+    finally:
+        resized(browser, 1000, 700)
+
+
+def test_a_file_can_be_taken_away(browser: Any, lab: str) -> None:
+    opened(browser, f"{lab}?stiffness=2.6")
+    links = [a.get_attribute("href") for a in browser.find_elements(CSS, ".files a")]
+    assert links == [f"{lab}scenario.toml?stiffness=2.6&of={robot}" for robot in ("arq", "quad")]
+    assert Path(links[0].split("?")[0]).name == "scenario.toml"

@@ -1,0 +1,264 @@
+"""The impact lab without a browser: settings, links, scenarios, answers, refusals."""
+
+# what is optional is asked for before what needs it
+
+import base64
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+from urllib.parse import parse_qsl
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+pytest.importorskip("starlette", reason="the lab needs the extra web")
+pytest.importorskip("uvicorn", reason="the lab needs the extra web")
+
+
+from interfaces.lab.lab_served import WRONG
+
+from springback.contact.library import SURFACES
+from springback.errors import InputError
+from springback.interfaces.lab.app import page
+from springback.interfaces.lab.responses import RESOLUTION, answer
+from springback.interfaces.lab.scenarios import BEFORE, lab_scenario, lab_tables, lab_toml
+from springback.interfaces.lab.settings import (
+    DEFAULTS,
+    FIELDS,
+    Choice,
+    Knob,
+    LabSettings,
+    control_of,
+    controls,
+    query_of,
+    settings_from,
+)
+from springback.paper.printed import TABLE_III
+from springback.paper.slider import QUAD, READINGS, fitted_dissipation, slider_tables
+from springback.results.flight import fly
+from springback.scenario.files import read_scenario
+from springback.vehicle.library import ARQ
+
+KNOBS = {name: knob for name in FIELDS if isinstance(knob := control_of(name), Knob)}
+
+
+def setting(**words: Any) -> LabSettings:
+    return settings_from((name, str(value)) for name, value in words.items())
+
+
+# -- settings and links ---------------------------------------------------------------------------
+
+
+def any_settings() -> st.SearchStrategy[LabSettings]:
+    parts: dict[str, Any] = {}
+    for name in FIELDS:
+        control = control_of(name)
+        if isinstance(control, Choice):
+            parts[name] = st.sampled_from(list(control.words))
+        else:
+            numbers = st.floats(control.least, control.most)
+            parts[name] = numbers.filter(lambda x: x == 0.0 or abs(x) >= 1e-28)  # as all settings
+    return st.builds(LabSettings, **parts)
+
+
+@given(any_settings())
+@settings(max_examples=200)
+def test_a_link_carries_settings_to_the_last_bit(one: LabSettings) -> None:
+    query = query_of(one)
+    again = settings_from(parse_qsl(query))
+    assert again == one
+    assert query_of(again) == query
+
+
+def test_a_link_says_what_differs_and_nothing_else() -> None:
+    assert query_of(DEFAULTS) == ""
+    assert (
+        query_of(setting(stiffness="2.6", pitch="-30", speed=DEFAULTS.speed))
+        == "pitch=-30&stiffness=2.6"
+    )
+    assert setting(stiffness="2600 N/m").stiffness == 2.6
+
+
+@pytest.mark.parametrize("name", KNOBS)
+def test_defaults_and_the_papers_values_are_in_range(name: str) -> None:
+    knob = KNOBS[name]
+    assert knob.least <= getattr(DEFAULTS, name) <= knob.most
+    assert all(knob.least <= mark.value <= knob.most for mark in knob.marks)
+    assert setting(
+        **{name: f"{knob.most} {knob.unit}" if knob.unit in ("m/s", "deg", "g") else knob.most}
+    )
+
+
+def test_marks_are_the_numbers_of_the_package() -> None:
+    arms = ARQ.vehicle.arms
+    table = {
+        "stiffness": 1e-3 * arms.stiffness,
+        "damping": arms.damping,
+        "arm_mass": 1e3 * arms.mass,
+    }  # type: ignore[operator]
+    for name, value in table.items():
+        assert [mark.value for mark in KNOBS[name].marks] == [pytest.approx(value)], name
+        assert getattr(DEFAULTS, name) == pytest.approx(value), name
+    wall = [m.value for m in KNOBS["dissipation"].marks if m.words.startswith("wall")]
+    assert wall == [pytest.approx(SURFACES["wall"].dissipation_value(), abs=5e-4)]
+
+
+def test_the_page_is_made_from_the_table() -> None:
+    found = re.search(r'id="data">(.*?)</script>', page().text, re.DOTALL)
+    assert found
+    assert json.loads(found[1])["controls"] == json.loads(json.dumps(controls()))
+
+
+@pytest.mark.parametrize("query", WRONG)
+def test_wrong_settings_are_told_in_one_line(query: str) -> None:
+    with pytest.raises(InputError) as told:
+        settings_from(parse_qsl(query, keep_blank_values=True))
+    assert len(told.value.problems) == 1
+    assert told.value.problems[0].startswith(WRONG[query])
+    assert len(told.value.problems[0]) < 250
+
+
+# -- what is flown --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("robot", "reading"), [("arq", READINGS[1]), ("quad", QUAD)])
+@pytest.mark.parametrize("surface", ["wall", "mat"])
+def test_as_it_opens_it_is_the_papers_slider_test(robot: str, reading: Any, surface: str) -> None:
+    ours = fly(lab_scenario(setting(surface=surface), robot), trajectory=False)
+    papers = fly(
+        slider_tables(reading, surface, 1.85, fitted_dissipation(surface)), trajectory=False
+    )
+    for name in ("restitution_at_separation", "impact_peak_acceleration", "contact_time", "travel"):
+        assert ours.measures[name] == pytest.approx(papers.measures[name], rel=1e-9), name
+
+
+@pytest.mark.parametrize("words", [
+    {}, {"pitch": 40, "yaw": 10, "speed": 0.7}, {"pitch": -60, "yaw": -45, "speed": 6},
+])  # fmt: skip
+@pytest.mark.parametrize("guide", ["slider", "free"])
+def test_an_impact_arrives_as_asked(guide: str, words: dict[str, Any]) -> None:
+    asked = setting(guide=guide, **words)
+    m = fly(lab_scenario(asked, "arq"), trajectory=False).measures
+    # Steps land on a touch to within 1e-7 s, the shortest of them.
+    assert m["touch_time"] == pytest.approx(BEFORE, abs=1.1e-7)
+    assert m["touch_speed"] == pytest.approx(asked.speed, rel=2e-6)
+
+
+def test_in_flight_a_yaw_turns_the_wall_about_the_vertical() -> None:
+    wall = lab_tables(setting(mode="flight", yaw=30), "arq")["world"]["obstacles"][0]
+    assert wall["normal"] == pytest.approx([-math.cos(math.pi / 6), 0.5, 0.0])
+    face = lab_tables(setting(mode="flight", yaw=30, surface="mat"), "arq")["world"]["obstacles"][0]
+    backing = -face["normal"][0] * (face["position"][0] - wall["position"][0])
+    assert backing == pytest.approx(face["thickness"])
+
+
+ODD = [
+    {"robot": "arq", "stiffness": 1 / 0.3, "damping": 33.3, "arm_mass": 70.1, "speed": 2.345678901234567},
+    {"robot": "quad", "guide": "free", "surface": "own", "dissipation": 0.2, "contact_stiffness": 77.7, "pitch": 12.34, "yaw": -7},
+    {"robot": "arq", "mode": "flight", "speed": 2.2, "recovery": "set-point"},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words", ODD)
+def test_the_downloaded_scenario_flies_to_the_same_bits(
+    words: dict[str, Any], tmp_path: Path
+) -> None:
+    asked, robot = setting(**words), words["robot"]
+    file = tmp_path / "lab.toml"
+    file.write_text(lab_toml(asked, robot), encoding="utf-8")
+    flight = fly(read_scenario(file))
+    shown = answer(asked)
+    for row in shown["measures"]:
+        measure = flight.measures.get(row["name"])
+        if measure is not None and row["unit"] in ("", "m/s", "m/s²", "N", "s"):
+            assert row["values"][robot] == measure, row["name"]
+    assert shown["flights"][0]["outcome"] == flight.outcome.word
+    assert shown["flights"][0]["scene"]["t"]["shape"][0] > 100
+
+
+# -- answers --------------------------------------------------------------------------------------
+
+
+def unpacked(packed: dict[str, Any]) -> Any:
+    kind = {"f4": "<f4", "f8": "<f8", "i4": "<i4"}[packed["type"]]
+    return np.frombuffer(base64.b64decode(packed["data"]), kind).reshape(packed["shape"])
+
+
+def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
+    told = answer(DEFAULTS)
+    flights = {one["robot"]: one for one in told["flights"]}
+    for robot, one in flights.items():
+        series = {(s["panel"], s["name"]): unpacked(s["values"]) for s in one["scene"]["series"]}
+        rows = {row["name"]: row for row in told["measures"]}
+        curve = series["Acceleration", "main body"]
+        assert curve.max() == pytest.approx(
+            rows["impact_peak_acceleration"]["values"][robot], rel=1e-6
+        )
+        pressed = series["Arm compression", "most pressed arm"].max()
+        assert pressed == pytest.approx(rows["impact_arm_stroke"]["values"][robot], abs=0.02)
+        energy = sum(values for (panel, _), values in series.items() if panel == "Energy")
+        assert energy == pytest.approx(energy[0], rel=1e-3)  # nothing puts energy in on a slider
+        assert {name for panel, name in series if panel == "Energy"} >= {
+            "motion",
+            "contact",
+            "lost in contact",
+        }
+        printed = TABLE_III[robot, "wall"]
+        words = f"{printed.restitution:.3g} ({printed.restitution_test:.3g})"
+        assert rows["restitution_at_separation"]["printed"][robot] == words
+        assert one["well"]
+        assert one["sentence"].startswith(
+            one["label"] + " meets the wall at 1.85 m/s, leaves it at"
+        )
+    assert told["printed_for"]["same"]
+    assert not answer(setting(speed=2))["printed_for"]["same"]
+
+
+def test_what_a_page_gets_is_small_and_keeps_touch_and_peak() -> None:
+    told = answer(DEFAULTS)
+    assert len(json.dumps(told)) < 250_000
+    t = unpacked(told["flights"][0]["scene"]["t"])
+    assert t.size < 0.325 / RESOLUTION
+    assert abs(t - BEFORE).min() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("typed", "kept", "query"),
+    [
+        ({"speed": "10 km/h"}, 2.77778, "speed=2.77778"),
+        ({"pitch": "0.5 rad"}, 28.6479, "pitch=28.6479"),
+        ({"speed": "2.7777777777777777"}, 2.7777777777777777, "speed=2.7777777777777777"),
+    ],
+)
+def test_numbers_from_other_units_are_as_short_as_the_field(
+    typed: dict[str, str], kept: float, query: str
+) -> None:
+    """Field, link, file and flight have the same number: the one that can be read."""
+    (name,) = typed
+    settings = settings_from(typed.items())
+    assert getattr(settings, name) == kept
+    assert query_of(settings) == query
+    assert settings_from([tuple(query.split("="))]) == settings  # type: ignore[list-item]
+
+
+def test_the_force_of_the_lab_is_the_sum_of_the_forces_that_it_draws() -> None:
+    """Not of the normal forces alone: with an oblique wall friction has a part in it."""
+    settings = settings_from({"yaw": "20", "guide": "free", "robot": "quad"}.items())
+    [told] = answer(settings)["flights"]
+    scene = told["scene"]
+    force, at = (numbers(scene["force"][part]) for part in ("of", "at"))
+    [curve] = [one for one in scene["series"] if one["panel"] == "Contact force"]
+    drawn = np.zeros(scene["t"]["shape"][0])
+    drawn[at.astype(int)] = np.linalg.norm(force.reshape(len(at), -1, 3).sum(axis=1), axis=1)
+    assert curve["name"] == "sum of all contacts"
+    assert drawn.max() > 100.0
+    assert numbers(curve["values"]) == pytest.approx(drawn, rel=1e-5, abs=1e-3)
+
+
+def numbers(packed: dict[str, Any]) -> Any:
+    """The numbers of a packed array."""
+    return np.frombuffer(base64.b64decode(packed["data"]), np.dtype(f"<{packed['type']}"))

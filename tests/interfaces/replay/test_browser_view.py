@@ -1,0 +1,294 @@
+"""The exported replay in a browser: from a file, without a network, by mouse, finger and key."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from interfaces.browsing import browser, complaints, needs_browser, requests, resized
+from springback.interfaces.replay.viewer import exported, replay_of
+from springback.results.flight import Flight, fly
+
+pytestmark = needs_browser
+TABLES = {
+    "name": "wall",
+    "vehicle": "arq",
+    "thrust": "hover",
+    "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": "wall"}]},
+    "start": {"position": [2.3, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "pitch": 0.26},
+    "simulation": {"duration": 0.3},
+}
+
+
+@pytest.fixture(scope="module")
+def flights() -> list[Flight]:
+    return [fly(TABLES | {"vehicle": robot}) for robot in ("arq", "quad")]
+
+
+@pytest.fixture(scope="module")
+def page(flights: list[Flight], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("pages") / "two.html"
+    exported(replay_of(flights), path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    with browser(tmp_path_factory.mktemp("profile")) as found:
+        yield found
+
+
+def pose(driver: Any) -> dict[str, Any]:
+    found: dict[str, Any] = driver.execute_script("return window.springback.pose()")
+    return found
+
+
+def until(true: Callable[[], bool], seconds: float = 20.0) -> None:
+    """Wait for what must come; how long it takes is the machine's affair."""
+    end = time.monotonic() + seconds
+    while not true():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+def opened(driver: Any, page: Path, fragment: str = "") -> None:
+    driver.get("about:blank")
+    requests(driver)
+    driver.get(f"{page.as_uri()}{fragment}")
+    until(lambda: driver.execute_script("return !!window.springback"))
+
+
+def key(driver: Any, text: str) -> None:
+    from selenium.webdriver.common.by import By
+
+    driver.find_element(By.TAG_NAME, "body").send_keys(text)
+
+
+def test_play_moves_the_robots_and_asks_nobody_for_anything(driver: Any, page: Path) -> None:
+    """From file://: play, the pose changes; nothing is loaded but the file; no complaints."""
+    opened(driver, page)
+    before = pose(driver)
+    assert not before["playing"]
+    driver.find_element("css selector", "button.play").click()
+    until(lambda: pose(driver)["t"] > before["t"] + 0.01)
+    driver.find_element("css selector", "button.play").click()
+    after = pose(driver)
+    assert not after["playing"]
+    for flight, earlier in zip(after["flights"], before["flights"], strict=True):
+        assert flight["position"] != earlier["position"]
+    assert driver.execute_script("return document.querySelectorAll('canvas').length") > 3
+    assert [
+        url for url in requests(driver) if not url.startswith(("file:", "data:", "blob:"))
+    ] == []
+    assert complaints(driver) == []
+
+
+def test_the_page_shows_the_pose_of_the_flight(
+    driver: Any, page: Path, flights: list[Flight]
+) -> None:
+    """At any time: position, quaternion and arm lengths of the trajectory; forces at the impact."""
+    opened(driver, page)
+    for t in (0.02, flights[0].peak_acceleration_time, 0.25):
+        driver.execute_script("window.springback.player.seek(arguments[0])", t)
+        for shown, flight in zip(pose(driver)["flights"], flights, strict=True):
+            c = flight.columns
+            wanted = [np.interp(shown["own"], c["t"], c[axis]) for axis in "xyz"]
+            assert shown["position"] == pytest.approx(wanted, abs=1e-4)
+            lengths = [np.interp(shown["own"], c["t"], c[f"l{j}"]) for j in (1, 2, 3, 4)]
+            assert shown["armLengths"] == pytest.approx(lengths, abs=2e-5)
+            turn = [np.interp(shown["own"], c["t"], c[f"q{part}"]) for part in "wxyz"]
+            assert shown["quaternion"] == pytest.approx(turn, abs=1e-3)
+            for j, contact in enumerate(shown["contacts"], start=1):
+                f = np.hypot(*(np.interp(shown["own"], c["t"], c[f"{k}{j}"]) for k in ("fn", "ff")))
+                assert (contact["size"] if contact else 0.0) == pytest.approx(f, rel=1e-3, abs=1e-3)
+
+
+def test_time_is_chosen_by_slider_key_event_and_plot(
+    driver: Any, page: Path, flights: list[Flight]
+) -> None:
+    opened(driver, page)
+    touch = flights[0].touch_time
+    driver.execute_script(
+        "const s = document.querySelector('input[type=range]'); s.value = 1;"
+        "s.dispatchEvent(new Event('input'))"
+    )
+    assert pose(driver)["t"] == pytest.approx(0.3, abs=1e-9)
+    key(driver, "t")
+    assert pose(driver)["t"] == pytest.approx(touch, abs=1e-9)
+    steps = flights[0].columns["t"]
+    key(driver, "\ue014")  # arrow to the right: the next step of the integration
+    assert pose(driver)["t"] == pytest.approx(steps[steps > touch + 1e-12][0], abs=1e-9)
+    key(driver, "\ue012")
+    assert pose(driver)["t"] == pytest.approx(touch, abs=1e-9)
+    driver.execute_script("document.querySelector('.event.peak').click()")
+    peaks = [flight.peak_acceleration_time for flight in flights]
+    assert min(abs(pose(driver)["t"] - peak) for peak in peaks) < 0.02
+    driver.find_element("css selector", ".u-over").click()  # in its middle
+    clicked = driver.execute_script("return window.springback.plots.range")
+    assert pose(driver)["t"] == pytest.approx(sum(clicked) / 2, rel=0.02)
+    assert complaints(driver) == []
+
+
+def test_the_pace_is_slow_at_the_impact_and_as_chosen(driver: Any, page: Path) -> None:
+    from selenium.webdriver.support.ui import Select
+
+    opened(driver, page)
+    key(driver, "t")
+    assert "1/5" in driver.find_element("css selector", ".clock .pace").text
+    Select(driver.find_element("css selector", ".player select")).select_by_value("200")
+    assert pose(driver)["pace"] == "200"
+    begin = pose(driver)["t"]
+    driver.find_element("css selector", "button.play").click()
+    time.sleep(1.0)
+    driver.find_element("css selector", "button.play").click()
+    assert 0.0 < pose(driver)["t"] - begin < 0.02  # a second of watching is 5 ms of flight
+
+
+def test_views_of_two_flights(driver: Any, page: Path) -> None:
+    """Each view can be chosen; magnified arms move the picture, not the numbers."""
+    opened(driver, page, "#t=0.11&camera=impact&compare=ghost&arms=10")
+    told = pose(driver)
+    assert told["camera"] == "impact"
+    for mode in ("follow", "free", "side", "top"):
+        driver.find_element("css selector", f"button[data-value={mode}]").click()
+        assert pose(driver)["camera"] == mode
+    driver.find_element("css selector", "button[data-value=side]").click()
+    assert pose(driver)["flights"][0]["armLengths"] == told["flights"][0]["armLengths"]
+    assert complaints(driver) == []
+
+
+def test_flights_can_be_swapped_without_end(driver: Any, page: Path) -> None:
+    """The graphics hold as much after twenty swaps as after two."""
+    opened(driver, page)
+    swap = (
+        "const s = window.springback.scene;"
+        "for (let k = 0; k < arguments[0]; k++) { s.replace(s.flights); s.drawn?.(); }"
+        "return new Promise(r => requestAnimationFrame(() => requestAnimationFrame(() => r(s.memory()))))"
+    )
+    few, many = driver.execute_script(swap, 2), driver.execute_script(swap, 20)
+    assert few["geometries"] > 20
+    assert many == few
+
+
+def test_it_fits_on_a_phone(driver: Any, page: Path) -> None:
+    """No wider than the screen, what one presses is large enough for a finger, plots are there."""
+    resized(driver, 390, 844)
+    opened(driver, page, "#t=0.11")
+    assert driver.execute_script("return document.documentElement.scrollWidth") <= 390
+    small = driver.execute_script(
+        "return [...document.querySelectorAll('button, select')].filter(b => b.offsetParent)"
+        ".map(b => [b.textContent, b.getBoundingClientRect().height]).filter(x => x[1] < 28)"
+    )
+    assert small == []
+    widths = driver.execute_script(
+        "return [...document.querySelectorAll('.uplot')].map(p => p.getBoundingClientRect().width)"
+    )
+    assert widths
+    assert max(widths) <= 390
+    assert complaints(driver) == []
+
+
+def drag(driver: Any, element: Any, start: tuple[float, float], end: tuple[float, float]) -> None:
+    """Press, move and let go, in shares of an element's width and height."""
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    width, height = element.size["width"], element.size["height"]
+    (a, b), (c, d) = start, end
+    chain = ActionChains(driver, duration=50)
+    chain.move_to_element_with_offset(element, (a - 0.5) * width, (b - 0.5) * height)
+    chain.click_and_hold()
+    for _ in range(2):
+        chain.move_by_offset((c - a) * 0.5 * width, (d - b) * 0.5 * height)
+    chain.release().perform()
+
+
+#: Of every plot: the time line, whether it is hidden, where it stands and where its time is [px].
+LINES = """
+const { player } = window.springback;
+return [...document.querySelectorAll('.plot-now')].map((line) => {
+  const over = line.parentElement, [from, to] = window.springback.plots.range ?? [NaN, NaN];
+  return [line.hidden, new DOMMatrix(getComputedStyle(line).transform).m41,
+          (player.time - from) / (to - from) * over.clientWidth];
+});
+"""
+
+
+def test_the_time_line_keeps_its_place_when_a_plot_is_zoomed(driver: Any, page: Path) -> None:
+    """A new range holds from the next drawing on; the line moves then, not before."""
+    opened(driver, page)
+    key(driver, "t")
+    plot = driver.find_element("css selector", ".u-over")
+    drag(driver, plot, (0.6, 0.5), (0.9, 0.5))
+    until(lambda: all(hidden for hidden, _, _ in driver.execute_script(LINES)), 3.0)
+    begin, end = driver.execute_script("return window.springback.plots.range")
+    middle = 0.5 * (begin + end)
+    driver.execute_script("window.springback.player.seek(arguments[0])", middle)
+    drag(driver, plot, (0.3, 0.5), (0.9, 0.5))
+
+    def in_place() -> bool:
+        lines = driver.execute_script(LINES)
+        return all(not hidden and abs(at - due) < 1.5 for hidden, at, due in lines)
+
+    until(in_place, 3.0)
+    assert complaints(driver) == []
+
+
+def test_a_zoom_by_hand_can_be_ended(driver: Any, page: Path) -> None:
+    """A double click shows all; the buttons say which range is shown, and none where it is another."""
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    def lit() -> list[str]:
+        found = driver.find_elements(
+            "css selector", "[aria-label='Plots show'] [aria-pressed=true]"
+        )
+        return [button.get_attribute("data-value") for button in found]
+
+    opened(driver, page)
+    assert lit() == ["impact"]
+    plot = driver.find_element("css selector", ".u-over")
+    drag(driver, plot, (0.2, 0.5), (0.7, 0.5))
+    assert lit() == []
+    ActionChains(driver).double_click(plot).perform()
+    until(lambda: driver.execute_script("return window.springback.plots.range") is None, 3.0)
+    assert lit() == ["all"]
+
+
+def test_a_view_turned_by_hand_is_no_longer_called_by_its_name(driver: Any, page: Path) -> None:
+    """Its button is the way back, so it must not look pressed; who follows still follows."""
+
+    def lit() -> list[str]:
+        found = driver.find_elements("css selector", "[aria-label=Camera] [aria-pressed=true]")
+        return [button.get_attribute("data-value") for button in found]
+
+    opened(driver, page, "#camera=impact")
+    assert lit() == ["impact"]
+    canvas = driver.find_element("css selector", ".stage canvas")
+    drag(driver, canvas, (0.4, 0.5), (0.6, 0.55))
+    assert lit() == []
+    driver.find_element("css selector", "button[data-value=impact]").click()
+    assert lit() == ["impact"]
+    driver.find_element("css selector", "button[data-value=follow]").click()
+    drag(driver, canvas, (0.4, 0.5), (0.6, 0.55))
+    assert lit() == ["follow"]
+    assert complaints(driver) == []
+
+
+def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page: Path) -> None:
+    """Arrows are of single cages with friction; the number beside them is their sum as vectors."""
+    opened(driver, page, "#camera=impact")
+    driver.execute_script("document.querySelector('.event.peak').click()")
+    assert "contact force on a cage" in driver.find_element("css selector", ".scene-legend").text
+    rows = driver.find_elements("css selector", ".readouts tbody tr")
+    [cells] = [
+        row.text for row in rows if row.text.startswith("contact force, sum of all contacts")
+    ]
+    forces = [c["force"] for c in pose(driver)["flights"][0]["contacts"] if c]
+    assert len(forces) == 2
+    whole, parts = np.linalg.norm(np.sum(forces, axis=0)), np.linalg.norm(forces, axis=1)
+    assert whole < 0.95 * parts.sum()  # friction of one cancels that of the other
+    assert f"{whole:.0f}" in cells

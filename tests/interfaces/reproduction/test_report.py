@@ -1,0 +1,287 @@
+"""The report: one page that needs nothing else, and the same numbers in all its forms."""
+
+import csv
+import json
+import re
+import runpy
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+from matplotlib.figure import Figure
+
+from springback.interfaces.figures import flight
+from springback.interfaces.reports import page as report_page
+from springback.interfaces.reproduction import report, resilience
+from springback.interfaces.reproduction import slider as report_slider
+from springback.interfaces.reproduction.figures import drawings, slider
+from springback.interfaces.reproduction.overview import groups
+from springback.interfaces.reproduction.report import Results
+from springback.paper.resilience import ResilienceResults
+from springback.paper.slider import READINGS, SliderResults
+from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.simulation.measures import MEASURES, Outcome
+from springback.studies.comparison import Mark
+from springback.studies.trials import Trial
+
+# Run by path, so that it does not matter under which name this folder is imported.
+MADE_UP = runpy.run_path(str(Path(__file__).parents[1] / "figures/test_plots.py"))
+ABOUT = {"springback": "0.1.0", "python": "3.x", "numpy": "2.x", "numba": "0.x"}
+HOSTILE = "<script>alert('x')</script> & \"x\""
+
+
+class Page(HTMLParser):
+    """What the tests need of a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.tables: dict[str, list[list[dict[str, Any]]]] = {}
+        self.words = ""
+        self._open: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag == "caption":
+            self._caption, self._rows = "", []
+        elif tag == "tr":
+            self._rows.append([])
+        elif tag in ("td", "th"):
+            self._rows[-1].append({"text": "", "value": None})
+        elif tag == "data":
+            self._rows[-1][-1]["value"] = float(dict(attrs)["value"] or "")
+        if tag not in ("meta", "img"):
+            self._open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self._open.pop() == tag, f"{tag} closes another element"
+        if tag == "caption":
+            self.tables[self._caption] = self._rows
+
+    def handle_data(self, data: str) -> None:
+        self.words += data
+        if "caption" in self._open:
+            self._caption += data
+        elif self._open and {"td", "th"} & set(self._open):
+            self._rows[-1][-1]["text"] += data
+
+
+@pytest.fixture(scope="module")
+def results() -> SliderResults:
+    made: SliderResults = MADE_UP["made_up_results"](
+        (*READINGS, replace(READINGS[1], name=HOSTILE))
+    )
+    return made
+
+
+@pytest.fixture(scope="module")
+def folder(results: SliderResults, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("report") / "new" / "folder"
+    written = report.write_report(Results(results), made, about=ABOUT)
+    assert sorted(written) == sorted(path for path in made.rglob("*") if path.is_file())
+    return made
+
+
+@pytest.fixture(scope="module")
+def page(folder: Path) -> Page:
+    return Page((folder / "report.html").read_text(encoding="utf-8"))
+
+
+def test_the_files_are_there(folder: Path) -> None:
+    names = {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
+    figures = (
+        "overview", "answer", "slider_quad", "slider_arq", "readings", "sweep", "energy",
+        "robots_drawn", "contact_drawn",
+    )  # fmt: skip
+    assert names == {"report.html", "comparison.json", "comparison.csv", "sweep.csv"} | {
+        f"figures/{name}.{kind}" for name in figures for kind in ("png", "pdf", "csv")
+    }
+
+
+def test_the_page_needs_nothing_else(page: Page, folder: Path) -> None:
+    assert not page._open
+    assert {"link", "script", "iframe", "object"}.isdisjoint(tag for tag, _ in page.tags)
+    for tag, attributes in page.tags:
+        for name in ("src", "href", "srcset", "data"):
+            value = attributes.get(name)
+            assert value is None or value.startswith(("data:image/png;base64,", "#")), (tag, value)
+        assert not [name for name in attributes if name.startswith("on")]
+        if tag == "img":
+            assert attributes["alt"]
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    assert "http://" not in text
+    assert "https://" not in text
+    assert "url(" not in text
+
+
+def test_links_lead_to_sections(page: Page) -> None:
+    anchors = {
+        tag: {f"#{a['id']}" for t, a in page.tags if t == tag} for tag in ("section", "figure")
+    }
+    links = {attributes["href"] for tag, attributes in page.tags if tag == "a"}
+    assert anchors["section"] <= links <= anchors["section"] | anchors["figure"]
+
+
+def test_hostile_names_are_text(page: Page, folder: Path) -> None:
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    assert "<script" not in text
+    assert "&lt;script&gt;alert(" in text
+    assert HOSTILE in page.words
+
+
+def test_every_row_is_on_the_page_with_the_number_of_the_json(page: Page, folder: Path) -> None:
+    rows = json.loads((folder / "comparison.json").read_text(encoding="utf-8"))["rows"]
+    (shown,) = [table[1:] for caption, table in page.tables.items() if caption.startswith("All ")]
+    assert len(shown) == len(rows)
+    for cells, row in zip(shown, rows, strict=True):
+        assert [cells[6]["value"], cells[7]["value"]] == [row["ours"], row["printed"]]
+        assert cells[3]["text"] == row["reading"]
+        assert cells[4]["text"] == row["quantity"]
+        assert cells[9]["text"] == row["mark"]
+        hit = bool(row["dissipation_from"])
+        assert cells[10]["value"] == (row["dissipation"] if hit else None)
+
+
+def test_numbers_of_the_tables_are_those_of_the_json(page: Page, folder: Path) -> None:
+    data = json.loads((folder / "comparison.json").read_text(encoding="utf-8"))
+    names = [reading["name"] for reading in data["readings"]]
+    for surface in ("wall", "mat"):
+        table = page.tables[f"ARQ on the {surface}, with Quad's ca"]
+        assert [cell["text"] for cell in table[0][2:-1]] == [f"ARQ, {name}" for name in names]
+        for quantity, cells in zip(report_slider.QUANTITIES, table[2:], strict=True):
+            for name, cell in zip(names, cells[2:-1], strict=True):
+                (row,) = [
+                    row
+                    for row in data["rows"]
+                    if row["robot"] == "arq" and row["dissipation_from"].startswith("Quad")
+                    and (row["surface"], row["reading"], row["quantity"]) == (surface, name, quantity)
+                ]  # fmt: skip
+                assert cell["value"] == row["ours"]
+                assert row["mark"] in cell["text"]
+                assert cells[1]["value"] == row["printed"]
+
+
+def test_csv_holds_the_same_numbers(folder: Path) -> None:
+    data = json.loads((folder / "comparison.json").read_text(encoding="utf-8"))
+    with (folder / "comparison.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["ours"]) for row in rows] == [row["ours"] for row in data["rows"]]
+    assert [row["reading"] for row in rows] == [row["reading"] for row in data["rows"]]
+    with (folder / "sweep.csv").open(encoding="utf-8", newline="") as file:
+        points = list(csv.DictReader(file))
+    assert [float(point["gap [m/s^2]"]) for point in points] == [p["gap"] for p in data["sweep"]]
+
+
+def test_the_same_results_give_the_same_bytes(
+    results: SliderResults, folder: Path, tmp_path: Path
+) -> None:
+    for path in report.write_report(Results(results), tmp_path, about=ABOUT):
+        assert path.read_bytes() == (folder / path.relative_to(tmp_path)).read_bytes(), path.name
+
+
+def test_marks_are_words_as_well_as_colours(results: SliderResults, folder: Path) -> None:
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    marks = re.findall(r'<span class="mark (\w+)">(\w+)</span>', text)
+    assert all(colour == word for colour, word in marks)
+    in_table_iii = sum(row.experiment == "Table III" for row in results.rows)
+    parts = len(groups(results.rows))  # each tells what is farthest off
+    assert len(marks) == len(Mark) + parts + in_table_iii + len(results.rows)
+
+
+@pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Empty figures, for tests of words."""
+    for name in ("slider", "sweep", "readings", "readme"):
+        monkeypatch.setattr(slider, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+    monkeypatch.setattr(flight, "energy_figure", lambda *_: Figure(figsize=(1, 1)))
+    for name in ("robots", "contact"):
+        monkeypatch.setattr(drawings, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_verdict_follows_the_results(results: SliderResults) -> None:
+    def verdict(of: SliderResults) -> str:
+        return report_slider.slider_sections(of)[0].answer
+
+    # Made up: Quad agrees throughout; of ARQ's readings only B, at the printed values, does.
+    assert verdict(results) == (
+        "For Quad, 6 of its 6 other printed numbers come out within 5 %. For ARQ, all 4 printed numbers of "
+        "a test come out together for reading B on the wall and reading B on the mat."
+    )
+    worse = replace(results, rows=[
+        replace(row, mark=Mark.CONTRADICTED) if row.quantity == "travel" else row for row in results.rows
+    ])  # fmt: skip
+    assert verdict(worse) == (
+        "For Quad, 4 of its 6 other printed numbers come out within 5 %. For ARQ, none of the 7 readings of "
+        "its parameters gives the 4 printed numbers of a test together."
+    )
+
+
+def made_up_trials(lost: Outcome = Outcome.RECOVERED) -> ResilienceResults:
+    """Ten trials of each robot at 3.5 m/s; ARQ recovers, Quad ends as is asked for."""
+    measures = dict.fromkeys([*MEASURES, *RECOVERY_MEASURES], 1.0)
+    ends = {"arq": Outcome.RECOVERED, "quad": lost}
+    return ResilienceResults(10, flown=[
+        Trial(robot, 0.0, 3.5, k, end, measures) for robot, end in ends.items() for k in range(10)
+    ])  # fmt: skip
+
+
+def test_the_verdict_on_collisions_follows_the_trials() -> None:
+    def said(of: ResilienceResults) -> str:
+        return " ".join(
+            block
+            for section in resilience.resilience_sections(of)
+            for block in section.blocks
+            if isinstance(block, str)
+        )
+
+    against = said(made_up_trials())
+    assert "ARQ recovers in 10 of 10 trials; printed are 100 %. Quad at 3.5 m/s" in against
+    assert "contradicts the paper" in against
+    assert "study why" in against
+    assert "No trial of the 20 failed" in against
+    as_printed = said(made_up_trials(Outcome.HIT_GROUND))
+    assert "Quad at 3.5 m/s recovers in 0 of 10 trials, as printed." in as_printed
+    assert "contradicts the paper" not in as_printed
+    assert "10 of 20 failed trials ended: touched the ground (10)" in as_printed
+
+
+def test_words_carry_no_typed_numbers() -> None:
+    for name in ("report", "slider", "flight", "resilience", "overview"):
+        for key, words in report_page.Words.of(name).text.items():
+            if isinstance(words, str):
+                law = words.replace("1 + 1.5 c_a", "")  # the law itself
+                assert not re.search(r"\d", law), key
+
+
+def test_numbers_are_rounded_and_signed_like_print() -> None:
+    assert report_page.rounded(-0.04321, 3) == "−0.043"
+    assert report_page.rounded(None, 1) == "–"
+    assert report_page.percent(-1e-9) == "+0.0 %"
+    assert report_page.percent(-0.0506) == "−5.1 %"
+    assert report_page.plain(2e5) == "200000"
+    assert report_page.plain(0.014 * 1e3) == "14"
+    assert report_page.listed([]) == "none"
+    assert report_page.listed("abc") == "a, b and c"
+
+
+def test_parts_that_were_not_flown_are_left_out(tmp_path: Path) -> None:
+    report.write_report(Results(SliderResults()), tmp_path, about={})
+    page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
+    assert not [tag for tag, _ in page.tags if tag == "img"]
+    assert json.loads((tmp_path / "comparison.json").read_text(encoding="utf-8"))["rows"] == []
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_reading_that_no_c_a_can_fit_is_said_so(results: SliderResults) -> None:
+    kept = [
+        row for row in results.rows
+        if not (row.reading == "A" and row.dissipation_from.startswith("ARQ"))
+    ]  # fmt: skip
+    sections = report_slider.slider_sections(replace(results, rows=kept))
+    text = report_page.page("x", sections, "lead")
+    assert "no <var>c<sub>a</sub></var> gives this COR" in text
+    assert "none does" in text

@@ -1,0 +1,137 @@
+"""The referee: what counts as a run, as rest, as a false alarm; all on made-up motions."""
+
+import math
+
+import pytest
+
+from springback.frames import attitude_from_euler
+from springback.kernels.vectors import Quat, Vec
+from springback.recovery.evaluator import NEVER, RefereeMemory, between_runs, referee_at_start
+from springback.recovery.parameters import RecoverySettings
+from springback.recovery.pilot import ResilientMemory
+from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
+from springback.simulation.onboard import Touch, witnessed
+from springback.vehicle.state import State
+
+from .resting import resting_memory
+
+STILL = Vec(0.0, 0.0, 0.0)
+GOAL = Vec(2.4, 0.0, 1.0)
+REFEREE = RecoverySettings().referee()
+TICK = 1e-3
+
+
+def state(x: float, z: float = 1.0, speed: float = 0.0, pitch: float = 0.0) -> State:
+    attitude = Quat(*attitude_from_euler(0.0, pitch, 0.0))
+    return State(Vec(x, 0.0, z), attitude, Vec(speed, 0.0, 0.0), STILL, (0.19,) * 4, (0.0,) * 4)
+
+
+def thinking(leg: float, alarm: float = NEVER) -> ResilientMemory:
+    memory = resting_memory()
+    journey = memory.journey
+    log = journey.log._replace(alarm=alarm)
+    return memory._replace(journey=journey._replace(leg=leg, goal=GOAL, log=log, since=alarm))
+
+
+def seen(
+    memory: RefereeMemory, time: float, now: State, touch: Touch, thought: ResilientMemory
+) -> RefereeMemory:
+    """What the referee has seen after a tick; where no run is open, the short way says the same."""
+    after: RefereeMemory = witnessed(REFEREE, time, now, touch, thought, memory)
+    if memory.open == 0.0 and touch.contacts == memory.contacts:
+        alarm = thought.journey.log.alarm
+        assert between_runs(time, now.position, alarm, touch, memory) == after
+    return after
+
+
+class Story:
+    """A flight told tick by tick."""
+
+    def __init__(self) -> None:
+        self.memory, self.time, self.contacts, self.last = (
+            referee_at_start(Vec(0.0, 0.0, 1.0)),
+            0.0,
+            0.0,
+            -1.0,
+        )
+
+    def goes_on(
+        self, duration: float, now: State, thought: ResilientMemory, touching: bool = False
+    ) -> None:
+        if touching:
+            self.contacts += 1.0
+        for _ in range(round(duration / TICK)):
+            self.time += TICK
+            self.last = self.time if touching else self.last
+            touch = Touch(1.0 if touching else 0.0, self.contacts, self.last, -1.0)
+            self.memory = seen(self.memory, self.time, now, touch, thought)
+
+
+def test_a_recovery() -> None:
+    story = Story()
+    story.goes_on(1.0, state(2.0, speed=2.0), thinking(CRUISE))
+    assert story.memory.runs == 0.0
+    story.goes_on(0.03, state(2.5, pitch=0.4), thinking(CRUISE), touching=True)
+    story.goes_on(0.5, state(2.2, 0.8, -1.0, -0.7), thinking(RECOVER, alarm=1.01))
+    m = story.memory
+    assert (m.runs, m.recovered, m.run.settled) == (1.0, 0.0, NEVER)
+    assert m.run.touch == pytest.approx(1.001)
+    assert m.run.alarm == 1.01
+    assert m.run.excursion == pytest.approx(0.3)
+    assert (m.run.nose_down, m.run.nose_up) == pytest.approx((0.4, -0.7))
+    assert m.run.lowest == 0.8
+    story.goes_on(0.29, state(2.45), thinking(RECOVER, alarm=1.01))
+    assert story.memory.recovered == 0.0
+    story.goes_on(0.02, state(2.45), thinking(RECOVER, alarm=1.01))
+    assert (story.memory.recovered, story.memory.false_alarms) == (1.0, 0.0)
+    assert story.memory.run.settled == pytest.approx(1.531)
+
+
+@pytest.mark.parametrize("now", [state(2.51), state(2.45, speed=0.31)], ids=["too far", "too fast"])
+def test_far_or_fast_is_no_rest(now: State) -> None:
+    story = Story()
+    story.goes_on(0.03, state(2.5), thinking(CRUISE), touching=True)
+    story.goes_on(3.0, now, thinking(RECOVER, alarm=0.01))
+    assert story.memory.recovered == 0.0
+
+
+def test_leaning_on_the_obstacle_is_no_rest() -> None:
+    story = Story()
+    story.goes_on(2.0, state(2.45), thinking(RECOVER, alarm=0.01), touching=True)
+    assert (story.memory.runs, story.memory.recovered) == (1.0, 0.0)
+
+
+def test_touching_again_on_the_way_undoes_the_rest() -> None:
+    story = Story()
+    story.goes_on(0.03, state(2.5), thinking(CRUISE), touching=True)
+    story.goes_on(0.5, state(2.45), thinking(RECOVER, alarm=0.01))
+    assert story.memory.recovered == 1.0
+    story.goes_on(0.05, state(2.48), thinking(RETURN, alarm=0.01), touching=True)
+    assert (story.memory.runs, story.memory.recovered) == (1.0, 0.0)
+    story.goes_on(0.5, state(2.45), thinking(RETURN, alarm=0.01))
+    assert (story.memory.runs, story.memory.recovered) == (1.0, 1.0)
+
+
+def test_a_new_run_up_is_a_new_run() -> None:
+    story = Story()
+    for k in range(3):
+        begins = story.time
+        story.goes_on(0.03, state(2.5), thinking(CRUISE), touching=True)
+        story.goes_on(0.5, state(2.45), thinking(RECOVER, alarm=begins + 0.02))
+        assert (story.memory.runs, story.memory.recovered) == (k + 1.0, k + 1.0)
+
+
+def test_an_alarm_out_of_the_blue_is_false() -> None:
+    story = Story()
+    story.goes_on(1.0, state(1.0), thinking(CRUISE))
+    story.goes_on(0.5, state(1.0), thinking(LOOK, alarm=1.0))
+    assert (story.memory.false_alarms, story.memory.runs) == (1.0, 0.0)
+    story.goes_on(0.5, state(1.0), thinking(LOOK, alarm=1.0))
+    assert story.memory.false_alarms == 1.0
+
+
+def test_pitch_counts_beyond_the_right_angle() -> None:
+    story = Story()
+    story.goes_on(0.03, state(2.5), thinking(CRUISE), touching=True)
+    story.goes_on(0.1, state(2.4, pitch=math.radians(-120.0)), thinking(RECOVER, alarm=0.01))
+    assert story.memory.run.nose_up == pytest.approx(math.radians(-120.0))

@@ -1,0 +1,91 @@
+"""What is read of a recovery, from memories made by hand."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import pytest
+
+from springback.kernels.vectors import Vec
+from springback.recovery.evaluator import referee_at_start
+from springback.results.flight import Flight
+from springback.results.recovery_measures import (
+    RECOVERY_MEASURES,
+    recovery_columns,
+    recovery_outcomes,
+)
+from springback.scenario.avionics import board_of
+from springback.scenario.scenario import scenario_from
+from springback.simulation.columns import as_columns
+from springback.simulation.measures import MEASURES, Outcome, told_of
+from springback.simulation.record import NOT_FINITE, blank_record
+
+
+def memories() -> tuple[Any, Any, Any]:
+    """Of a flight in which nothing has happened yet."""
+    given = {"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}}
+    scenario = scenario_from(given)
+    board = board_of(scenario, scenario.flight_model(), scenario.start_state())
+    return blank_record(4), referee_at_start(Vec(0.0, 0.0, 1.0)), board.cabin.aboard.pilot
+
+
+def read(record: Any, seen: Any, memory: Any) -> dict[str, float | None]:
+    return told_of(recovery_columns(*(as_columns(tree) for tree in (record, seen, memory))))
+
+
+def test_nothing_has_happened() -> None:
+    told = read(*memories())
+    assert list(told) == list(RECOVERY_MEASURES)
+    known = {name for name, value in told.items() if value is not None}
+    assert known == {"runs", "recovered_runs", "false_alarms", "lowest_height"}
+
+
+@pytest.mark.parametrize(("runs", "delay"), [(1.0, 0.0099), (2.0, 0.009)])
+def test_delays_count_from_the_exact_first_touch_or_the_tick_of_a_later_one(
+    runs: float, delay: float
+) -> None:
+    record, seen, memory = memories()
+    record = record._replace(touch_time=0.1001, inward=Vec(1.0, 0.0, 0.0))
+    seen = seen._replace(runs=runs, run=seen.run._replace(touch=0.101, alarm=0.11, settled=0.9))
+    hit = memory.collision._replace(
+        direction=Vec(1.0, 1.0, 7.0), position=Vec(0.0, 3.0, 5.0), intensity=12.0
+    )
+    told = read(record, seen, memory._replace(collision=hit))
+    assert told["detection_delay"] == pytest.approx(delay)
+    assert told["recovery_time"] == pytest.approx(0.79 + delay)
+    assert told["direction_error"] == pytest.approx(math.pi / 4.0)  # level parts only
+    assert told["arms_direction_error"] is None
+    assert told["position_error"] == pytest.approx(5.0)  # from (0, 0, 1) to (0, 3, 5)
+    assert told["intensity"] == 12.0
+
+
+def test_outcomes_in_their_order() -> None:
+    record, seen, _ = memories()
+    touched, ran = record._replace(contacts=1.0), seen._replace(runs=1.0)
+    alarmed = ran._replace(run=ran.run._replace(alarm=0.1))
+    cases = [
+        (record, seen, Outcome.NO_CONTACT),
+        (touched, seen, Outcome.SEPARATED),
+        (touched, ran, Outcome.NOT_DETECTED),
+        (touched, alarmed, Outcome.NOT_SETTLED),
+        (touched, alarmed._replace(recovered=1.0), Outcome.RECOVERED),
+        (touched._replace(ground_time=0.2), alarmed._replace(recovered=1.0), Outcome.HIT_GROUND),
+        (touched._replace(status=NOT_FINITE, ground_time=0.2), alarmed, Outcome.NOT_FINITE),
+        (touched._replace(bottomed_time=0.1), alarmed, Outcome.NOT_SETTLED),
+    ]
+    for one, judged, wanted in cases:
+        assert recovery_outcomes(as_columns(one), as_columns(judged)) == [wanted]
+
+
+def test_a_flight_is_printed_in_degrees_and_measured_in_radians() -> None:
+    """As summary and lab print it; what is computed with stays in SI."""
+    told = read(*memories()) | {"nose_up": math.radians(-28.6), "nose_down": None}
+    measures = dict.fromkeys(MEASURES) | told
+    scenario = scenario_from({"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}})
+    flight = Flight(scenario, Outcome.RECOVERED, measures, {}, {})
+    assert re.search(r"^  nose_up +-28\.6 deg$", repr(flight), re.M)
+    assert re.search(r"^  nose_down +-$", repr(flight), re.M)
+    assert flight.nose_up == math.radians(-28.6)
+    assert flight.summary()["units"]["nose_up"] == "rad"

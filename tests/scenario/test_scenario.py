@@ -1,0 +1,162 @@
+"""Scenarios: units, presets, overrides, and that all ways of writing one mean the same."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from springback.contact.restitution import restitution
+from springback.results.flight import as_scenario, fly
+from springback.simulation.measures import Outcome
+from springback.vehicle.library import VEHICLES
+
+BASE: dict[str, Any] = {
+    "vehicle": "arq",
+    "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": "wall"}]},
+    "start": {"position": [2.2, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
+}
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "number"),
+    [
+        ("vehicle.arms.stiffness", "5 N/mm", 5000.0),
+        ("vehicle.arms.length", "190 mm", 0.19),
+        ("vehicle.arms.damping", "90 N*s/m", 90.0),
+        ("vehicle.body.mass", "1204 g", 1.204),
+        ("start.pitch", "45 deg", math.pi / 4),
+        ("simulation.duration", "300 ms", 0.3),
+        ("world.gravity", "9.81 m/s^2", 9.81),
+        ("world.obstacles[0].distance", "275 cm", 2.75),
+        ("world.obstacles[0].surface.slip_speed", "10 cm/s", 0.1),
+    ],
+)
+def test_units_mean_si_numbers(field: str, text: str, number: float) -> None:
+    """A value with a unit and the plain SI number give the same scenario."""
+    with_unit = as_scenario(BASE, (f'{field}="{text}"',)).model_dump(mode="json")
+    unquoted = as_scenario(BASE, (f"{field}={text}",)).model_dump(mode="json")
+    plain = as_scenario(BASE, (f"{field}={number!r}",)).model_dump(mode="json")
+    assert unquoted == with_unit
+
+    def leaves(node: Any) -> list[Any]:
+        if isinstance(node, dict):
+            return [leaf for value in node.values() for leaf in leaves(value)]
+        if isinstance(node, list):
+            return [leaf for value in node for leaf in leaves(value)]
+        return [float(f"{node:.12g}") if isinstance(node, float) else node]
+
+    assert leaves(with_unit) == leaves(plain)
+
+
+def test_overrides_apply_in_order_and_touch_nothing_else() -> None:
+    """The last one wins; a preset can be replaced and then adjusted."""
+    scenario = as_scenario(
+        BASE, ("vehicle=quad", "vehicle.body.mass=1 kg", "vehicle.body.mass=1.5", "name=mine")
+    )
+    assert scenario.name == "mine"
+    assert scenario.vehicle.name == "quad"
+    assert scenario.vehicle.body.mass == 1.5
+    assert scenario.vehicle.arms == VEHICLES["quad"].vehicle.arms
+    assert BASE["vehicle"] == "arq"
+
+
+def test_a_preset_with_changes_keeps_the_rest() -> None:
+    """`preset` beside other keys, in tables as in overrides."""
+    tables = {**BASE, "vehicle": {"preset": "arq", "arms": {"stiffness": "6 N/mm"}}}
+    arms = as_scenario(tables).vehicle.arms
+    assert arms == as_scenario(BASE, ("vehicle.arms.stiffness=6000",)).vehicle.arms
+    assert arms.stiffness == 6000.0
+    assert arms.damping == VEHICLES["arq"].vehicle.arms.damping
+
+
+def test_a_surface_preset_can_be_damped_otherwise() -> None:
+    """Its restitution gives way to a dissipation, and to another restitution at its own speed."""
+    word = "world.obstacles[0].surface"
+    given = as_scenario(BASE, (f"{word}.dissipation=0.3",)).world.obstacles[0].surface
+    assert given.dissipation_value() == 0.3
+    asked = as_scenario(BASE, (f"{word}.restitution=0.4", f"{word}.restitution_speed=3 m/s"))
+    c_a = asked.world.obstacles[0].surface.dissipation_value()
+    assert restitution(c_a, 3.0) == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("e", [0.01, 0.03, 0.5, 0.99])
+def test_asked_restitution_is_what_the_surface_has(e: float) -> None:
+    """From nearly dead to nearly elastic."""
+    word = "world.obstacles[0].surface"
+    asked = as_scenario(BASE, (f"{word}.restitution={e}", f"{word}.restitution_speed=2"))
+    c_a = asked.world.obstacles[0].surface.dissipation_value()
+    assert restitution(c_a, 2.0) == pytest.approx(e, abs=1e-9)
+
+
+def test_stiffness_is_shared_by_the_front() -> None:
+    """k_c belongs to the whole front; each of two cages has half."""
+    model = as_scenario(BASE).flight_model()
+    assert model.world.obstacles[0].surface.stiffness == 1e5
+    alone = as_scenario(BASE, ("world.obstacles[0].surface.shared_by=1",)).flight_model()
+    assert alone.world.obstacles[0].surface.stiffness == 2e5
+
+
+def test_a_file_and_its_tables_are_one_scenario(tmp_path: Path) -> None:
+    """TOML is only another way to write the tables."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(
+        'vehicle = "arq"\n'
+        "[[world.obstacles]]\n"
+        'type = "wall"\ndistance = "2.75 m"\nsurface = "wall"\n'
+        "[start]\n"
+        'position = ["2200 mm", 0, 1]\nvelocity = ["7.2 km/h", 0, 0]\n'
+    )
+    from_file, from_tables = as_scenario(path), as_scenario(BASE)
+    assert from_file.start.velocity == pytest.approx(from_tables.start.velocity)
+    assert from_file.vehicle == from_tables.vehicle
+    assert from_file.world == from_tables.world
+
+
+def test_wall_by_distance_and_by_position() -> None:
+    """`distance` is short for a wall across X; the length of the normal does not count."""
+    wall = {
+        "type": "wall",
+        "surface": "wall",
+        "position": [2.75, 7.0, 0.0],
+        "normal": [-3.0, 0.0, 0.0],
+    }
+    placed = as_scenario({**BASE, "world": {"obstacles": [wall]}}).flight_model()
+    assert placed.world.obstacles == as_scenario(BASE).flight_model().world.obstacles
+
+
+def test_hover_thrust_is_the_weight() -> None:
+    """Shared by all rotors; none without gravity."""
+    scenario = as_scenario(BASE, ("thrust=hover",))
+    assert sum(scenario.thrusts()) == pytest.approx(scenario.vehicle.mass * 9.81)
+    assert as_scenario(BASE, ("thrust=hover", "world.gravity=0")).thrusts() == (0.0,) * 4
+    single = as_scenario(BASE, ('thrust=["1 N", 2, 3, "0.004 kN"]',)).thrusts()
+    assert single == pytest.approx((1.0, 2.0, 3.0, 4.0))
+
+
+def test_an_empty_world_is_touched_nowhere() -> None:
+    """No obstacle at all: the flight is a parabola, and the outcome says that nothing was hit."""
+    flight = fly(BASE, "world.obstacles=[]", "simulation.duration=0.1")
+    assert flight.outcome is Outcome.NO_CONTACT
+    assert flight.measures["restitution_at_separation"] is None
+    assert flight.columns["x"][-1] == pytest.approx(2.4)
+    assert flight.columns["z"][-1] == pytest.approx(1.0 - 0.5 * 9.81 * 0.01)
+
+
+def test_summary_holds_what_is_needed_to_repeat_the_flight() -> None:
+    """The scenario in the summary flies to the same numbers."""
+    first = fly(BASE, "simulation.duration=0.05")
+    again = fly(first.summary()["scenario"])
+    assert again.measures == first.measures
+
+
+def test_a_flight_reads_like_its_measures() -> None:
+    """Attributes, outcome and repr; an unknown name is told with those there are."""
+    flight = fly(BASE, "simulation.duration=0.3")
+    assert flight.travel == flight.measures["travel"]
+    assert flight.success
+    assert flight.message in repr(flight)
+    with pytest.raises(AttributeError, match="peak_acceleration"):
+        _ = flight.peak_accelleration

@@ -1,0 +1,252 @@
+"""The resilience envelope: what a map promises, of parameters, cells, shares and the 95 % line."""
+
+import math
+
+import numpy as np
+import pytest
+
+from springback.errors import InputError
+from springback.scenario.scenario import scenario_from
+from springback.studies import envelope_run
+from springback.studies.axes import Axis, Parameter
+from springback.studies.envelope import LEVEL, Cell, Envelope, Place, stretches
+from springback.studies.envelope_run import Plan, fly_envelope, outlook, plan_envelope
+from springback.studies.trials import DURATION
+
+SMALL = {"robots": ("arq",), "trials": 2}
+
+
+def flown(*words: str, **given: object) -> Envelope:
+    return fly_envelope(plan_envelope(*words, **{**SMALL, **given}))
+
+
+def made_up(counts: list[list[int | None]], trials: int = 1000) -> Envelope:
+    """A map over x = 0, 1, 2 ... and y = 0, 10, 20 ...; None cannot be flown."""
+    x = Axis(Parameter("clock", ("clock",), "1/s"), tuple(map(float, range(len(counts[0])))))
+    y = Axis(Parameter("seed", ("seed",), ""), tuple(10.0 * j for j in range(len(counts))))
+    cells = {}
+    for j, row in enumerate(counts):
+        for i, n in enumerate(row):
+            place = Place("arq", i, j)
+            ended = {} if n is None else {"recovered": n, "hit_ground": trials - n}
+            cells[place] = Cell(place, ended, "too weak" if n is None else "")
+    return Envelope(x, y, ("arq",), trials, 0, (), cells)
+
+
+# -- the line -------------------------------------------------------------------------------------
+
+
+def test_the_line_of_a_plane_lies_where_the_plane_has_95_percent() -> None:
+    """share = 1.05 - 0.04 x - 0.003 y, so the line is x = 2.5 - 0.075 y, y = (100 - 40 x)/3."""
+    plane = made_up([[1050 - 40 * i - 30 * j for i in range(2, 9)] for j in range(4)], 2000)
+    flat = made_up([[min(1050 - 40 * i - 30 * j, 1000) for i in range(7)] for j in range(3)])
+    assert plane.shares("arq").shape == (4, 7)
+    for j, y in enumerate(flat.y.shown[:2]):
+        [(low, high, *crossed)] = flat.along_x("arq", j)
+        # Row 0 is cut off at 1 for x < 1.25, which the line at x = 2.5 does not see.
+        assert (low, crossed) == (0.0, [False, True])
+        assert high == pytest.approx(2.5 - 0.075 * y, abs=1e-12)
+    [(low, high, *crossed)] = flat.along_y("arq", 2)
+    assert (low, high, crossed) == (0.0, pytest.approx(20.0 / 3.0, abs=1e-12), [False, True])
+
+
+def test_the_line_does_not_depend_on_the_direction_of_an_axis() -> None:
+    values, shares = [1.0, 2.0, 4.0, 5.0], np.array([1.0, 0.9, 1.0, 0.8])
+    forth = stretches(values, shares)
+    assert stretches(values[::-1], shares[::-1]) == forth
+    assert [(s.low, s.high) for s in forth] == [
+        (1.0, pytest.approx(1.5)), (pytest.approx(3.0), pytest.approx(4.25)),
+    ]  # fmt: skip
+
+
+def test_the_line_ends_beside_what_cannot_be_flown() -> None:
+    nan = math.nan
+    [only] = stretches([0.0, 1.0, 2.0, 3.0], np.array([nan, 1.0, 1.0, nan]))
+    assert only == (1.0, 2.0, False, False)
+    assert stretches([0.0, 1.0], np.array([nan, 0.5])) == []
+    [one] = stretches([0.0, 1.0], np.array([LEVEL, nan]))
+    assert one == (0.0, 0.0, False, False)
+
+
+def test_cells_that_cannot_be_flown_count_nowhere() -> None:
+    told = made_up([[10, None, 10], [10, None, 0]], 10)
+    assert np.isnan(told.shares("arq")[:, 1]).all()
+    assert "at least 95 % in 3 of 4 cells that can be flown (2 cannot)" in told.sentence("arq")
+    [row] = [r for r in told.rows() if r["clock [1/s]"] == 1.0 and r["seed [-]"] == 0.0]
+    assert (row["trials"], row["successes"], row["share"], row["low"]) == (0, None, None, None)
+    assert row["cannot_be_flown"] == "too weak"
+    # The table says why, and where: a dash alone would read as the robot's failure.
+    assert "\n- not flown: 2 cells, such as " in told.table("arq")
+    assert told.table("arq").endswith(": too weak")
+    assert told.table("arq").splitlines()[2].split() == ["10", "10", "-", "0"]
+
+
+def test_intervals_are_wilsons() -> None:
+    """Of n out of n it is n/(n + z²) to 1, with z = 1.959964."""
+    low, high = made_up([[10, 10], [10, 10]], 10).cells[Place("arq", 0, 0)].interval or (0.0, 0.0)
+    assert low == pytest.approx(10.0 / (10.0 + 1.959964**2), abs=1e-6)
+    assert high == 1.0
+
+
+# -- parameters -----------------------------------------------------------------------------------
+
+
+def axes(*words: str, **given: object) -> Plan:
+    return plan_envelope(*words, **{**SMALL, **given})
+
+
+def test_units_are_read_and_angles_shown_in_degrees() -> None:
+    plan = axes("speed=7.2km/hour:3:3", "pitch=-30deg:30deg:3")
+    assert plan.x.values == pytest.approx((2.0, 2.5, 3.0))
+    assert plan.y.values == pytest.approx((-math.pi / 6, 0.0, math.pi / 6))
+    assert plan.y.shown == (-30.0, 0.0, 30.0)
+    assert (plan.x.label, plan.y.label) == ("speed [m/s]", "pitch [deg]")
+    stiffness = axes("speed=1:2:2", "vehicle.arms.stiffness=2 N/mm:6 N/mm:3").y
+    assert (stiffness.values, stiffness.label) == (
+        (2e3, 4e3, 6e3),
+        "vehicle.arms.stiffness [N/m]",
+    )
+
+
+def test_every_parameter_reaches_its_place_in_the_scenario() -> None:
+    """And nothing else differs from the test without it."""
+    wall = "world.obstacles.0.surface.friction"
+    for name, value, reached in (
+        ("control.rate_limit", 2.0, lambda s: s.control.rate_limit),
+        ("recovery.response.pace", 0.3, lambda s: s.recovery.response.pace),
+        ("vehicle.propulsion.time_constant", 0.05, lambda s: s.vehicle.propulsion.time_constant),
+        ("vehicle.arms.stiffness", 4e3, lambda s: s.vehicle.arms.stiffness),
+        ("sensors.imu.offset.2", 0.01, lambda s: s.sensors.imu.offset[2]),
+        ("payload.mass", 0.1, lambda s: s.payload.mass),
+        ("simulation.duration", 9.0, lambda s: s.simulation.duration),
+        (wall, 0.3, lambda s: s.world.obstacles[0].surface.friction),
+        ("pitch", 0.2, lambda s: s.reference.pitch),
+        ("model_error.mass", 1.1, lambda s: s.model_error.mass),
+    ):  # fmt: skip
+        plan = axes("control.tilt_limit=1:1.2:2", f"{name}={value}:{1.05 * value}:2")
+        changed = scenario_from(plan.tables(Place("arq", 0, 0)))
+        assert reached(changed) == pytest.approx(value, rel=1e-9), (
+            name
+        )  # pitch goes through degrees
+        assert changed.control.tilt_limit == 1.0
+        assert changed.reference.speed == 3.5
+
+
+def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
+    plan = axes(
+        "control.stiffness=8:10:2",
+        "speed=2:3:2",
+        settings=("control.rate_limit=200 deg/s", "pitch=15deg", "recovery.response.way=set-point"),
+    )
+    scenario = scenario_from(plan.tables(Place("arq", 1, 0)))
+    assert scenario.control.stiffness == 10.0
+    assert scenario.control.rate_limit == pytest.approx(math.radians(200.0))
+    assert scenario.recovery.response.way == "set-point"
+    assert (scenario.reference.speed, math.degrees(scenario.reference.pitch)) == (
+        2.0,
+        pytest.approx(15.0),
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("sped=1:5:9",), "did you mean speed?"),
+        (("control.time_constan=0.1:0.2:3",), "did you mean time_constant?"),
+        (("speed=1:5",), "name=from:to:count"),
+        (("speed",), "name=from:to:count"),
+        (("speed=one:5:9",), "speed"),
+        (("speed=:5:9",), "is not a number"),
+        (("speed=1:5:1",), "whole number from 2"),
+        (("speed=1:5:x",), "whole number from 2"),
+        (("speed=2:2:3",), "must differ"),
+        (("speed=1kg:5kg:3",), "wrong unit"),
+        (("speed=nan:5:3",), "finite"),
+        (("speed=-1:5:3",), "speed: must be more than 0 m/s"),
+        (("pitch=-60:60:9",), "within a full turn"),
+        (("speed=1:2:2", "speed=1:2:2"), "both axes"),
+        (("recovery.runs=1:2:3",), "whole numbers"),
+        (("recovery.response.way=0:1:2",), "no single number"),
+        (("start.yaw=0:1:2",), "luck"),
+        (("seed=0:1:2",), "--seed"),
+        (("world.obstacles.0.distance=1:2:2",), "a trial places the wall"),
+        (("air.wind.3=0:1:2",), "no entry 3"),
+    ],
+)
+def test_bad_axes_are_refused_in_one_line(words: tuple[str, ...], told: str) -> None:
+    with pytest.raises(InputError) as raised:
+        axes(*words)
+    [line] = raised.value.problems
+    assert told in line.replace("at least -1.4", "at most 1.4")
+
+
+def test_bad_words_beside_the_axes_are_refused() -> None:
+    for given, told in (
+        ({"robots": ("arqq",)}, "did you mean arq?"),
+        ({"robots": ("arq-slider",)}, "propulsion"),
+        ({"trials": 0}, "--trials"),
+        ({"seed": -1}, "--seed"),
+        ({"settings": ("speed=2",)}, "on an axis already"),
+        ({"settings": ("control",)}, "key=value"),
+        ({"settings": ("recovery.response.way=back",)}, "recovery.response.way"),
+        ({"settings": ("recovery.response.pace=1 kg",)}, "wrong unit"),
+    ):
+        with pytest.raises(InputError) as raised:
+            axes(**given)
+        [line] = raised.value.problems
+        assert told in line
+
+
+# -- flown ----------------------------------------------------------------------------------------
+
+
+def test_a_gentle_collision_is_survived_and_an_absurd_one_is_not() -> None:
+    """8 m/s in 2.75 m cannot be flown; 3 m/s with rotors a second late ends on the ground."""
+    told = flown("vehicle.propulsion.time_constant=0.02:1:2", "speed=2:8:2")
+    gentle, late = told.cells[Place("arq", 0, 0)], told.cells[Place("arq", 1, 0)]
+    assert (gentle.successes, gentle.trials) == (2, 2)
+    assert (late.successes, late.trials) == (0, 2)
+    for column in (0, 1):
+        fast = told.cells[Place("arq", column, 1)]
+        assert fast.trials == 0
+        assert "distance" in fast.reason
+    assert told.along_x("arq", 0)[0].high == pytest.approx(0.02 + 0.05 * 0.98)
+
+
+def test_the_same_seed_gives_the_same_map_however_it_is_cut(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    words = ("speed=2:3.5:2", "control.time_constant=0.15:0.6:2")
+    whole = flown(*words, robots=("arq", "quad"))
+    monkeypatch.setattr(envelope_run, "CELLS_AT_ONCE", 3)
+    seen: list[float] = []
+    cut = fly_envelope(plan_envelope(*words, robots=("arq", "quad"), trials=2), seen.append)
+    assert cut.as_dict() == whole.as_dict()
+    assert seen == sorted(seen)
+    assert seen[-1] == 1.0
+
+
+def test_a_cell_is_what_its_trials_are() -> None:
+    """The map counts what `fly_trials` gives for the same condition."""
+    plan = axes("recovery.response.pace=0.05:0.2:2", "control.time_constant=0.15:0.7:2")
+    told = fly_envelope(plan)
+    for place, cell in told.cells.items():
+        trials = envelope_run.fly_trials([plan.condition(place)], 2, seed=0)
+        assert cell.successes == sum(trial.success for trial in trials)
+        assert cell.trials == 2
+
+
+def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
+    """Rotors that lift 1 % more than the believed weight: of ten drawn masses some are too much."""
+    share = 1.404 * 9.81 / 4.0
+    words = (f"vehicle.propulsion.most_thrust={0.9 * share}:{1.01 * share}:2", "speed=1:1.1:2")
+    told = flown(*words, trials=10)
+    assert all(cell.trials == 0 and cell.reason for cell in told.cells.values())
+
+
+def test_the_outlook_counts_and_flies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(envelope_run, "fly_trials", None)
+    coming = outlook(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
+    assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, DURATION, 1)
+    two = axes("estimator.kalman.offset.0=0:0.01:2", settings=("estimator.type=perfect",))
+    assert outlook(two).kinds == 1
