@@ -27,7 +27,7 @@ from springback.kernels.gpu.cuda import device
 from springback.kernels.layout import Buffer, rows
 from springback.kernels.memo import Kept
 from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
-from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import Loader
 from springback.simulation.record import Model

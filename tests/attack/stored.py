@@ -33,8 +33,8 @@ from springback.campaign.design.plan import plan_from
 from springback.campaign.store import opened, stored_plan
 from springback.errors import InputError
 from springback.interfaces.cli.app import environment
-from springback.interfaces.output.folders import write_flight
 from springback.interfaces.replay.labels import scenes_of
+from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.results.parquet import write_parquet
 from springback.results.saved import read_result

@@ -31,10 +31,11 @@ from springback.kernels.gpu.ptx import (
 from springback.kernels.layout import Like, rows
 from springback.kernels.trees import leaves, rebuilt
 from springback.results.flight import as_scenario
-from springback.simulation import gpu, gpu_thread
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import fly_many, loaded, shape_of, unloaded
-from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.gpu import flying
+from springback.simulation.gpu import thread as threads
+from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 from springback.simulation.guided import cabins_loaded, fly_guided
 from springback.simulation.noise import deal
 from springback.simulation.ticks import powered, ticked
@@ -90,10 +91,12 @@ class Interpreted:
 @pytest.fixture
 def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Kernels are run by the interpreter."""
-    monkeypatch.setattr(gpu, "Memory", HeldMemory)
-    monkeypatch.setattr(gpu, "_kinds", lambda kinds={}: kinds)
+    monkeypatch.setattr(flying, "Memory", HeldMemory)
+    monkeypatch.setattr(flying, "_kinds", lambda kinds={}: kinds)
     monkeypatch.setattr(
-        gpu._Kind, "kernel", lambda kind, *masks: Interpreted(kind._entry, kind._parameters(*masks))
+        flying._Kind,
+        "kernel",
+        lambda kind, *masks: Interpreted(kind._entry, kind._parameters(*masks)),
     )
     Interpreted.launches = 0
     yield
@@ -114,7 +117,7 @@ def scene(speed: float, mass: float) -> tuple[Any, Any]:
 @pytest.mark.usefixtures("interpreted")
 def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """Motion and record bit for bit; masses differ, all else is alike; a launch ends early."""
-    monkeypatch.setattr(gpu, "SLICE", 20)
+    monkeypatch.setattr(flying, "SLICE", 20)
     made = [scene(speed, mass) for speed, mass in ((2.0, 1.0), (1.5, 1.1), (2.5, 1.2))]
     models, starts = [model for model, _ in made], [start for _, start in made]
     shape = shape_of(models[0], starts[0])
@@ -136,7 +139,7 @@ def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPat
 @pytest.mark.usefixtures("interpreted")
 def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """Motion, record and everything aboard, from launch to launch, with each flight's own luck."""
-    monkeypatch.setattr(gpu, "TICKS", 17)
+    monkeypatch.setattr(flying, "TICKS", 17)
     given = {"estimator": "complementary", "world": WALL}
     flights: list[Lane] = [
         lane(tables(0.03, start={**AT_WALL, "velocity": (speed, 0.1, 0.0)}, **given), flight)
@@ -166,7 +169,7 @@ def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.Monk
 
 def test_a_kernel_that_is_there_serves_flights_of_which_less_varies() -> None:
     """Another one is compiled only where a leaf varies that it takes for constant."""
-    kind = gpu._Kind(None, None, None, None)
+    kind = flying._Kind(None, None, None, None)
     wide: Any = (True, False, True), (True,)
     kind._loaded = {wide: object(), ((True, True, True), (True,)): object()}  # type: ignore[dict-item]
     model = np.array([[1.0, 2.0], [3.0, 3.0], [4.0, 4.0]])
@@ -183,7 +186,7 @@ def impact_ptx() -> str:
     """The kernel of impacts of which the mass alone varies."""
     model, start = scene(2.0, 1.0)
     shape = shape_of(model, start)
-    kind = gpu._impacts(shape)
+    kind = flying._impacts(shape)
     mask = tuple(k == 0 for k in range(rows(shape.model)))
     types = [parameter(p) for p in kind._parameters(mask)]
     return kernel_of(program(kind._entry, types, kind._parts, kind._files), types).text
@@ -221,12 +224,12 @@ def test_what_a_gpu_does_not_have_is_said() -> None:
 
 def test_parts_of_an_entry_point_are_named() -> None:
     """All that an entry point calls by name is given to it; else the processor's would be used."""
-    for entry in (gpu_thread.fly_impact, gpu_thread.fly_ticks):
+    for entry in (threads.fly_impact, threads.fly_ticks):
         called = {advance, to_tick, ticked, powered, deal} & {
-            gpu_thread.__dict__.get(name) for name in entry.__code__.co_names
+            threads.__dict__.get(name) for name in entry.__code__.co_names
         }
         names = {one.__name__ for one in called}
-        assert names == ({"advance"} if entry is gpu_thread.fly_impact else
+        assert names == ({"advance"} if entry is threads.fly_impact else
                          {"to_tick", "ticked", "powered", "deal"})  # fmt: skip
     assert device_function(advance).py_func.__name__ == "advance"
 

@@ -259,7 +259,7 @@ def _on_processor(threads: int) -> _Fly:
 def _on_gpu() -> _Fly:
     """Flies what is laid out on a GPU, if there is one."""
     from springback.kernels.gpu.cuda import device
-    from springback.simulation.gpu import fly_buffers_on_gpu, fly_groups_on_gpu
+    from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 
     device()
     return _Fly(fly_buffers_on_gpu, fly_groups_on_gpu)

@@ -20,7 +20,6 @@ pytest.importorskip("uvicorn", reason="the lab needs the extra web")
 
 
 from interfaces.lab.lab_served import WRONG
-
 from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.interfaces.lab.app import page

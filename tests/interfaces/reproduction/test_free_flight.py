@@ -20,7 +20,7 @@ from springback.interfaces.cli.app import cli
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import guided, style
 from springback.interfaces.figures.panels import POINTS, thinned
-from springback.interfaces.output import folders
+from springback.interfaces.reports import flight_files
 from springback.interfaces.reproduction import report
 from springback.interfaces.reproduction.figures import drawings, free_flight, resilience
 from springback.interfaces.reproduction.figures import slider as plots_slider
@@ -226,7 +226,7 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
 
 
 def test_the_diary_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
-    written = folders.write_flight(touching(flight), tmp_path, figures=False)
+    written = flight_files.write_flight(touching(flight), tmp_path, figures=False)
     assert [path.name for path in written] == [
         "summary.json", "trajectory.parquet", "diary.parquet",
     ]  # fmt: skip
@@ -246,11 +246,11 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
     flight: Flight, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(style, "picture", lambda draw, _: draw.__name__)
-    assert folders._pictures(touching(flight)) == {
+    assert flight_files._pictures(touching(flight)) == {
         "flight": "flight_figure", "energy": "energy_figure", "impact": "impact_figure",
     }  # fmt: skip
-    assert "impact" not in folders._pictures(flight)
-    assert "impact" not in folders._pictures(replace(touching(flight), diary={}))
+    assert "impact" not in flight_files._pictures(flight)
+    assert "impact" not in flight_files._pictures(replace(touching(flight), diary={}))
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:

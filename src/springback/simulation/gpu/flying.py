@@ -25,7 +25,7 @@ from springback.kernels.gpu.ptx import (
 from springback.kernels.layout import Buffer, Like, rows, structure
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE, own_types, shape_of, sources
-from springback.simulation.gpu_thread import fly_impact, fly_ticks
+from springback.simulation.gpu.thread import fly_impact, fly_ticks
 from springback.simulation.guided import ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
 from springback.simulation.noise import deal, key_of, plan_of

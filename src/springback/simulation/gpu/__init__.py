@@ -1,0 +1,1 @@
+"""Flights on a GPU, one a thread."""
