@@ -23,14 +23,14 @@ import numba
 import numpy as np
 
 from benchmarks.rivals.vehicle import quad
-from springback.kernels.layout import Buffer, Like
-from springback.scenario.avionics import board_of
+from springback.kernels.layout import Buffer, TreeLayout
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import loaded, shape_of
 from springback.simulation.guided import (
     GUST_NOISE,
-    cabins_loaded,
     fly_guided,
+    loaded_avionics,
     noise_table,
     powered,
     ticked,
@@ -50,7 +50,7 @@ class Job(NamedTuple):
 
     model: Any
     start: Any
-    cabin: Any
+    avionics: Any
     draws: tuple[Draw, ...]
     ticks: int
 
@@ -67,54 +67,58 @@ def job(estimator: str, duration: float = DURATION) -> Job:
         }
     )
     model, start = scenario.flight_model(), scenario.start_state()
-    board = board_of(scenario, model, start)
-    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
-    return Job(model, start, board.cabin, board.noise, ticks)
+    built_avionics = build_avionics(scenario, model, start)
+    ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
+    return Job(model, start, built_avionics.avionics, built_avionics.noise, ticks)
 
 
-def luck(job: Job) -> Any:
+def noise_stream(job: Job) -> Any:
     return noise_table(0, 0, job.ticks, job.draws)
 
 
 def whole(job: Job) -> None:
     """The flight, its noise included."""
-    fly_guided(job.model, job.start, job.cabin, luck(job), trace=False)
+    fly_guided(job.model, job.start, job.avionics, noise_stream(job), trace=False)
 
 
 @numba.njit(nogil=True)
 def _looking(
-    shape: Like, cabin: Like, b: Buffer, g: Buffer, lanes: tuple[int, ...], channels: Like,
-    noise: Buffer, diary: Buffer,
+    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, lanes: tuple[int, ...],
+    channels: TreeLayout,
+    noise: Buffer, telemetry: Buffer,
 ) -> None:  # fmt: skip
     for k in range(noise.shape[0]):
-        ticked(shape, cabin, b, g, lanes, float(k), channels, noise[k], diary, 0)
+        ticked(shape, avionics, b, g, lanes, float(k), channels, noise[k], telemetry, 0)
 
 
 @numba.njit(nogil=True)
 def _driving(
-    shape: Like, cabin: Like, b: Buffer, g: Buffer, lanes: tuple[int, ...], last: float,
-    gusts: Like, noise: Buffer, first: int,
+    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, lanes: tuple[int, ...],
+    last: float,
+    gusts: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
     for k in range(noise.shape[0]):
-        powered(shape, cabin, b, g, lanes, float(k), last, gusts, noise[k], first)
+        powered(shape, avionics, b, g, lanes, float(k), last, gusts, noise[k], first)
 
 
 def parts(job: Job) -> dict[str, Callable[[], None]]:
     """Parts of the loop by themselves, over all ticks, at a state that stands still."""
-    noise, shape = luck(job), shape_of(job.model, job.start)
-    timing = job.model.timing._replace(until=job.cabin.guidance.period)
+    noise, shape = noise_stream(job), shape_of(job.model, job.start)
+    timing = job.model.timing._replace(until=job.avionics.systems.period)
     short = job._replace(model=job.model._replace(timing=timing), ticks=1)
-    b, g = loaded(shape, [job.model], [job.start], 1), cabins_loaded([job.cabin], 1)
-    like, cabin = Like(shape), Like(job.cabin)
+    b, g = loaded(shape, [job.model], [job.start], 1), loaded_avionics([job.avionics], 1)
+    like, avionics = TreeLayout(shape), TreeLayout(job.avionics)
     sensing = noise.shape[1] - GUST_NOISE
-    channels, gusts = Like((0.0,) * sensing), Like((0.0,) * GUST_NOISE)
+    channels, gusts = TreeLayout((0.0,) * sensing), TreeLayout((0.0,) * GUST_NOISE)
     none, last = np.zeros((0, 1)), job.model.timing.until
     return {
         "setting up": lambda: whole(short),
-        "noise table": lambda: (luck(job), None)[1],
-        "sensors and pilot": lambda: _looking(like, cabin, b[0], g[0], (0,), channels, noise, none),
+        "noise table": lambda: (noise_stream(job), None)[1],
+        "sensors and pilot": lambda: _looking(
+            like, avionics, b[0], g[0], (0,), channels, noise, none
+        ),
         "rotors and wind": lambda: _driving(
-            like, cabin, b[0], g[0], (0,), last, gusts, noise, sensing
+            like, avionics, b[0], g[0], (0,), last, gusts, noise, sensing
         ),
     }
 

@@ -25,7 +25,7 @@ from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
 from springback.kernels.layout import Buffer, rows
-from springback.kernels.memo import Kept
+from springback.kernels.memo import Memo
 from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
@@ -119,33 +119,33 @@ def _equal(shape: Any, some: Buffer, others: Buffer, width: int) -> bool:
 def guided(flights: int, rounds: int) -> dict[str, Any]:
     """Guided flights a second, on both."""
     tables = _tables(DIFFERENT)
-    make = Kept()
-    ready = [made_ready(table, make) for table in tables]
+    build = Memo()
+    ready = [made_ready(table, build) for table in tables]
     first, seeds = ready[0], [one.seed for one in ready]
-    assert first.board is not None
-    cabin, draws = first.board.cabin, first.board.noise
-    loader = Loader(first.model, first.start, cabin, GUIDED_LANES)
+    assert first.built_avionics is not None
+    avionics, draws = first.built_avionics.avionics, first.built_avionics.noise
+    loader = Loader(first.model, first.start, avionics, GUIDED_LANES)
     for one in ready:
-        assert one.board is not None
-        loader.add(one.model, one.start, one.board.cabin)
+        assert one.built_avionics is not None
+        loader.add(one.model, one.start, one.built_avionics.avionics)
     laid = loader.laid()
-    assert laid.cabin is not None
-    assert laid.aboard is not None
+    assert laid.avionics is not None
+    assert laid.onboard is not None
     times = flights // DIFFERENT
-    buffers, aboard = _copied(laid.buffers, times), _copied(laid.aboard, times)
-    work, inside = buffers.copy(), aboard.copy()
-    kind: tuple[Model, State, Any] = laid.model, laid.start, laid.cabin
+    buffers, onboard = _copied(laid.buffers, times), _copied(laid.onboard, times)
+    work, inside = buffers.copy(), onboard.copy()
+    kind: tuple[Model, State, Any] = laid.model, laid.start, laid.avionics
 
     def reset() -> None:
-        work[:], inside[:] = buffers, aboard
+        work[:], inside[:] = buffers, onboard
 
     def fly() -> None:
         fly_groups_on_gpu(*kind, work, inside, draws, seeds * times, width=GUIDED_LANES)
 
     on_gpu = _timed(fly, reset, rounds)
-    here, beside = laid.buffers.copy(), laid.aboard.copy()
+    here, beside = laid.buffers.copy(), laid.onboard.copy()
     fly_groups(*kind, here[:8], beside[:8], draws, seeds[:64], width=GUIDED_LANES)  # compiles
-    here, beside = laid.buffers.copy(), laid.aboard.copy()
+    here, beside = laid.buffers.copy(), laid.onboard.copy()
     begun = time.perf_counter()
     fly_groups(*kind, here, beside, draws, seeds, width=GUIDED_LANES)
     on_cpu = time.perf_counter() - begun

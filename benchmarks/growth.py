@@ -24,7 +24,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from benchmarks.rivals.contenders import STEP, Contender
 from benchmarks.rivals.report import machine, spread
 from benchmarks.rivals.rounds import Failed, run
-from springback.interfaces.figures.style import BLUE, INK, ORANGE, HouseFigure, save, styled
+from springback.interfaces.figures.style import BLUE, INK, ORANGE, StyledFigure, save, styled
 
 #: The point from which one thing is varied: flights, duration [s], arms, obstacles.
 USUAL = {"flights": 256, "duration": 6.0, "arms": 4, "obstacles": 2}
@@ -179,7 +179,7 @@ def growth_figure(report: Mapping[str, Any]) -> Figure:
     Args:
         report: As written to JSON.
     """
-    figure = HouseFigure(figsize=(7.2, 5.0))
+    figure = StyledFigure(figsize=(7.2, 5.0))
     grid = figure.subplots(2, 2).flat
     for axes, (k, varied) in zip(grid, enumerate(GROWTH), strict=True):
         rows = [row for row in report["points"] if row["varied"] == varied]

@@ -17,7 +17,7 @@ from springback.contact.obstacles import Forces, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
-from springback.kernels.layout import Like, rows
+from springback.kernels.layout import TreeLayout, rows
 from springback.kernels.trees import leaves, names
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
@@ -152,7 +152,7 @@ class Single:
         buffers[:] = self.loaded
         log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
         began = time.perf_counter()
-        while advance(Like(self.shape), buffers, 0, 1, (0,), log, logged, flight.SLICE, 0.0):
+        while advance(TreeLayout(self.shape), buffers, 0, 1, (0,), log, logged, flight.SLICE, 0.0):
             pass
         return (time.perf_counter() - began) / float(buffers[0, self.steps])
 

@@ -24,7 +24,7 @@ def parameters(vehicle: dict[str, Any]) -> dict[str, Any]:
     so the largest speed of a rotor is chosen and k_η follows.
     """
     speed = 2000.0  # [rad/s], chosen
-    k_eta = vehicle["most_thrust"] / speed**2
+    k_eta = vehicle["max_thrust"] / speed**2
     inertia = vehicle["inertia"]
     return {
         "mass": vehicle["mass"],

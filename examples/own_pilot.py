@@ -54,7 +54,7 @@ def hover(time: float, measurement: Measurement, memory: Memory | None):
     moment = INERTIA @ (TURNING * (rates - gyroscope))
 
     thrusts = np.linalg.solve(EFFECTS, [force @ axes[:, 2], *moment])
-    return np.clip(thrusts, 0.0, VEHICLE.propulsion.most_thrust), memory
+    return np.clip(thrusts, 0.0, VEHICLE.propulsion.max_thrust), memory
 
 
 def main() -> springback.Flight:

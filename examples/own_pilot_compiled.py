@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 import springback
-from springback import Measurement, OwnPilot, Piloted, Vec, kernel, piloted, rotation
+from springback import CompiledPilot, Measurement, PilotOutput, Vec, kernel, pilot_step, rotation
 
 VEHICLE = springback.QUAD.vehicle
 ARM = VEHICLE.airframe().arms[0]
@@ -52,9 +52,9 @@ def clipped(thrust: float, most: float) -> float:
     return min(max(thrust, 0.0), most)
 
 
-@piloted.register(Hover)
+@pilot_step.register(Hover)
 @kernel
-def _(pilot: Hover, time: float, measurement: Measurement, memory: Memory) -> Piloted:
+def _(pilot: Hover, time: float, measurement: Measurement, memory: Memory) -> PilotOutput:
     p, after, pose = pilot, moved(time, measurement, memory), measurement.pose
     force = p.mass * (-5.0 * (pose.position - p.place) - 3.5 * after.velocity)
     force = force + Vec(0.0, 0.0, p.mass * 9.81)
@@ -76,7 +76,7 @@ def _(pilot: Hover, time: float, measurement: Measurement, memory: Memory) -> Pi
         clipped(thrust - roll + pitch + yawing, p.most),
         clipped(thrust + roll + pitch - yawing, p.most),
     )
-    return Piloted(thrusts, after)
+    return PilotOutput(thrusts, after)
 
 
 SETTINGS = Hover(
@@ -85,9 +85,9 @@ SETTINGS = Hover(
     inertia=Vec(*(float(moment) for moment in VEHICLE.inertia().diagonal())),
     lever=ARM.length * ARM.sine,
     torque_ratio=ARM.torque_ratio,
-    most=VEHICLE.propulsion.most_thrust,
+    most=VEHICLE.propulsion.max_thrust,
 )
-hover = OwnPilot(SETTINGS, Memory(0.0, 0.0, ZERO, ZERO))
+hover = CompiledPilot(SETTINGS, Memory(0.0, 0.0, ZERO, ZERO))
 
 
 def main() -> springback.Flight:

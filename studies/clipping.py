@@ -105,13 +105,13 @@ def table(rows: list[dict[str, float | str]]) -> str:
 @style.styled
 def figure(made: dict[str, tuple[Flight, EstimateErrors]]) -> Figure:
     """Force felt and read; errors of velocity and of attitude over time after first touch."""
-    drawn = style.HouseFigure(figsize=(style.WIDTH, 5.6), layout="constrained")
+    drawn = style.StyledFigure(figsize=(style.WIDTH, 5.6), layout="constrained")
     top, middle, bottom = drawn.subplots(3, 1)
     flight, errors = made[CASES[0].name]
     start = flight.touch_time or 0.0
     time = 1e3 * (errors.time - start)
     top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=style.INK, label="felt")
-    top.plot(time, flight.diary["imu_ax"] / 9.80665, color=style.RED, ls="--", label="read")
+    top.plot(time, flight.telemetry["imu_ax"] / 9.80665, color=style.RED, ls="--", label="read")
     top.set(xlim=(-10.0, 50.0), ylabel="force along x [g]", xlabel="time after first touch [ms]")
     top.legend(loc="lower right")
     for (name, (_, e)), (colour, dashes) in zip(made.items(), style.LOOKS, strict=False):

@@ -205,13 +205,13 @@ def flown(draws: Sequence[Draw], threads: int | None = None) -> list[Found]:
     return [found[k] for k in range(len(draws))]
 
 
-def family(make: Callable[[np.random.Generator], Draw], count: int, seed: int) -> list[Draw]:
+def family(build: Callable[[np.random.Generator], Draw], count: int, seed: int) -> list[Draw]:
     """So many draws; some fewer where settings refuse vehicles that cannot be."""
     chance = np.random.default_rng(seed)
     draws = []
     for _ in range(count):
         with contextlib.suppress(InputError):
-            draws.append(make(chance))
+            draws.append(build(chance))
     return draws
 
 
@@ -266,12 +266,12 @@ def main(arguments: Sequence[str] | None = None) -> None:
     given.out.mkdir(parents=True, exist_ok=True)
     makers = {"preset": preset, "moderate": moderate, "extreme": extreme}
     rows: list[dict[str, Any]] = []
-    for name, make in makers.items():
+    for name, build in makers.items():
         count = getattr(given, name)
         if count:
-            draws = family(make, count, 7)
+            draws = family(build, count, 7)
             coarse = flown(draws)
-            fine = flown([finer(d) for d in draws]) if make is not extreme else None
+            fine = flown([finer(d) for d in draws]) if build is not extreme else None
             print(f"{name}: {count - len(draws)} of {count} refused by the settings")
             print(*report(name, coarse, fine), sep="\n", flush=True)
             for k, one in enumerate(coarse):

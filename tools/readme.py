@@ -20,8 +20,8 @@ from springback.paper.choices import (
     MEDIANS,
     OURS,
     VERTICAL,
-    Cell,
     ChoiceResults,
+    ConditionOutcome,
     fly_choices,
 )
 from springback.paper.choices import ROBOTS as RESILIENT
@@ -141,7 +141,7 @@ def flight_table(results: FlightResults) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _percent(cell: Cell) -> str:
+def _percent(cell: ConditionOutcome) -> str:
     low, high = cell.interval
     return f"{cell.share:.0%} ({low:.0%} to {high:.0%})"
 
@@ -228,7 +228,7 @@ def read_choices(folder: Path) -> ChoiceResults:
         }  # fmt: skip
         medians = {name: row[f"median_{name}"] for name in MEDIANS}
         results.cells.append(
-            Cell(
+            ConditionOutcome(
                 known[row["friction"], row["estimator"]], row["duration"], row["robot"],
                 row["pitch_deg"], row["speed"], row["trials"], row["successes"], outcomes, medians,
             )

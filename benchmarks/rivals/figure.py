@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from benchmarks.rivals.report import horizon
-from springback.interfaces.figures.style import BLUE, GREY, INK, ORANGE, HouseFigure, styled
+from springback.interfaces.figures.style import BLUE, GREY, INK, ORANGE, StyledFigure, styled
 
 RATE = "flight-seconds per second"
 #: Height of a row, and what a panel needs besides [in].
@@ -65,7 +65,7 @@ def contest_figure(report: Mapping[str, Any]) -> Figure:
         if rows:
             panels.append((title, kinds, rows))
     heights = [ROW * len(rows) + REST for _, _, rows in panels]
-    figure = HouseFigure(figsize=(7.2, sum(heights) + 0.3))
+    figure = StyledFigure(figsize=(7.2, sum(heights) + 0.3))
     grid = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)
     for axes, (title, kinds, rows) in zip(grid[:, 0], panels, strict=True):
         _dots(axes, rows, horizon("impact") if kinds == ("impact",) else 1.0)

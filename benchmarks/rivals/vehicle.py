@@ -19,6 +19,6 @@ def quad() -> dict[str, Any]:
         "rotors": [[arm.length * arm.cosine, arm.length * arm.sine, 0.0] for arm in arms],
         "spins": [1.0 if arm.torque_ratio > 0.0 else -1.0 for arm in arms],
         "torque_ratio": abs(arms[0].torque_ratio),
-        "most_thrust": float(rotors.most_thrust),
+        "max_thrust": float(rotors.max_thrust),
         "rotor_lag": float(rotors.time_constant),
     }

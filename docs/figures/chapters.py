@@ -25,7 +25,7 @@ from springback.sensing.hall import output, resolution
 from springback.sensing.parameters import HallSettings
 
 HERE = Path(__file__).parent
-STYLE = Path(canvas.__file__).parent / "templates" / "house.mplstyle"
+STYLE = canvas.STYLE[-1]
 BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
 
 
@@ -66,7 +66,7 @@ def _bounce(surface: Any, mass: float, speed: float) -> tuple[Any, Any]:
     h, depth, v = 1e-6, 0.0, speed
     depths, forces = [0.0], [0.0]
     while depth >= 0.0:
-        force = normal_force(surface, depth, v).force
+        force = normal_force(surface, depth, v, 0.0).force
         v -= force / mass * h
         depth += v * h
         depths.append(max(depth, 0.0))

@@ -11,7 +11,7 @@ TYPE_CHECKING = False  # not taken from typing: until the program listens, Ctrl-
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign as Campaign
     from springback.campaign.design.plan import Plan as Plan
-    from springback.campaign.errors import Stopped as Stopped
+    from springback.campaign.errors import CampaignError as CampaignError
     from springback.campaign.running import run_campaign as run_campaign
     from springback.contact.library import MAT as MAT
     from springback.contact.library import WALL as WALL
@@ -29,20 +29,20 @@ if TYPE_CHECKING:
     from springback.kernels.vectors import Quat as Quat
     from springback.kernels.vectors import Vec as Vec
     from springback.kernels.vectors import rotation as rotation
-    from springback.paper.slider import Reading as Reading
+    from springback.paper.slider import Interpretation as Interpretation
     from springback.paper.slider import slider_experiments as slider_experiments
     from springback.results.flight import Flight as Flight
     from springback.results.flight import fly as fly
-    from springback.scenario.avionics import OwnPilot as OwnPilot
+    from springback.scenario.avionics import CompiledPilot as CompiledPilot
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
     from springback.sensing.measurement import Measurement as Measurement
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
     from springback.simulation.measures import Outcome as Outcome
-    from springback.simulation.onboard import Piloted as Piloted
-    from springback.simulation.onboard import piloted as piloted
-    from springback.simulation.onboard import told as told
+    from springback.simulation.onboard import PilotOutput as PilotOutput
+    from springback.simulation.onboard import pilot_step as pilot_step
+    from springback.simulation.onboard import telemetry_of as telemetry_of
     from springback.studies.pilot_check import Finding as Finding
     from springback.studies.pilot_check import check_pilot as check_pilot
     from springback.vehicle.library import ARQ as ARQ
@@ -63,16 +63,17 @@ _PUBLIC = {
     "kernel": "kernels.compiler", "Vec": "kernels.vectors", "Quat": "kernels.vectors",
     "rotation": "kernels.vectors",
     "Measurement": "sensing.measurement",
-    "piloted": "simulation.onboard", "Piloted": "simulation.onboard", "told": "simulation.onboard",
-    "OwnPilot": "scenario.avionics",
+    "pilot_step": "simulation.onboard", "PilotOutput": "simulation.onboard",
+    "telemetry_of": "simulation.onboard",
+    "CompiledPilot": "scenario.avionics",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
     "fly": "results.flight", "Flight": "results.flight",
     "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
     "Plan": "campaign.design.plan", "run_campaign": "campaign.running",
-    "Campaign": "campaign.access", "Stopped": "campaign.errors",
+    "Campaign": "campaign.access", "CampaignError": "campaign.errors",
     "Outcome": "simulation.measures", "MEASURES": "simulation.measures",
-    "slider_experiments": "paper.slider", "Reading": "paper.slider",
+    "slider_experiments": "paper.slider", "Interpretation": "paper.slider",
     "InputError": "errors",
 }  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""The table of attacks on results, stores, caches and commands: `make attack`.
+"""The table of attacks on results, stores, caches and commands: `build attack`.
 
 Counts of cases are arguments; the seeds are fixed, so that a table can be made again.
 """
@@ -86,10 +86,12 @@ def damaged_results(folder: Path, cases: int) -> Iterator[Row]:
 
     def said(place: Path) -> Any:
         read = read_result(place)
-        columns = {name: values.tobytes() for name, values in (read.columns | read.diary).items()}
+        columns = {
+            name: values.tobytes() for name, values in (read.columns | read.telemetry).items()
+        }
         return read.scenario, read.outcome, read.measures, read.units, columns
 
-    for name in ("summary.json", "trajectory.parquet", "diary.parquet"):
+    for name in ("summary.json", "trajectory.parquet", "telemetry.parquet"):
         yield of(f"one byte of {name} changed", one_byte(folder / "f", name, said, cases))
         yield of(f"{name} cut off", cut_off(folder / "f", name, said, cases // 4))
 
@@ -187,7 +189,7 @@ def kills(folder: Path, times: int) -> Row:
     (folder / "plan.toml").write_text(CAMPAIGN.format(samples=400))
     words = ("campaign", "plan.toml", "--workers", "2", "--chunk", "40", "-q", "--out")
     whole = timed((*words, "whole"), folder)
-    rows, luck, wrong = (
+    rows, noise_stream, wrong = (
         Campaign(folder / "whole").query("FROM flights ORDER BY flight"),
         random.Random(9),
         0,
@@ -198,7 +200,7 @@ def kills(folder: Path, times: int) -> Row:
             start_new_session=True,
         ) as process:  # fmt: skip
             with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(luck.uniform(0.2, 1.0) * whole)
+                process.wait(noise_stream.uniform(0.2, 1.0) * whole)
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
         done = subprocess.run(
@@ -245,7 +247,7 @@ def bits(folder: Path) -> Row:
 
 
 def fuzzed() -> str:
-    """What `make fuzz` says, where there is such a target."""
+    """What `build fuzz` says, where there is such a target."""
     done = subprocess.run(
         ["make", "--no-print-directory", "fuzz"],
         cwd=ROOT,

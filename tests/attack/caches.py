@@ -61,12 +61,12 @@ def caches(folder: Path) -> Row:
             path.write_bytes(data)
             path.chmod(0o644)
 
-    luck = random.Random(3)
+    noise_stream = random.Random(3)
     harms: dict[str, Callable[[Path, bytes], Any]] = {
         "empty": lambda path, _: path.write_bytes(b""),
         "one byte": lambda path, _: path.write_bytes(b"\0"),
         "cut off": lambda path, data: path.write_bytes(data[: len(data) // 2]),
-        "garbage": lambda path, data: path.write_bytes(luck.randbytes(len(data))),
+        "garbage": lambda path, data: path.write_bytes(noise_stream.randbytes(len(data))),
         "garbage at the end": lambda path, data: path.write_bytes(data[:-100] + bytes(100)),
         "a bit of the code": lambda path, data: path.write_bytes(
             data[: len(data) // 2] + bytes([data[len(data) // 2] ^ 1]) + data[len(data) // 2 + 1 :]

@@ -29,16 +29,16 @@ def one_byte(
         How many were ``noticed`` (refused in one line), ``without effect``, ``wrong`` (another
         answer without a word), or ended in a ``traceback``.
     """
-    luck, before = random.Random(seed), repr(ask(whole))
+    noise_stream, before = random.Random(seed), repr(ask(whole))
     data = (whole / file).read_bytes()
-    places = [0, len(data) - 1, *(luck.randrange(len(data)) for _ in range(cases - 2))]
+    places = [0, len(data) - 1, *(noise_stream.randrange(len(data)) for _ in range(cases - 2))]
     found = Counter[str]()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "damaged"
         shutil.copytree(whole, folder)
         for place in places:
             harmed = bytearray(data)
-            harmed[place] ^= luck.randrange(1, 256)
+            harmed[place] ^= noise_stream.randrange(1, 256)
             (folder / file).write_bytes(harmed)
             found[_outcome(folder, ask, before, (file, place, harmed[place]))] += 1
     return found
@@ -46,14 +46,14 @@ def one_byte(
 
 def cut_off(whole: Path, file: str, ask: Callable[[Path], Any], cases: int) -> Counter[str]:
     """A file cut off at many lengths, and then all asked that the folder says."""
-    luck, before = random.Random(18), repr(ask(whole))
+    noise_stream, before = random.Random(18), repr(ask(whole))
     data = (whole / file).read_bytes()
     found = Counter[str]()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "damaged"
         shutil.copytree(whole, folder)
         for _ in range(cases):
-            length = luck.randrange(len(data))
+            length = noise_stream.randrange(len(data))
             (folder / file).write_bytes(data[:length])
             found[_outcome(folder, ask, before, (file, length))] += 1
     return found

@@ -146,7 +146,7 @@ def tried(given: Long, folder: Path, times: int, seed: int = 0) -> Counter[str]:
         times: How often.
         seed: Of the instants.
     """
-    luck, found, out = random.Random(seed), Counter[str](), folder / (given.out or "none")
+    noise_stream, found, out = random.Random(seed), Counter[str](), folder / (given.out or "none")
     whole, result = given.serves, None
     removed(out)
     if not given.serves:
@@ -155,7 +155,7 @@ def tried(given: Long, folder: Path, times: int, seed: int = 0) -> Counter[str]:
         whole, result = timed(given.words, folder), written(out)
     for _ in range(times):
         removed(out)
-        after = luck.uniform(0.0, whole)
+        after = noise_stream.uniform(0.0, whole)
         try:
             ending = interrupted(given.words, folder, after)
         except subprocess.TimeoutExpired:

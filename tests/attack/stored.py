@@ -40,7 +40,7 @@ from springback.results.parquet import write_parquet
 from springback.results.saved import read_result
 from springback.results.sealed_json import SEAL, sealed
 
-SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "diary.parquet"
+SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "telemetry.parquet"
 PART = manifest.file_of(10)
 Files = dict[str, bytes]
 Columns = dict[str, Any]
@@ -182,7 +182,7 @@ def _columns(kind: str) -> Columns:
             for k, name in enumerate(answer.columns)
         }
     read = read_result(result()[0])
-    return dict(read.columns if kind == "trajectory" else read.diary)
+    return dict(read.columns if kind == "trajectory" else read.telemetry)
 
 
 @st.composite
@@ -196,7 +196,7 @@ def results(draw: st.DrawFn) -> Changed:
         return Changed(told, {SUMMARY: draw(_bytes(files[SUMMARY], told))})
     if how == "values":
         return Changed(told, {SUMMARY: _json(_sealed(draw(_changed(summary, told))))})
-    kind = draw(st.sampled_from(["trajectory", "diary"]))
+    kind = draw(st.sampled_from(["trajectory", "telemetry"]))
     name = f"{kind}.parquet"
     changed = _tables(_columns(kind), told) if how == "columns" else _bytes(files[name], told)
     data = draw(changed)

@@ -28,8 +28,8 @@ def collisions() -> list[dict[str, Any]]:
     tables, shared = [], None
     for k in range(10):
         for robot in ("arq", "quad"):
-            luck = Scatter().drawn(robot, 0.0, 3.0, k, 0)
-            table = trial_tables(robot, 0.0, 3.0, luck, changes)
+            noise_stream = Scatter().drawn(robot, 0.0, 3.0, k, 0)
+            table = trial_tables(robot, 0.0, 3.0, noise_stream, changes)
             shared = shared or {name: table[name] for name in ("reference", "recovery")}
             tables.append(table | shared)
     tables[3] = tables[3] | {"control": {"stiffness": "-1 N/m"}}

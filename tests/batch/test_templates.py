@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from springback.batch import templates
-from springback.batch.templates import Alike, Many, Template, made_together, pace_of
-from springback.batch.validation import Ready, made_ready, settings_of
+from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, build_group, pace_of
+from springback.batch.validation import ReadyFlight, made_ready, settings_of
 from springback.control.parameters import ControlSettings
 from springback.errors import InputError
-from springback.kernels.memo import Kept
+from springback.kernels.memo import Memo
 from springback.kernels.trees import leaves
 from springback.scenario.avionics import turn_on_normals
 from springback.scenario.tables import Start, WorldSettings
@@ -76,48 +76,50 @@ PLANS = {
 }  # fmt: skip
 
 
-def together(tables: list[dict[str, Any]], make: Kept) -> tuple[list[Alike], list[Many | None]]:
+def together(
+    tables: list[dict[str, Any]], build: Memo
+) -> tuple[list[ScenarioGroup], list[BuiltGroup | None]]:
     """Groups of flights that are alike, and what is made of each."""
-    groups: list[Alike] = []
+    groups: list[ScenarioGroup] = []
     for number, table in enumerate(tables):
-        settings = settings_of(table, make)
+        settings = settings_of(table, build)
         del settings["seed"]
         if not any(group.takes(number, settings) for group in groups):
-            groups.append(Alike(number, settings, make))
+            groups.append(ScenarioGroup(number, settings, build))
     biases = turn_on_normals([table["seed"] for table in tables])
 
-    def one(number: int) -> Ready:
-        return made_ready(tables[number], make, biases[number])
+    def one(number: int) -> ReadyFlight:
+        return made_ready(tables[number], build, biases[number])
 
-    return groups, [made_together(g, [biases[k] for k in g.flights], one) for g in groups]
+    return groups, [build_group(g, [biases[k] for k in g.flights], one) for g in groups]
 
 
-def numbers(many: Many, row: int) -> np.ndarray[Any, Any]:
+def numbers(many: BuiltGroup, row: int) -> np.ndarray[Any, Any]:
     """All numbers of one of many flights."""
-    board = many.first.board
+    built_avionics = many.first.built_avionics
     flown = leaves((many.first.model, many.first.start))
-    aboard = leaves(board.cabin) if board else []
-    for tree, (places, values) in ((flown, many.flown), (aboard, many.aboard)):
+    onboard = leaves(built_avionics.avionics) if built_avionics else []
+    for tree, (places, values) in ((flown, many.flown), (onboard, many.onboard)):
         for place, value in zip(places, values[row].tolist(), strict=True):
             tree[place] = value
-    return np.array([*flown, *aboard])
+    return np.array([*flown, *onboard])
 
 
 def numbers_alone(table: dict[str, Any]) -> np.ndarray[Any, Any]:
-    ready = made_ready(table, Kept())
-    cabin = leaves(ready.board.cabin) if ready.board else []
-    return np.array([*leaves((ready.model, ready.start)), *cabin])
+    ready = made_ready(table, Memo())
+    avionics = leaves(ready.built_avionics.avionics) if ready.built_avionics else []
+    return np.array([*leaves((ready.model, ready.start)), *avionics])
 
 
 @pytest.mark.parametrize("plan", PLANS)
 def test_many_are_as_alone(plan: str) -> None:
     tables = PLANS[plan]
-    (group,), (many,) = together(tables, Kept())
+    (group,), (many,) = together(tables, Memo())
     assert many is not None
     assert many.flights == group.flights == [*range(COUNT)]
     for row, table in enumerate(tables):
         assert numbers(many, row).tobytes() == numbers_alone(table).tobytes()
-        assert pace_of(many.first) == pace_of(made_ready(table, Kept()))
+        assert pace_of(many.first) == pace_of(made_ready(table, Memo()))
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:
@@ -125,7 +127,7 @@ def test_flights_that_go_another_way_are_left_out() -> None:
     tables = scattered("arq", {})
     tables[3] |= {"start": {**tables[3]["start"], "position": [2.7, 0.0, 1.0]}}
     tables[5] |= {"model_error": {"mass": 0.1, "inertia": 1.0}}
-    (_,), (many,) = together(tables, Kept())
+    (_,), (many,) = together(tables, Memo())
     assert many is not None
     assert many.flights == [k for k in range(COUNT) if k not in (3, 5)]
     for row, k in enumerate(many.flights):
@@ -150,14 +152,14 @@ def test_what_no_formula_does_is_made_alone() -> None:
         "a sick first": holding(model_error=lambda k: {"mass": 0.1 + 0.1 * k}),
     }
     for tables in varied.values():
-        _, made = together(tables, Kept())
+        _, made = together(tables, Memo())
         assert made == [None] * len(made)
 
 
 def test_few_are_made_alone() -> None:
     tables = scattered("arq", {})
-    assert together(tables[: templates.FEW], Kept())[1] != [None]
-    assert together(tables[: templates.FEW - 1], Kept())[1] == [None]
+    assert together(tables[: templates.FEW], Memo())[1] != [None]
+    assert together(tables[: templates.FEW - 1], Memo())[1] == [None]
 
 
 def test_a_function_that_takes_a_cell_for_a_float_is_found_out(
@@ -166,15 +168,15 @@ def test_a_function_that_takes_a_cell_for_a_float_is_found_out(
     """Whatever is not as the flight made ready alone is not trusted."""
     ready_of = templates.ready_of
 
-    def careless(*given: Any) -> Ready:
+    def careless(*given: Any) -> ReadyFlight:
         ready = ready_of(*given)
         start = ready.start
         height = getattr(start.position.z, "value", start.position.z)
         return ready._replace(start=start._replace(position=start.position._replace(z=height)))
 
-    assert together(PLANS["scattered ARQ"], Kept())[1] != [None]
+    assert together(PLANS["scattered ARQ"], Memo())[1] != [None]
     monkeypatch.setattr(templates, "ready_of", careless)
-    assert together(PLANS["scattered ARQ"], Kept())[1] == [None]
+    assert together(PLANS["scattered ARQ"], Memo())[1] == [None]
 
 
 # -- templates ------------------------------------------------------------------------------------

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.batch.validation import Ready, made_ready
+from springback.batch.validation import ReadyFlight, made_ready
 from springback.errors import InputError
 from springback.kernels.layout import structure
-from springback.kernels.memo import EVER, Kept
+from springback.kernels.memo import FOREVER, Memo
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
 
@@ -23,38 +23,38 @@ SIX = {
         "directions": ["30 deg", "90 deg", "150 deg", "210 deg", "270 deg", "330 deg"],
         "length": 0.25, "mass": 0.05, "cage_radius": 0.1, "damping": 2.0, "torque_ratio": 0.016,
     },
-    "propulsion": {"most_thrust": "6 N"},
+    "propulsion": {"max_thrust": "6 N"},
 }  # fmt: skip
 
 
-def alone(table: dict[str, Any]) -> Ready | str:
+def alone(table: dict[str, Any]) -> ReadyFlight | str:
     """A flight made ready by itself, or why it cannot be."""
     try:
         scenario = scenario_from(table, False)
     except InputError as error:
         return str(error)
     model, start = scenario.flight_model(), scenario.start_state()
-    board = board_of(scenario, model, start) if scenario.reference else None
-    return Ready(scenario.seed, model, start, board)
+    built_avionics = build_avionics(scenario, model, start) if scenario.reference else None
+    return ReadyFlight(scenario.seed, model, start, built_avionics)
 
 
-def shared(table: dict[str, Any], make: Kept) -> Ready | str:
+def shared(table: dict[str, Any], build: Memo) -> ReadyFlight | str:
     try:
-        return made_ready(table, make)
+        return made_ready(table, build)
     except InputError as error:
         return str(error)
 
 
-def assert_same(a: Ready | str, b: Ready | str) -> None:
+def assert_same(a: ReadyFlight | str, b: ReadyFlight | str) -> None:
     if isinstance(a, str) or isinstance(b, str):
         assert brief(a) == brief(b)
         return
     assert a.seed == b.seed
-    assert (a.board is None) == (b.board is None)
+    assert (a.built_avionics is None) == (b.built_avionics is None)
     trees = [(a.model, b.model), (a.start, b.start)]
-    if a.board and b.board:
-        trees.append((a.board.cabin, b.board.cabin))
-        assert a.board.noise == b.board.noise
+    if a.built_avionics and b.built_avionics:
+        trees.append((a.built_avionics.avionics, b.built_avionics.avionics))
+        assert a.built_avionics.noise == b.built_avionics.noise
     for one, other in trees:
         assert structure(one) == structure(other)
         # By their bits: −0 is not 0 here.
@@ -89,9 +89,9 @@ def _luck(robot: str, trial: int) -> Any:
 
 
 def test_flights_of_a_campaign_are_made_ready_as_alone() -> None:
-    make = Kept()
+    build = Memo()
     for table in campaign(12):
-        assert_same(shared(table, make), alone(table))
+        assert_same(shared(table, build), alone(table))
 
 
 #: One value after another of every table, some of which cannot be.
@@ -99,7 +99,7 @@ CHANGES: dict[str, list[Any]] = {
     "vehicle": [
         "quad", "arq", {"preset": "arq", "arms": {"stiffness": "2 N/mm"}}, SIX, "ark", 3,
         {"preset": "arq", "arms": {"compliant": False}}, {"preset": "quad", "propulsion": None},
-        {"preset": "arq", "propulsion": {"most_thrust": "1 N"}},
+        {"preset": "arq", "propulsion": {"max_thrust": "1 N"}},
     ],
     "world": [
         {"gravity": 1.62}, {"gravity": -1.0}, {"obstacles": []}, {"obstacles": 5}, {},
@@ -160,11 +160,13 @@ CHANGES: dict[str, list[Any]] = {
 
 def varied(seed: int, count: int, base: dict[str, Any]) -> list[dict[str, Any]]:
     """Tables, each of which differs from some base in a few values that others share."""
-    luck, tables = np.random.default_rng(seed), []
+    noise_stream, tables = np.random.default_rng(seed), []
     for _ in range(count):
         table = dict(base)
-        for key in luck.choice(list(CHANGES), size=luck.integers(0, 3), replace=False):
-            table[str(key)] = CHANGES[str(key)][luck.integers(len(CHANGES[str(key)]))]
+        for key in noise_stream.choice(
+            list(CHANGES), size=noise_stream.integers(0, 3), replace=False
+        ):
+            table[str(key)] = CHANGES[str(key)][noise_stream.integers(len(CHANGES[str(key)]))]
         tables.append({key: value for key, value in table.items() if value is not None})
     return tables
 
@@ -174,10 +176,10 @@ def test_whatever_differs_is_made_ready_as_alone(has_pilot: bool) -> None:
     base = campaign(1)[0]
     if not has_pilot:
         base = {key: base[key] for key in ("vehicle", "world", "start", "simulation")}
-    make, refused = Kept(), 0
+    build, refused = Memo(), 0
     tables = varied(1, 150, base)
     for table in tables:
-        one = shared(table, make)
+        one = shared(table, build)
         assert_same(one, alone(table))
         refused += isinstance(one, str)
     assert 30 < refused < 120  # both happen
@@ -186,31 +188,31 @@ def test_whatever_differs_is_made_ready_as_alone(has_pilot: bool) -> None:
 def test_what_is_kept_for_ever_can_be_forgotten() -> None:
     """Else memory would grow with the number of flights."""
     made: list[str] = []
-    make = Kept()
+    build = Memo()
 
     def part(name: str) -> str:
         made.append(name)
         return name
 
     for name in ("a", "b", "a"):
-        make(part, name, place=EVER)
-    make.forget()
-    make(part, "a", place=EVER)
+        build(part, name, place=FOREVER)
+    build.forget()
+    build(part, "a", place=FOREVER)
     assert made == ["a", "b", "a"]
 
 
 def test_a_part_that_was_refused_is_refused_again() -> None:
-    make, (table, *_) = Kept(), campaign(1)
+    build, (table, *_) = Memo(), campaign(1)
     bad = table | {"control": {"stiffness": -1.0}}
-    assert_same(shared(bad, make), alone(bad))
-    assert_same(shared(bad, make), alone(bad))
-    assert_same(shared(table, make), alone(table))
+    assert_same(shared(bad, build), alone(bad))
+    assert_same(shared(bad, build), alone(bad))
+    assert_same(shared(table, build), alone(table))
 
 
 def test_nothing_is_remembered_of_others_tables() -> None:
     """Equal tables that are not the same objects, and the same flight after others."""
     tables = campaign(3)
-    make, first = Kept(), [shared(table, Kept()) for table in tables]
+    build, first = Memo(), [shared(table, Memo()) for table in tables]
     for order in ([0, 1, 2, 3, 4, 5], [5, 1, 4, 0, 3, 2], [2, 2, 0, 2]):
         for k in order:
-            assert_same(shared(tables[k], make), first[k])
+            assert_same(shared(tables[k], build), first[k])

@@ -19,7 +19,7 @@ from springback.campaign.design.plan import Plan, Source, plan_from, read_plan
 from springback.campaign.design.sampling import POINTS, grid_point, seeds
 from springback.errors import InputError
 from springback.scenario.scenario import scenario_from
-from springback.studies.trials import HOME, Luck, Scatter, trial_tables
+from springback.studies.trials import HOME, Scatter, TrialNoise, trial_tables
 
 METHODS = ("random", "latin-hypercube", "sobol")
 
@@ -149,7 +149,7 @@ def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
 
 def test_scatter_is_that_of_trials() -> None:
     """The tables of a trial whose luck is what a row says."""
-    base = trial_tables("arq", 0.0, 2.0, Luck(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
+    base = trial_tables("arq", 0.0, 2.0, TrialNoise(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
     base["world"]["obstacles"][0] = {"type": "wall", "distance": 2.75, "surface": "wall"}
     design = laid_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))
     dealt = design.dealt(0, 3)
@@ -160,14 +160,14 @@ def test_scatter_is_that_of_trials() -> None:
         for name, middle in axes
     )
     gains = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
-    luck = Luck(
+    noise_stream = TrialNoise(
         place, velocity, row["scatter_heading"], 2.75 + row["scatter_wall_distance"],
         row["scatter_wall_yaw"], row["scatter_mass_factor"], row["scatter_inertia_factor"],
         tuple(row[f"scatter_{name}_factor"] for name in gains), row["seed"],
     )  # fmt: skip
     ours, theirs = (
         scenario_from(dealt.tables[1]),
-        scenario_from(trial_tables("arq", 0.0, 2.0, luck)),
+        scenario_from(trial_tables("arq", 0.0, 2.0, noise_stream)),
     )
     assert ours.start == theirs.start
     assert ours.control == theirs.control

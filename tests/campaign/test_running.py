@@ -12,11 +12,11 @@ import pytest
 from campaign.plans import plan
 from springback.campaign import workers
 from springback.campaign.access import Campaign
-from springback.campaign.cost_estimate import outlook
+from springback.campaign.cost_estimate import cost_estimate
 from springback.campaign.design.layout import laid_out
-from springback.campaign.errors import Stopped
-from springback.campaign.flying import Chunk, Flown, flown
-from springback.campaign.running import Progress, run_campaign
+from springback.campaign.errors import CampaignError
+from springback.campaign.flying import Chunk, ChunkRows, flown
+from springback.campaign.running import CampaignProgress, run_campaign
 from springback.campaign.store import source
 from springback.campaign.workers import STRIKES, GivenUp, fly_locally
 from springback.errors import InputError
@@ -35,7 +35,7 @@ def test_rows_are_the_same_for_any_chunk_and_number_of_workers(
     whole: Campaign, tmp_path: Path
 ) -> None:
     assert (len(whole.parts), whole.done, whole.complete) == (1, 24, True)
-    told: list[Progress] = []
+    told: list[CampaignProgress] = []
     other = run_campaign(plan(), tmp_path, workers=3, chunk=5, progress=told.append)
     assert [(part.first, part.last) for part in other.parts] == [
         (0, 5), (5, 10), (10, 15), (15, 20), (20, 24)
@@ -119,7 +119,7 @@ def test_success_is_what_the_plan_says(tmp_path: Path) -> None:
 # -- workers that die -----------------------------------------------------------------------------
 
 
-def killed(text: str, chunk: Chunk, device: Any = "cpu") -> Flown:
+def killed(text: str, chunk: Chunk, device: Any = "cpu") -> ChunkRows:
     """Fly, but be killed over flight 10: once, or always if the plan is called poison."""
     once = Path(os.environ["KILLED_ONCE"])
     if chunk[0] <= 10 < chunk[1] and ('"poison"' in text or not once.exists()):
@@ -157,7 +157,9 @@ def test_a_chunk_that_kills_every_worker_is_given_up_and_the_rest_kept(
     whole: Campaign, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     said: list[str] = []
-    with pytest.raises(Stopped, match=r"4 flights were given up: 3 workers in a row .* 20 of 24"):
+    with pytest.raises(
+        CampaignError, match=r"4 flights were given up: 3 workers in a row .* 20 of 24"
+    ):
         run_campaign(
             plan(name="poison"), tmp_path / "a", workers=2, chunk=4, remark=said.append
         )  # fmt: skip
@@ -171,7 +173,9 @@ def test_a_chunk_that_kills_every_worker_is_given_up_and_the_rest_kept(
 @pytest.mark.usefixtures("deadly")
 def test_a_mistake_in_the_program_is_noted_and_the_rest_kept(tmp_path: Path) -> None:
     (tmp_path / "once").touch()
-    with pytest.raises(Stopped, match=r"ZeroDivisionError: a mistake of ours; 20 of 24 are kept"):
+    with pytest.raises(
+        CampaignError, match=r"ZeroDivisionError: a mistake of ours; 20 of 24 are kept"
+    ):
         run_campaign(plan(name="broken"), tmp_path / "a", workers=1, chunk=4)
     assert "Traceback" in (tmp_path / "a/problems.log").read_text()
     assert Campaign(tmp_path / "a").done == 20
@@ -183,7 +187,7 @@ def leave(*_: Any) -> None:
 
 def test_workers_that_cannot_start_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "SERVED", leave)
-    with pytest.raises(Stopped, match=r"could not start \(exit code 3\).*__main__"):
+    with pytest.raises(CampaignError, match=r"could not start \(exit code 3\).*__main__"):
         list(fly_locally(plan().canonical(), [(0, 2)], 1, print))
 
 
@@ -195,13 +199,13 @@ def serve_another_source(*given: Any) -> None:
 
 def test_a_worker_of_another_source_stops_the_campaign(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "SERVED", serve_another_source)
-    with pytest.raises(Stopped, match="source was changed while it was flying"):
+    with pytest.raises(CampaignError, match="source was changed while it was flying"):
         list(fly_locally(plan().canonical(), [(0, 2)], 1, print))
 
 
 def test_leaving_early_leaves_no_process(whole: Campaign) -> None:
     coming = fly_locally(whole.design.plan.canonical(), [(0, 2), (2, 4), (4, 6)], 2, print)
-    assert isinstance(next(coming), Flown | GivenUp)
+    assert isinstance(next(coming), ChunkRows | GivenUp)
     coming.close()
     import multiprocessing
 
@@ -214,7 +218,9 @@ def test_leaving_early_leaves_no_process(whole: Campaign) -> None:
 def test_an_outlook_counts_and_measures(tmp_path: Path) -> None:
     vary = [{"field": "model.arms", "values": ["hybrid", "always-free"]},
             {"field": "start.position.0", "values": ["0.6 m", "0.5 m"]}]  # fmt: skip
-    told = outlook(laid_out(plan(method="grid", samples=None, repeats=8, vary=vary)), workers=4)
+    told = cost_estimate(
+        laid_out(plan(method="grid", samples=None, repeats=8, vary=vary)), workers=4
+    )
     assert (told.flights, told.samples, told.repeats, told.tried) == (64, 4, 8, 64)
     assert told.robots == ("arq", "quad")
     assert told.time == pytest.approx(64 / (4 * told.rate))

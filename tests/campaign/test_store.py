@@ -17,7 +17,7 @@ from campaign.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
 from springback.campaign.design.layout import laid_out
-from springback.campaign.errors import Stopped
+from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import Part, missing
 from springback.campaign.store import opened
 from springback.errors import InputError
@@ -118,7 +118,7 @@ def test_a_full_disk_stops_and_leaves_nothing_torn(
             patch.setattr(
                 manifest.os, "fsync", lambda fd: full_disk() if is_ledger(fd) else real(fd)
             )
-        with pytest.raises(Stopped, match="no space is left on the disk"):
+        with pytest.raises(CampaignError, match="no space is left on the disk"):
             again.add(20, 30, rows(design, 20, 30))
         assert again.done == 20
     assert Campaign(tmp_path).done == 20

@@ -16,7 +16,7 @@ from springback.contact.surfaces import (
 )
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Slider
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import Mat3, Vec
 from springback.simulation.flight import still_state
 from springback.simulation.record import Model, Timing
 from springback.vehicle.state import Airframe, Arm, State
@@ -61,7 +61,7 @@ def one_arm(
         damping=90.0, length=LENGTH, shortest=0.15, stop_stiffness=2e5, stop_dissipation=0.5,
         compliance=1.0 if compliant else 0.0, cage_radius=CAGE, torque_ratio=0.0,
     )  # fmt: skip
-    inertia = Mat(Vec(0.006, 0.0, 0.0), Vec(0.0, 0.008, 0.0), Vec(0.0, 0.0, 0.012))
+    inertia = Mat3(Vec(0.006, 0.0, 0.0), Vec(0.0, 0.008, 0.0), Vec(0.0, 0.0, 0.012))
     timing = Timing(
         until=until, free_step=1e-3, impact_step=step, settle_step=step, arm_tolerance=1e-5,
         rate_tolerance=1e-3, dwell=0.02, hybrid=1.0,

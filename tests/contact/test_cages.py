@@ -17,15 +17,15 @@ from scipy.spatial.transform import Rotation
 
 from contact.own_obstacles import Ball, Pole
 from contact.scenes import CAGE, FACE, LENGTH, surface
-from springback.contact.cage import ArmTip, Meeting, Ring, meeting, support
-from springback.contact.obstacles import Obstacle, Plane, obstacle_seen
-from springback.kernels.vectors import Mat, Vec, norm
+from springback.contact.cage import ArmTip, CageContact, Ring, cage_contact, support
+from springback.contact.obstacles import Obstacle, Plane, obstacle_in_body_frame
+from springback.kernels.vectors import Mat3, Vec, norm
 from springback.vehicle.state import ArmPose
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-3
 EXACT, ROUNDED, PAPER = Ring(0.0), Ring(ROUNDING), ArmTip(0.0)
-LEVEL = Mat(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
+LEVEL = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
 GRIPPY = surface(friction=0.8, dissipation=0.65)
 seeds = st.integers(0, 2**32 - 1)
 
@@ -51,16 +51,16 @@ class Moving:
         self.arm = np.array([np.cos(angle), np.sin(angle), 0.0])
         self.length, self.rate = rng.uniform(0.14, 0.19), rng.normal()
 
-    def met(self, shape: Any, model: Any, t: float) -> Meeting:
+    def met(self, shape: Any, model: Any, t: float) -> CageContact:
         """The meeting with an obstacle at time t; ω is constant in the world."""
         turn = Rotation.from_rotvec(self.omega * t) * self.turn
         length, e = self.length + self.rate * t, self.arm
         sliding = turn.inv().apply(self.velocity) + self.rate * e
         pose = ArmPose(vec(e), vec(length * e), vec(sliding))
-        r = Mat(*(vec(row) for row in turn.as_matrix()))
+        r = Mat3(*(vec(row) for row in turn.as_matrix()))
         position = vec(self.place + self.velocity * t)
-        there = obstacle_seen(Obstacle(shape, GRIPPY, 0.0), position, r)
-        return meeting(there, model, CAGE, pose, vec(turn.inv().apply(self.omega)), r.z)
+        there = obstacle_in_body_frame(Obstacle(shape, GRIPPY, 0.0), position, r)
+        return cage_contact(there, model, CAGE, pose, vec(turn.inv().apply(self.omega)), r.z)
 
 
 @given(seed=seeds)
@@ -128,10 +128,10 @@ def test_both_points_agree_for_a_level_vehicle_hit_along_an_arm(
     ahead = Vec(1.0, 0.0, 0.0)
     pose = ArmPose(ahead, LENGTH * ahead, Vec(speed + slide, 0.0, 0.0))
     place = Vec(depth - LENGTH - CAGE, 0.0, 0.0)
-    wall = obstacle_seen(Obstacle(FACE, GRIPPY, 0.0), place, LEVEL)
+    wall = obstacle_in_body_frame(Obstacle(FACE, GRIPPY, 0.0), place, LEVEL)
     still = Vec(0.0, 0.0, 0.0)
     ring, paper = (
-        meeting(wall, model, CAGE, pose, still, Vec(0.0, 0.0, 1.0)) for model in (EXACT, PAPER)
+        cage_contact(wall, model, CAGE, pose, still, Vec(0.0, 0.0, 1.0)) for model in (EXACT, PAPER)
     )
     assert ring.gap == pytest.approx(-depth, abs=1e-14)
     assert paper.gap == pytest.approx(-depth, abs=1e-14)
@@ -143,10 +143,10 @@ def test_both_points_agree_for_a_level_vehicle_hit_along_an_arm(
 def test_flat_cage_on_the_ground_is_carried_at_its_centre() -> None:
     """A level cage touches all around, so the force acts at the arm's end, not at some rim point."""
     below = Obstacle(Plane(Vec(0.0, 0.0, 1.0), 0.0), GRIPPY, 1.0)
-    ground = obstacle_seen(below, Vec(0.0, 0.0, -0.002), LEVEL)
+    ground = obstacle_in_body_frame(below, Vec(0.0, 0.0, -0.002), LEVEL)
     ahead, up, still = Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 1.0), Vec(0.0, 0.0, 0.0)
     pose = ArmPose(ahead, LENGTH * ahead, still)
-    met = meeting(ground, ROUNDED, CAGE, pose, still, up)
+    met = cage_contact(ground, ROUNDED, CAGE, pose, still, up)
     # The rounded corner lets a flat cage sink by ε r_0 more, 0.11 mm.
     assert met.gap == pytest.approx(-0.002, abs=1.2e-4)
     assert met.touch.on_ground == 1.0
@@ -175,7 +175,7 @@ def test_central_gap_on_a_curved_obstacle(shape: Any) -> None:
     e = towards / np.linalg.norm(towards)
     pose = ArmPose(vec(e), vec(LENGTH * e), vec(2.0 * e))
     still = Vec(0.0, 0.0, 0.0)
-    there = obstacle_seen(Obstacle(shape, GRIPPY, 0.0), still, LEVEL)
-    met = meeting(there, EXACT, CAGE, pose, still, Vec(0.0, 0.0, 1.0))
+    there = obstacle_in_body_frame(Obstacle(shape, GRIPPY, 0.0), still, LEVEL)
+    met = cage_contact(there, EXACT, CAGE, pose, still, Vec(0.0, 0.0, 1.0))
     assert met.gap == pytest.approx(math.hypot(0.5, 0.1) - shape.radius - LENGTH - CAGE)
     assert met.rate == pytest.approx(-2.0)

@@ -11,7 +11,7 @@ import pytest
 from contact.own_obstacles import Pole
 from contact.scenes import surface
 from springback.batch.scenarios import fly_scenarios
-from springback.contact.cage import FAR, Meeting
+from springback.contact.cage import FAR, CageContact
 from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Again, Obstacle, Plane
 from springback.contact.restitution import restitution
@@ -43,7 +43,7 @@ def value(flight: Flight, name: str) -> float:
     return found
 
 
-def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADIUS) -> Meeting:
+def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADIUS) -> CageContact:
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
     return hull_meeting(

@@ -11,13 +11,13 @@ from springback.contact.parameters import Mat, faces, obstacles
 from springback.contact.surfaces import ThreeHalves
 from springback.kernels.vectors import Vec
 from springback.results.flight import fly
-from springback.simulation.flight import Flown, fly_one
+from springback.simulation.flight import FlightRecord, fly_one
 from springback.simulation.measures import Outcome, measures_of
 
 NOWHERE = Plane(Vec(-1.0, 0.0, 0.0), 0.0)
 
 
-def hit(mat: Mat, speed: float) -> Flown:
+def hit(mat: Mat, speed: float) -> FlightRecord:
     """A rigid vehicle of 1.5 kg into a mat whose face is at x = 0, by one cage."""
     model = one_arm(NOWHERE, surface(), until=0.06)
     built = World(obstacles((mat,)), Forces(0.0), 0.0)

@@ -13,10 +13,10 @@ from scipy.spatial.transform import Rotation
 from contact.own_obstacles import Ball, Pole
 from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
 from springback.contact.cage import Ring
-from springback.contact.obstacles import Plane, outward_normal, seen, signed_distance
+from springback.contact.obstacles import Plane, in_body_frame, outward_normal, signed_distance
 from springback.dynamics.motion import Free
 from springback.kernels.compiler import cache_folder
-from springback.kernels.vectors import Mat, Vec, norm
+from springback.kernels.vectors import Mat3, Vec, norm
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import measures_of
 from springback.simulation.record import Model
@@ -125,9 +125,9 @@ def test_body_axes_change_neither_distance_nor_normal() -> None:
     rng = np.random.default_rng(3)
     for shape in (Plane(Vec(0.36, -0.48, 0.8), 0.3), Pole(0.5, 0.1, 0.08)):
         turn, place = Rotation.random(random_state=rng), rng.normal(size=3)
-        r = Mat(*(Vec(*(float(x) for x in row)) for row in turn.as_matrix()))
+        r = Mat3(*(Vec(*(float(x) for x in row)) for row in turn.as_matrix()))
         position = Vec(*(float(x) for x in place))
-        from_body, point = seen(shape, position, r), Vec(0.3, -0.2, 0.1)
+        from_body, point = in_body_frame(shape, position, r), Vec(0.3, -0.2, 0.1)
         there = position + r @ point
         apart = signed_distance(shape, there)
         assert signed_distance(from_body, point) == pytest.approx(apart, abs=1e-14)

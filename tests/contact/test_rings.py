@@ -16,17 +16,17 @@ from contact.own_obstacles import Ball, Pole
 from springback.contact.cage import ArmTip, Ring, facing
 from springback.contact.obstacles import (
     Again,
+    InBodyFrame,
     Obstacle,
     Plane,
-    Seen,
-    obstacle_seen,
+    obstacle_in_body_frame,
     outward_normal,
     signed_distance,
 )
 from springback.contact.parameters import SurfaceSettings, obstacles
 from springback.contact.rings import ARCS, FAR, STEPS, TRIES, lowest_on_ring
 from springback.kernels.compiler import kernel
-from springback.kernels.vectors import Mat, Quat, Vec, positive_part, rotation
+from springback.kernels.vectors import Mat3, Quat, Vec, positive_part, rotation
 from springback.results.flight import fly
 from springback.vehicle.state import ArmPose
 
@@ -92,31 +92,31 @@ def slab_normal(slab: Slab, point: Vec) -> Vec:
     return Vec(0.0, 0.0, 1.0)
 
 
-def turn(chance: np.random.Generator) -> Mat:
+def turn(chance: np.random.Generator) -> Mat3:
     """A random attitude."""
     q = chance.normal(size=4)
     return rotation(Quat(*map(float, q / np.linalg.norm(q))))
 
 
-def ring_at(shape: Any, centre: Vec, r: Mat) -> tuple[float, float]:
+def ring_at(shape: Any, centre: Vec, r: Mat3) -> tuple[float, float]:
     """Gaps of the two nearest points of a ring about a centre, in a plane turned by r."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
     gaps = []
     for wrapped in (shape, Again(shape)):
-        there = obstacle_seen(Obstacle(wrapped, None, 0.0), centre, r)  # type: ignore[arg-type]
+        there = obstacle_in_body_frame(Obstacle(wrapped, None, 0.0), centre, r)  # type: ignore[arg-type]
         gaps.append(facing(there, EXACT, RADIUS, pose).gap)
     return gaps[0], gaps[1]
 
 
-def touching_at(point: Vec, r: Mat, chance: np.random.Generator) -> Vec:
+def touching_at(point: Vec, r: Mat3, chance: np.random.Generator) -> Vec:
     """The centre of a ring of some attitude that passes through a point."""
     angle = chance.uniform(0.0, 2.0 * math.pi)
     return point - r @ Vec(RADIUS * math.cos(angle), RADIUS * math.sin(angle), 0.0)
 
 
-def sampled(shape: Any, centre: Vec, r: Mat, count: int = 2_000) -> float:
+def sampled(shape: Any, centre: Vec, r: Mat3, count: int = 2_000) -> float:
     """The least distance by dense sampling, then ever closer around the best."""
-    view = Seen(shape, centre, r)
+    view = InBodyFrame(shape, centre, r)
 
     def at(angle: float) -> float:
         return float(
@@ -131,7 +131,7 @@ def sampled(shape: Any, centre: Vec, r: Mat, count: int = 2_000) -> float:
     return at(best)
 
 
-def minima_by_quartic(centre: Vec, r: Mat) -> list[tuple[float, bool]]:
+def minima_by_quartic(centre: Vec, r: Mat3) -> list[tuple[float, bool]]:
     """Distances of a ring from the z axis at their minima, the least first.
 
     They are those of an ellipse, the ring's shadow along the axis, from a point: with t = tan(θ/2)
@@ -296,7 +296,9 @@ def test_a_search_asks_a_shape_less_often_than_golden_sections_did() -> None:
         r, radius = turn(chance), float(chance.choice(POLES))
         centre = touching_at(Vec(radius, 0.0, 0.0), r, chance)
         shape = Counted(Pole(0.0, 0.0, radius), [])
-        lowest_on_ring(Seen(shape, centre, r), Vec(0.0, 0.0, 0.0), RADIUS, Vec(1.0, 0.0, 0.0))
+        lowest_on_ring(
+            InBodyFrame(shape, centre, r), Vec(0.0, 0.0, 0.0), RADIUS, Vec(1.0, 0.0, 0.0)
+        )
         asked.append(len(shape.asked))
     assert len(asked) == 200
     assert np.mean(asked) < 85
@@ -345,7 +347,7 @@ def test_a_ring_meets_a_ball_where_the_closed_form_says() -> None:
 
 def test_a_ring_that_lies_on_a_pole_touches_it_twice() -> None:
     """On either side; and on one side only where the ring hangs over its end of the pole."""
-    level = Mat(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, -1.0), Vec(0.0, 1.0, 0.0))  # ring plane on edge
+    level = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, -1.0), Vec(0.0, 1.0, 0.0))  # ring plane on edge
     across = ring_at(Pole(0.0, 0.0, 0.01), Vec(0.0, -0.009, 0.0), level)
     assert across[0] == pytest.approx(-0.001, abs=1e-9)
     assert across[1] == pytest.approx(-0.001, abs=1e-9)
@@ -360,7 +362,7 @@ def test_a_ring_that_lies_flat_rests_on_one_point_outward_along_its_arm() -> Non
     assert first == pytest.approx(-0.002, abs=1e-12)
     assert second == FAR
     slanted = Vec(0.6, -0.8, 0.0)
-    view = Seen(Slab(0.0), Vec(0.0, 0.0, -0.002), level)
+    view = InBodyFrame(Slab(0.0), Vec(0.0, 0.0, -0.002), level)
     found = lowest_on_ring(view, Vec(0.0, 0.0, 0.0), RADIUS, slanted)
     assert found.first.towards == pytest.approx(slanted[:2], abs=1e-6)
 
@@ -380,7 +382,7 @@ def test_planes_are_met_by_the_closed_form_to_the_bit(model: Any) -> None:
         angle, length = chance.uniform(-math.pi, math.pi), float(chance.uniform(0.14, 0.19))
         e = Vec(math.cos(angle), math.sin(angle), 0.0)
         pose = ArmPose(e, Vec(e.x * length, e.y * length, 0.0), Vec(0.0, 0.0, 0.0))
-        there = obstacle_seen(Obstacle(Plane(n, offset), None, 0.0), at, r)  # type: ignore[arg-type]
+        there = obstacle_in_body_frame(Obstacle(Plane(n, offset), None, 0.0), at, r)  # type: ignore[arg-type]
         found = facing(there, model, RADIUS, pose)
 
         bx = n.x * r.x.x + n.y * r.y.x + n.z * r.z.x

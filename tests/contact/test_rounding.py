@@ -12,7 +12,7 @@ import pytest
 from springback.contact.cage import Ring
 from springback.scenario.model import RING_ROUNDING, flight_model, start_state
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import Flown, fly_one
+from springback.simulation.flight import FlightRecord, fly_one
 
 PAGE = Path(__file__).parents[2] / "docs" / "story" / "contact.md"
 #: Nearly none [rad]: a ring that lies flat would touch at no point in particular.
@@ -20,7 +20,7 @@ SHARP = 1e-4
 RADIUS = 0.11
 
 
-def flat_hit(tilt: float, rounding: float) -> Flown:
+def flat_hit(tilt: float, rounding: float) -> FlightRecord:
     """Quad without a hull, at 2 m/s into a wall that its rotor plane leans from by an angle [deg]."""
     wall = {"type": "wall", "distance": 1.0, "surface": "wall"}
     tables: dict[str, Any] = {

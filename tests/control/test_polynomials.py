@@ -11,7 +11,7 @@ from scipy.interpolate import BPoly
 
 from springback.control.demands import ROOM, Limits, demands, leaning, level_demands
 from springback.control.polynomials import (
-    Motion,
+    BoundaryCondition,
     as_reference,
     quintic,
     shared_times,
@@ -24,11 +24,11 @@ from springback.errors import InputError
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
 
-LIMITS = Limits(mass=1.41, gravity=9.81, most_thrust=27.5)
+LIMITS = Limits(mass=1.41, gravity=9.81, max_thrust=27.5)
 CORNERS = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.5], [1.0, 2.0, 2.0], [0.0, 1.0, 1.0]])
 TIMES = [0.0, 1.0, 2.5, 3.7]
-START = Motion(Vec(0.3, -0.2, 1.0), Vec(-3.5, 0.4, 0.1), Vec(2.0, -1.0, 0.5))
-END = Motion(Vec(0.1, 0.5, 1.2), Vec(0.5, 0.0, -0.3), Vec(-1.0, 0.2, 0.0))
+START = BoundaryCondition(Vec(0.3, -0.2, 1.0), Vec(-3.5, 0.4, 0.1), Vec(2.0, -1.0, 0.5))
+END = BoundaryCondition(Vec(0.1, 0.5, 1.2), Vec(0.5, 0.0, -0.3), Vec(-1.0, 0.2, 0.0))
 
 
 def test_quintic_against_the_six_equations() -> None:
@@ -57,7 +57,10 @@ def test_recovery_of_the_paper_swings_as_printed() -> None:
     # Pitch at 3.5 m/s printed as -66 and +49 deg; a quintic from the collision with the speed before
     # it to rest 0.1 m back in 0.19 s²/m · 3.5 m/s gives -66 and +49.6 deg.
     still = Vec(0.0, 0.0, 0.0)
-    start, end = Motion(still, Vec(3.5, 0.0, 0.0), still), Motion(Vec(-0.1, 0.0, 0.0), still, still)
+    start, end = (
+        BoundaryCondition(still, Vec(3.5, 0.0, 0.0), still),
+        BoundaryCondition(Vec(-0.1, 0.0, 0.0), still, still),
+    )
     curve = quintic(start, end, 0.19 * 3.5, 0.0, 0.0)
     a = [target(curve, t).acceleration.x for t in np.linspace(0.0, 0.665, 2001)]
     tilt, _ = leaning(np.array(a), 0.0, 9.81)
@@ -160,8 +163,8 @@ def test_demands_of_a_circle() -> None:
 
     asked = demands(circle, [0.0, 1.0], LIMITS)
     tilt = math.atan2(v * v / r, 9.81)
-    assert asked.most_thrust == pytest.approx(1.41 * math.hypot(9.81, v * v / r))
-    assert asked.least_thrust == pytest.approx(asked.most_thrust)
+    assert asked.max_thrust == pytest.approx(1.41 * math.hypot(9.81, v * v / r))
+    assert asked.min_thrust == pytest.approx(asked.max_thrust)
     assert asked.tilt == pytest.approx(tilt)
     assert asked.tilt_rate == pytest.approx(v / r * math.sin(tilt))
 
@@ -178,18 +181,18 @@ def test_level_demands_agree_with_those_in_space() -> None:
     ("limits", "words"),
     [
         (
-            LIMITS._replace(most_thrust=15.0),
+            LIMITS._replace(max_thrust=15.0),
             r"thrust of [\d.]+ N, [\d.]+ N beyond the limit of 15 N",
         ),
         (
-            LIMITS._replace(least_thrust=13.9),
+            LIMITS._replace(min_thrust=13.9),
             r"least thrust of [\d.]+ N, .* below the limit of 13.9 N",
         ),
         (
-            LIMITS._replace(most_tilt=0.1),
+            LIMITS._replace(max_tilt=0.1),
             r"tilt of [\d.]+ deg, [\d.]+ deg beyond the limit of 5.73 deg",
         ),
-        (LIMITS._replace(most_body_rate=1.0), r"tilt rate of [\d.]+ deg/s, .* limit of 57.3 deg/s"),
+        (LIMITS._replace(max_body_rate=1.0), r"tilt rate of [\d.]+ deg/s, .* limit of 57.3 deg/s"),
     ],
 )
 def test_what_cannot_be_flown_names_the_limit(limits: Limits, words: str) -> None:
@@ -199,4 +202,4 @@ def test_what_cannot_be_flown_names_the_limit(limits: Limits, words: str) -> Non
 
 def test_too_weak_to_hover() -> None:
     with pytest.raises(InputError, match="however slow"):
-        through(CORNERS, LIMITS._replace(most_thrust=13.0))
+        through(CORNERS, LIMITS._replace(max_thrust=13.0))

@@ -22,7 +22,7 @@ from springback.control.position import (
 )
 from springback.control.target import Target
 from springback.kernels.trees import leaves
-from springback.kernels.vectors import Mat, Quat, Vec, quaternion_of, rotation
+from springback.kernels.vectors import Mat3, Quat, Vec, quaternion_of, rotation
 from springback.sensing.measurement import Estimate
 
 MASS, GRAVITY = 1.22, 9.81
@@ -146,7 +146,7 @@ def test_tilt_stays_within_its_limit_and_lift_above_zero() -> None:
         assert aimed(law, acceleration=a).target.thrust == pytest.approx(along, rel=1e-12)
         assert axis[2] >= math.cos(most) - 1e-12
         limited += axis[2] < math.cos(most) + 1e-9
-        if a.z + GRAVITY > law.least_lift / MASS:  # height goes before sideways motion
+        if a.z + GRAVITY > law.min_lift / MASS:  # height goes before sideways motion
             assert force.z == pytest.approx(MASS * (a.z + GRAVITY), rel=1e-12)
     assert limited > 50
 
@@ -179,7 +179,7 @@ def test_quaternion_of_a_matrix() -> None:
         assert back.w >= 0.0
         assert abs(np.dot(leaves(back), leaves(q))) == pytest.approx(1.0, abs=1e-14)
         assert np.abs(np.array(rotation(back)) - np.array(rotation(q))).max() < 1e-14
-    assert quaternion_of(Mat(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))) == LEVEL
+    assert quaternion_of(Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))) == LEVEL
 
 
 def test_plain_python_is_the_compiled_law() -> None:
@@ -208,7 +208,7 @@ def test_height_goes_first_where_thrust_is_short() -> None:
     for _ in range(200):
         force = random_vec(rng, 40.0)
         got = upward(law, force)
-        lift = min(max(force.z, law.least_lift), most)
+        lift = min(max(force.z, law.min_lift), most)
         assert got.z == pytest.approx(lift, rel=1e-12)
         across, asked = math.hypot(got.x, got.y), math.hypot(force.x, force.y)
         room = max(math.sqrt(most**2 - lift**2), law.margin * most)

@@ -13,7 +13,7 @@ from control.random_turns import random_vec
 from springback.control.parameters import ControlSettings
 from springback.control.rate import RateLaw, inertia_at, rate_memory, turn
 from springback.kernels.trees import leaves
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import Mat3, Vec
 from springback.vehicle.library import VEHICLES
 
 ZERO = Vec(0.0, 0.0, 0.0)
@@ -24,9 +24,9 @@ def law(**changes: object) -> RateLaw:
     return ControlSettings(**{"gyro_cutoff": 0.0, "rate_integral": 0.0, **changes}).rate_law()
 
 
-def full_inertia() -> Mat:
+def full_inertia() -> Mat3:
     r = Rotation.from_rotvec([0.3, -0.5, 0.2]).as_matrix()
-    return Mat(*(Vec(*map(float, row)) for row in r @ np.diag([0.01, 0.012, 0.02]) @ r.T))
+    return Mat3(*(Vec(*map(float, row)) for row in r @ np.diag([0.01, 0.012, 0.02]) @ r.T))
 
 
 def test_angular_acceleration_is_gain_times_error_for_any_inertia() -> None:
@@ -77,7 +77,7 @@ def test_derivative_acts_against_angular_acceleration() -> None:
 def test_integral_holds_against_a_steady_torque() -> None:
     """About one axis with unit inertia and a torque of −2 N m: the rate returns to its set-point."""
     rate_law = law(rate_integral=60.0)
-    unit = Mat(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
+    unit = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
     for given, left in ((rate_law, 0.0), (law(), -2.0 / ControlSettings().rate_gain)):
         omega, memory = ZERO, rate_memory(ZERO)
         for _ in range(4000):

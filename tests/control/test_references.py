@@ -17,7 +17,7 @@ from springback.control.target import Target, target
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, norm
 
-LIMITS = Limits(mass=1.41, gravity=9.81, most_thrust=27.5)
+LIMITS = Limits(mass=1.41, gravity=9.81, max_thrust=27.5)
 HOLD = Hold(Vec(0.5, -1.0, 2.0), 0.3)
 STEPS = Steps((SetPoint(0.0, Vec(0.0, 0.0, 1.0), 0.0), SetPoint(5.0, Vec(1.0, 0.0, 1.0), 0.2)))
 CIRCLE = Circle(Vec(0.1, 0.2, 1.0), 1.0, 2.0, 0.4, 0.5, 0.0, 0.1)

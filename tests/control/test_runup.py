@@ -74,9 +74,9 @@ def test_can_be_flown_and_says_what_it_asks(robot: str, pitch: float, speed: flo
     assert thrust == pytest.approx(run.largest_thrust, rel=1e-4)
     assert np.abs(tilts).max() == pytest.approx(run.largest_tilt, rel=1e-3)
     assert rate == pytest.approx(run.largest_tilt_rate, rel=1e-2)  # differences of 1 to 2 ms
-    assert run.largest_thrust <= bounds.most_thrust
-    assert run.largest_tilt <= bounds.most_tilt
-    assert run.largest_tilt_rate <= bounds.most_body_rate
+    assert run.largest_thrust <= bounds.max_thrust
+    assert run.largest_tilt <= bounds.max_tilt
+    assert run.largest_tilt_rate <= bounds.max_body_rate
     assert min(now.velocity.x for now in path) > -1e-3 * speed  # never moves back
 
 
@@ -177,7 +177,7 @@ def test_the_distance_it_asks_for_is_enough() -> None:
     assert re.search(r"m more than the 2 m it has; within 2 m it needs a tilt rate of", words)
     needed = float(words.split("distance of ")[1].split(" m")[0])
     assert 2.0 < needed < made("arq", -45, 2.0).contact_position.x  # it does fit the paper's way
-    assert attempt(needed * 1.005).largest_tilt_rate <= limits("arq").most_body_rate  # three digits
+    assert attempt(needed * 1.005).largest_tilt_rate <= limits("arq").max_body_rate  # three digits
 
 
 def test_wall_must_be_before_the_start() -> None:

@@ -20,9 +20,9 @@ LIMITS = Limits(1.15, 9.81, 28.0, 2.0)
 
 
 def some_courses() -> tuple[np.ndarray, np.ndarray, np.ndarray, Courses]:
-    luck = np.random.default_rng(0)
-    first, last = luck.standard_normal((2, 4, 9))
-    durations = luck.uniform(0.1, 5.0, 9)
+    noise_stream = np.random.default_rng(0)
+    first, last = noise_stream.standard_normal((2, 4, 9))
+    durations = noise_stream.uniform(0.1, 5.0, 9)
     return first, last, durations, septics(first, last, durations, 31)
 
 
@@ -36,7 +36,7 @@ def test_they_are_scipys_polynomials() -> None:
             assert found[:, k] == pytest.approx(wanted, abs=1e-9 * np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("limits", [LIMITS, LIMITS._replace(least_thrust=20.0)])
+@pytest.mark.parametrize("limits", [LIMITS, LIMITS._replace(min_thrust=20.0)])
 def test_shares_are_those_of_single_courses(limits: Limits) -> None:
     *_, courses = some_courses()
     for k, found in enumerate(shares(courses, limits)):

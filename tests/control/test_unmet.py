@@ -7,7 +7,7 @@ import pytest
 from springback.control.mixing import wrench_of
 from springback.control.rate import turn
 from springback.kernels.vectors import ZERO, Vec, norm
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.ticks import decided
 
@@ -16,11 +16,15 @@ from springback.simulation.ticks import decided
 def test_unmet_is_what_was_asked_less_what_is_given(roll_rate: float, is_too_much: bool) -> None:
     scenario = scenario_from({"vehicle": "quad", "reference": {"type": "hold"}})
     model, start = scenario.flight_model(), scenario.start_state()
-    cabin = board_of(scenario, model, start).cabin
-    pilot, memory, seen = cabin.guidance.pilot, cabin.aboard.pilot, cabin.aboard.measurement
+    avionics = build_avionics(scenario, model, start).avionics
+    pilot, memory, seen = (
+        avionics.systems.pilot,
+        avionics.onboard.pilot,
+        avionics.onboard.measurement,
+    )
     setpoint = Vec(roll_rate, 0.0, 0.0)
     before = memory.autopilot._replace(setpoint=setpoint)
-    after = decided(pilot, cabin.guidance.period, 1, seen, memory._replace(autopilot=before), 4)
+    after = decided(pilot, avionics.systems.period, 1, seen, memory._replace(autopilot=before), 4)
     own = after.memory.autopilot
     inertia, omega = own.built.tree.inertia, after.memory.estimate.angular_velocity
     asked = turn(pilot.rate, inertia, setpoint, omega, ZERO, before.rate).moment

@@ -12,8 +12,8 @@ import pytest
 
 from oracles import models
 from springback.dynamics.air import Air, AirSettings, Still, aerodynamics, in_wind
-from springback.dynamics.gusts import Calm, first_gust, gust
-from springback.dynamics.impulse import struck
+from springback.dynamics.gusts import NoGusts, first_gust, gust
+from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import Motion, rates
 from springback.errors import InputError
 from springback.kernels.trees import leaves
@@ -21,7 +21,7 @@ from springback.kernels.vectors import Vec, rotation
 from springback.results.flight import as_scenario
 from springback.scenario.scenario import scenario_from
 from springback.simulation.executor import settled
-from springback.simulation.flight import Flown, fly_one, still_work
+from springback.simulation.flight import FlightRecord, fly_one, still_work
 from springback.simulation.measures import measures_of
 from springback.simulation.record import FINISHED
 
@@ -47,7 +47,7 @@ def rates_in(air: Any, scene: models.Scene, start: models.Start) -> Any:
     )  # fmt: skip
 
 
-def flown_in(air: Any, scene: models.Scene, start: models.Start, **how: Any) -> Flown:
+def flown_in(air: Any, scene: models.Scene, start: models.Start, **how: Any) -> FlightRecord:
     """A flight of plain Python in some air."""
     model = models.model_of(scene, **how)._replace(air=air)
     flown = fly_one(model, models.state_of(start), trace=False, executor="python")
@@ -253,7 +253,7 @@ def test_rare_events_keep_what_the_air_took() -> None:
     known = Motion(start, still_work()._replace(air=3.0))
     assert settled(model, known).work.air == 3.0
     at_the_wall = start._replace(position=Vec(0.7557, 0.0, 1.0))
-    hit = struck(
+    hit = apply_impulses(
         model.airframe, model.world, model.contact_point, known._replace(state=at_the_wall)
     )
     assert hit.work.contact > 0.1
@@ -274,8 +274,8 @@ def test_plain_python_is_the_compiled_air() -> None:
     settings = AirSettings(**WINDY, gusts={"wind_at_6_m": 7.7})
     for air, weather in (
         (settings.air(), settings.turbulence(0.002)),
-        (Still(0.0), Calm(0.0)),
-        (DRAG, Calm(0.0)),
+        (Still(0.0), NoGusts(0.0)),
+        (DRAG, NoGusts(0.0)),
     ):
         for seed in range(5):
             start = random_instant(seed)[1]
@@ -321,6 +321,6 @@ def test_bad_air_is_refused_in_one_line(tables: dict[str, Any], said: str) -> No
 def test_without_words_on_air_it_is_still() -> None:
     """The paper's assumption 1."""
     assert scenario_from(BASE).flight_model().air == Still(0.0)
-    assert AirSettings().turbulence(0.01) == Calm(0.0)
+    assert AirSettings().turbulence(0.01) == NoGusts(0.0)
     model, _ = windy_impact()
     assert model.air == Air(Vec(-3.0, 2.0, 0.5), Vec(0.3, 0.2, 0.1), 0.02, Vec(0.01, 0.01, 0.0))

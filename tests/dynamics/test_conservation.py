@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from oracles import models, routh
 from oracles.rigid import rigid
-from springback.dynamics.crossing import NEVER, time_to
+from springback.dynamics.crossing import NO_CROSSING, time_to
 from springback.dynamics.energy import Energy, angular_momentum, energy, locked
-from springback.dynamics.impulse import struck
+from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import Motion
-from springback.kernels.trees import along
-from springback.simulation.flight import Flown, still_work
+from springback.kernels.trees import axpy
+from springback.simulation.flight import FlightRecord, still_work
 
 Array = NDArray[np.float64]
 
@@ -92,7 +92,7 @@ def test_power_balances_at_every_instant(contact: Any, friction_axes: Any, relea
         state, power = models.state_of(start), known.motion.work
 
         def total(h: float, scene: Any = scene, state: Any = state, known: Any = known) -> float:
-            there = along(state, known.motion.state, h)
+            there = axpy(state, known.motion.state, h)
             return models.energy_of(scene, models.start_of(there)).total
 
         h = 1e-6
@@ -121,7 +121,7 @@ def test_the_gap_closes_at_its_own_rate() -> None:
         known = models.rates_of(scene, start)
 
         def gaps(h: float, scene: Any = scene, start: Any = start, known: Any = known) -> Array:
-            there = along(models.state_of(start), known.motion.state, h)
+            there = axpy(models.state_of(start), known.motion.state, h)
             seen = models.rates_of(scene, models.start_of(there)).seen
             return np.array([arm.gap for arm in seen.arms])
 
@@ -132,7 +132,7 @@ def test_the_gap_closes_at_its_own_rate() -> None:
                 foreseen += 1
                 assert time_to(arm.crossing) * abs(slope) == pytest.approx(abs(arm.gap), rel=1e-6)
             else:
-                assert time_to(arm.crossing) == NEVER
+                assert time_to(arm.crossing) == NO_CROSSING
     assert foreseen > 60
 
 
@@ -163,7 +163,7 @@ def impact(seed: int, **scene: Any) -> tuple[models.Scene, models.Start]:
     return models.touching(made, start, 0, 0.01), start
 
 
-def unbooked(flown: Flown) -> float:
+def unbooked(flown: FlightRecord) -> float:
     """Energy that appeared from nowhere, as a share of the kinetic energy at the start."""
     w = flown.motion.work
     losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
@@ -367,7 +367,7 @@ def _contact_velocity(scene: models.Scene, now: models.Start, k: int) -> Array:
 
 def kicked(scene: models.Scene, start: models.Start) -> tuple[models.Start, Motion]:
     """State and ledger just after the impulses."""
-    after = struck(
+    after = apply_impulses(
         models.airframe_of(scene.craft),
         models.world_of(scene),
         models.contact_point_of(scene),

@@ -10,7 +10,7 @@ import pytest
 from springback.dynamics.air import Air, Still
 from springback.dynamics.energy import energy
 from springback.dynamics.motion import rates
-from springback.dynamics.rigid import Flight, as_one_body, flight_rates, flown_on, stepped
+from springback.dynamics.rigid import RigidState, as_one_body, flight_rates, flown_on, stepped
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.scenario import scenario_from
@@ -50,7 +50,9 @@ def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
             model.thrust, 0.0,
         )  # fmt: skip
         body = as_one_body(model.airframe, state.arm_length, model.thrust)
-        x = Flight(state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0)
+        x = RigidState(
+            state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0
+        )
         short = flight_rates(body, model.guide, air, model.world.gravity, x)
         s, w = whole.motion.state, whole.motion.work
         expected = [*s.position, *s.attitude, *s.velocity, *s.angular_velocity, w.thrust, w.air]
@@ -61,12 +63,12 @@ def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
         )
 
 
-def flown(step: Any, air: Still | Air, h: float) -> Flight:
+def flown(step: Any, air: Still | Air, h: float) -> RigidState:
     """A fifth of a second under uneven thrusts, arms of uneven lengths: its mass centre is off."""
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
     body = as_one_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
-    x = Flight(s.position, s.attitude, s.velocity, s.angular_velocity, 0.0, 0.0)
+    x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.0, 0.0)
     for _ in range(round(0.2 / h)):
         x = step(model.guide, air, body, model.world.gravity, x, h).flight
     return x
@@ -87,7 +89,7 @@ def test_a_step_begins_with_what_is_seen(air: Still | Air) -> None:
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
     body = as_one_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
-    x = Flight(s.position, s.attitude, s.velocity, s.angular_velocity, 0.3, 0.2)
+    x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.3, 0.2)
     known = flown_on(model.guide, air, body, model.world.gravity, x, 1e-3).known
     expected = flight_rates(body, model.guide, air, model.world.gravity, x)
     np.testing.assert_allclose(leaves(known), leaves(expected), rtol=1e-12, atol=1e-12)
@@ -103,7 +105,7 @@ def test_the_rotors_work_is_the_energy_gained() -> None:
     )
     after = flown(flown_on, Still(0.0), 1e-3)
 
-    def total(x: Flight | State) -> float:
+    def total(x: RigidState | State) -> float:
         state = State(
             x.position, x.attitude, x.velocity, x.angular_velocity, lengths, (0.0,) * len(lengths)
         )

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Like, got, put, zeros
+from springback.kernels.layout import TreeLayout, load, store, zeros
 from springback.kernels.vectors import Vec
 
 
@@ -25,27 +25,27 @@ TREE = Outer((1.0, 2.0), Inner(Vec(3.0, 4.0, 5.0), 6.0))
 
 
 def test_a_like_knows_where_its_branches_lie() -> None:
-    like, buffer = Like(TREE), np.arange(6.0 * 2)
-    assert got(like.inner.place, buffer, 2, 1) == Vec(5.0, 7.0, 9.0)
-    assert got(like.inner.tree, buffer, 2, 0) == 10.0
-    put(Vec(0.1, 0.2, 0.3), like.inner.place, buffer, 2, 0)
+    like, buffer = TreeLayout(TREE), np.arange(6.0 * 2)
+    assert load(like.inner.place, buffer, 2, 1) == Vec(5.0, 7.0, 9.0)
+    assert load(like.inner.tree, buffer, 2, 0) == 10.0
+    store(Vec(0.1, 0.2, 0.3), like.inner.place, buffer, 2, 0)
     assert buffer.tolist() == [0, 1, 2, 3, 0.1, 5, 0.2, 7, 0.3, 9, 10, 11]
 
 
 def test_the_same_when_compiled() -> None:
     @numba.njit
-    def moved(like: Like, buffer: np.ndarray) -> float:
-        place = got(like.inner.place, buffer, 2, 1)
-        put(place * 2.0, like.inner.place, buffer, 2, 1)
-        return got(like.inner.tree, buffer, 2, 1)
+    def moved(like: TreeLayout, buffer: np.ndarray) -> float:
+        place = load(like.inner.place, buffer, 2, 1)
+        store(place * 2.0, like.inner.place, buffer, 2, 1)
+        return load(like.inner.tree, buffer, 2, 1)
 
     buffer = np.arange(12.0)
-    assert moved(Like(TREE), buffer) == 11.0
+    assert moved(TreeLayout(TREE), buffer) == 11.0
     assert buffer[5::2].tolist() == [10.0, 14.0, 18.0, 11.0]
 
 
 @generic
-def spoken(who: Like) -> float:
+def spoken(who: TreeLayout) -> float:
     raise TypeError
 
 
@@ -57,7 +57,7 @@ def speaker(word: float) -> type:
 
     @spoken.register(Speaker)
     @kernel
-    def _(who: Like) -> float:
+    def _(who: TreeLayout) -> float:
         return word
 
     return Speaker
@@ -67,24 +67,24 @@ def test_namesakes_are_not_taken_for_one_another() -> None:
     one, other = speaker(1.0), speaker(2.0)
 
     @numba.njit
-    def asked(who: Like) -> float:
+    def asked(who: TreeLayout) -> float:
         return spoken(who)
 
-    assert [asked(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
-    assert [spoken(Like(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
+    assert [asked(TreeLayout(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
+    assert [spoken(TreeLayout(cls(0.0))) for cls in (one, other)] == [1.0, 2.0]
 
 
 def test_rows_are_known_to_lie_apart() -> None:
     """The compiler packs a loop over lanes without asking first whether rows overlap."""
 
     @numba.njit(error_model="numpy")
-    def turned(like: Like, one: np.ndarray, other: np.ndarray, ones: np.ndarray) -> None:
+    def turned(like: TreeLayout, one: np.ndarray, other: np.ndarray, ones: np.ndarray) -> None:
         for i in range(8 * ones.shape[0]):
-            place = got(like.inner.place, one, 8, i)
-            put(place @ place, like.inner.tree, other, 8, i)
+            place = load(like.inner.place, one, 8, i)
+            store(place @ place, like.inner.tree, other, 8, i)
 
     one, other = np.arange(6.0 * 8), np.zeros(6 * 8)
-    turned(Like(TREE), one, other, np.ones(1))
+    turned(TreeLayout(TREE), one, other, np.ones(1))
     assert other[5 * 8 + 1] == 17.0**2 + 25.0**2 + 33.0**2
     (code,) = turned.inspect_llvm().values()
     assert "vector.body" in code

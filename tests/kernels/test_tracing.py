@@ -9,16 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.kernels.tracing import NO_FORMULA, Cell, Filled, Sheet, cos, sin, sqrt
+from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced, cos, sin, sqrt
 from springback.kernels.vectors import Vec
 
 ROWS = np.random.default_rng(5).normal(size=(50, 3))
 Function = Callable[[Any, Any, Any], Any]
 
 
-def worked_out(function: Function, rows: Any = ROWS) -> tuple[Any, Filled]:
+def worked_out(function: Function, rows: Any = ROWS) -> tuple[Any, Evaluated]:
     """A function given cells, and the sheet worked out."""
-    sheet = Sheet(rows)
+    sheet = Tape(rows)
     return function(*sheet.first), sheet.filled()
 
 
@@ -42,7 +42,7 @@ def arrays(a: Any, b: Any, c: Any) -> Any:
 @pytest.mark.parametrize("function", [arithmetic, roots_and_angles, vectors, arrays])
 def test_every_row_is_that_of_the_function(function: Function) -> None:
     cell, filled = worked_out(function)
-    assert isinstance(cell, Cell)
+    assert isinstance(cell, Traced)
     assert filled.holds.all()
     alone = np.array([function(*row) for row in ROWS.tolist()])
     assert filled.of(cell, np.arange(len(ROWS))).tobytes() == alone.tobytes()
@@ -97,10 +97,10 @@ def test_rows_that_python_would_refuse_do_not_hold() -> None:
 )  # fmt: skip
 def test_what_a_cell_does_not_know_it_says(asks_more: Callable[[Any], Any]) -> None:
     """Nothing takes a cell for the number of the first row."""
-    cell = Sheet(ROWS).first[0]
+    cell = Tape(ROWS).first[0]
     with pytest.raises(NO_FORMULA):
         asks_more(cell)
 
 
 def test_a_number_is_no_word() -> None:
-    assert Sheet(ROWS).first[0] != "hover"
+    assert Tape(ROWS).first[0] != "hover"

@@ -20,8 +20,8 @@ from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, Vert
 from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import Free, Rates, Slider, rates
-from springback.kernels.vectors import Mat, Quat, Vec
-from springback.simulation.flight import Flown, fly_one
+from springback.kernels.vectors import Mat3, Quat, Vec
+from springback.simulation.flight import FlightRecord, fly_one
 from springback.simulation.record import Model, Timing
 from springback.vehicle.state import Airframe, Arm, Sphere, State
 
@@ -145,7 +145,7 @@ def airframe_of(craft: Craft) -> Airframe:
         )
         for arm in craft.arms
     )
-    inertia = Mat(*(vec(row) for row in craft.inertia))
+    inertia = Mat3(*(vec(row) for row in craft.inertia))
     hull = () if craft.hull is None else (Sphere(vec(craft.hull.centre), craft.hull.radius),)
     return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms, hull=hull)
 
@@ -286,7 +286,7 @@ def fly(
     free_step: float | None = None,
     hybrid: bool = False,
     trace: bool = False,
-) -> Flown:
+) -> FlightRecord:
     """A whole flight by the package's compiled executor."""
     model = model_of(
         scene, until=until, impact_step=impact_step, free_step=free_step, hybrid=hybrid
@@ -406,7 +406,7 @@ def with_hull(scene: Scene, start: Start, rng: np.random.Generator) -> Scene:
     return replace(scene, craft=replace(scene.craft, hull=hull))
 
 
-def path(flown: Flown, name: str) -> Array:
+def path(flown: FlightRecord, name: str) -> Array:
     """One trajectory: ``time``, ``position``, ``velocity``, ``attitude``, ``omega``, ``acceleration``
     or ``lengths``, with shape (instants,) or (instants, components)."""
     assert flown.trace is not None

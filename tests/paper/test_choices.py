@@ -22,8 +22,8 @@ from springback.paper.choices import (
     OURS,
     ROBOTS,
     VERTICAL,
-    Cell,
     ChoiceResults,
+    ConditionOutcome,
     choices_sentences,
     fly_choices,
     is_plausible,
@@ -49,7 +49,7 @@ def made_up(shares: dict[tuple[str, float, float], float], trials: int = 100) ->
             won = round(trials * shares.get((robot, pitch, speed), 1.0))
             ends = {"recovered": won, "not_settled": trials - won}
             results.cells.append(
-                Cell(CHOICES[0], 11.0, robot, pitch, speed, trials, won, ends,
+                ConditionOutcome(CHOICES[0], 11.0, robot, pitch, speed, trials, won, ends,
                      dict.fromkeys(MEDIANS, 0.5))
             )  # fmt: skip
     return results

@@ -234,7 +234,7 @@ def test_rate_gain_is_that_of_the_autopilot() -> None:
     quad = VEHICLES["quad"].vehicle
     assert quad.propulsion is not None
     half = math.sqrt(0.5)
-    moment = 0.15 * 4.0 * quad.propulsion.most_thrust * half * quad.lengths()[0] * half
+    moment = 0.15 * 4.0 * quad.propulsion.max_thrust * half * quad.lengths()[0] * half
     roll, pitch = moment / quad.inertia()[0, 0], moment / quad.inertia()[1, 1]
     assert pitch < ControlSettings().rate_gain < roll
     assert ControlSettings().rate_gain == pytest.approx((roll + pitch) / 2.0, rel=0.02)

@@ -74,10 +74,10 @@ def test_both_robots_are_dealt_the_same_luck(results: ResilienceResults) -> None
     arq, quad = (results.sample(robot, 0.0, 2.0) for robot in ROBOTS)
     assert arq is not None
     assert quad is not None
-    assert arq.luck == quad.luck
+    assert arq.noise_stream == quad.noise_stream
     for name in ("x", "y", "z", "vx", "vy", "vz"):
         assert arq.flight.columns[name][0] == quad.flight.columns[name][0]
-    assert arq.luck != Scatter().drawn("arq", 0.0, 2.0, 1, 0)
+    assert arq.noise_stream != Scatter().drawn("arq", 0.0, 2.0, 1, 0)
 
 
 def test_a_sample_is_the_first_trial_once_more(results: ResilienceResults) -> None:

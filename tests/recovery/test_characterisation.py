@@ -12,12 +12,12 @@ from springback.kernels.vectors import Quat, Vec, norm, rotation
 from springback.recovery.characterisation import (
     Characterisation,
     Collision,
-    Impression,
-    characterised,
+    CollisionObservation,
+    characterise,
     contact_point,
-    impressed,
     looked_enough,
-    no_impression,
+    no_observation,
+    observe,
     unclipped,
 )
 from springback.recovery.line_of_action import level_normal, lever_of, passed, turned_back
@@ -76,7 +76,7 @@ def seen(force: Vec = NONE, lengths: tuple[float, ...] = LENGTHS) -> Measurement
     return Measurement(Inertial(force, NONE, 1.0), Pose(NONE, LEVEL, 1.0, 0.0), lengths, 1.0, still)
 
 
-def made_out(
+def characterisation_error(
     normal: Vec,
     friction: float,
     arms: dict[int, float],
@@ -85,7 +85,7 @@ def made_out(
     pitch: float = 0.0,
     pressed: tuple[float, ...] = (0.0,) * 4,
     look: Characterisation = LOOK,
-    law: Any = characterised,
+    law: Any = characterise,
 ) -> Collision:
     """A collision with an upright wall.
 
@@ -97,14 +97,14 @@ def made_out(
         pitch: Of the robot, positive nose down [deg].
         pressed: Largest compression of each arm [m].
         look: Settings.
-        law: `characterised`, or its twin.
+        law: `characterise`, or its twin.
     """
     q = attitude(yaw, pitch)
     r = rotation(q)
     left = np.array([-normal.y, normal.x, 0.0])
     force = -(np.array(normal) + friction * left)
     blow = blow_of(r, normal, {arm: size * force for arm, size in arms.items()})
-    found = no_impression(AIRFRAME)._replace(pressed=pressed, attitude=q, lengths=LENGTHS)
+    found = no_observation(AIRFRAME)._replace(pressed=pressed, attitude=q, lengths=LENGTHS)
     at = Estimate(Vec(1.0, 2.0, 3.0), q, NONE, NONE)
     said: Collision = law(
         look, AIRFRAME, seen(), at, wrench_of(blow), found, Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0)
@@ -120,7 +120,7 @@ def test_one_arm_tells_the_normal_whatever_the_friction(
 ) -> None:
     """The arm towards which the wall leans is hit: front left, of index 0, for a positive angle."""
     arm = 0 if wall > 0.0 else 1
-    hit = made_out(level(wall + yaw), friction, {arm: 2.0}, yaw=yaw)
+    hit = characterisation_error(level(wall + yaw), friction, {arm: 2.0}, yaw=yaw)
     assert abs(off(level(wall + yaw), hit.by_fusion)) < 1e-6
     assert off(level(wall + yaw), hit.by_wrench) == pytest.approx(math.degrees(math.atan(friction)))
     assert hit.arms == tuple(1.0 if j == arm else 0.0 for j in range(4))
@@ -130,7 +130,7 @@ def test_one_arm_tells_the_normal_whatever_the_friction(
 @pytest.mark.parametrize("pitch", [-45.0, -20.0, 30.0])
 @pytest.mark.parametrize("wall", [-25.0, 20.0])
 def test_a_tilted_robot_sees_the_same_normal(pitch: float, wall: float) -> None:
-    hit = made_out(level(wall), 0.2, {0 if wall > 0.0 else 1: 2.0}, pitch=pitch)
+    hit = characterisation_error(level(wall), 0.2, {0 if wall > 0.0 else 1: 2.0}, pitch=pitch)
     assert abs(off(level(wall), hit.by_fusion)) < 0.5
 
 
@@ -140,7 +140,9 @@ def test_two_arms_tell_the_normal_of_their_common_tangent(
     share: float, pitch: float, friction: float
 ) -> None:
     """Shared more unequally, two arms with friction cannot be told from one."""
-    hit = made_out(level(0.0), friction, {0: 2.0 * share, 1: 2.0 - 2.0 * share}, pitch=pitch)
+    hit = characterisation_error(
+        level(0.0), friction, {0: 2.0 * share, 1: 2.0 - 2.0 * share}, pitch=pitch
+    )
     assert abs(off(level(0.0), hit.by_fusion)) < 1e-6
     assert hit.arms == (1.0, 1.0, 0.0, 0.0)
 
@@ -148,24 +150,26 @@ def test_two_arms_tell_the_normal_of_their_common_tangent(
 def test_arms_that_were_pressed_in_are_believed_and_those_behind_are_not() -> None:
     """Arms behind slide by their own inertia; what the front ones say is that both were hit."""
     both = (3e-3, 2e-3, 2.5e-3, 2.5e-3)
-    hit = made_out(level(0.0), 0.0, {0: 2.0, 1: 0.1}, pressed=both)
+    hit = characterisation_error(level(0.0), 0.0, {0: 2.0, 1: 0.1}, pressed=both)
     assert hit.arms == (1.0, 1.0, 0.0, 0.0)
     assert abs(off(level(0.0), hit.by_fusion)) < 1e-6
 
 
 def test_the_arms_alone_say_only_along_which_they_were_pressed() -> None:
-    one = made_out(level(15.0), 0.0, {0: 2.0}, pressed=(5e-3, 0.0, 0.0, 0.0))
+    one = characterisation_error(level(15.0), 0.0, {0: 2.0}, pressed=(5e-3, 0.0, 0.0, 0.0))
     assert off(level(45.0), one.by_arms) == pytest.approx(0.0, abs=1e-9)
-    two = made_out(level(0.0), 0.0, {0: 1.0, 1: 1.0}, pressed=(5e-3, 5e-3, 0.0, 0.0))
+    two = characterisation_error(level(0.0), 0.0, {0: 1.0, 1: 1.0}, pressed=(5e-3, 5e-3, 0.0, 0.0))
     assert off(level(0.0), two.by_arms) == pytest.approx(0.0, abs=1e-9)
-    assert made_out(level(0.0), 0.0, {0: 1.0}).by_arms == NONE
+    assert characterisation_error(level(0.0), 0.0, {0: 1.0}).by_arms == NONE
 
 
 @pytest.mark.parametrize("source", ["arms", "acceleration", "wrench", "fused"])
 def test_the_source_that_is_chosen_is_relied_on(source: str) -> None:
     settings = RecoverySettings.model_validate({"characterisation": {"source": source}})
     pressed = (5e-3, 0.0, 0.0, 0.0)
-    hit = made_out(level(20.0), 0.3, {0: 2.0}, pressed=pressed, look=settings.looks(157.0))
+    hit = characterisation_error(
+        level(20.0), 0.3, {0: 2.0}, pressed=pressed, look=settings.looks(157.0)
+    )
     ways = {
         "arms": hit.by_arms, "wrench": hit.by_wrench, "fused": hit.by_fusion,
         "acceleration": hit.by_wrench,  # says nothing here, so the wrench is asked
@@ -175,21 +179,21 @@ def test_the_source_that_is_chosen_is_relied_on(source: str) -> None:
 
 def test_the_accelerometer_points_away_from_the_obstacle() -> None:
     """The wall is where the specific force comes from: the robot is pushed the other way."""
-    found = no_impression(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
+    found = no_observation(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
     at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(Blow(*(NONE,) * 7))
-    hit = characterised(LOOK, AIRFRAME, seen(), at, words, found, NONE, NONE)
+    hit = characterise(LOOK, AIRFRAME, seen(), at, words, found, NONE, NONE)
     assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
     assert hit.by_fusion == hit.by_wrench == NONE
 
 
 def test_without_any_push_the_way_of_flight_is_taken() -> None:
-    hit = made_out(level(0.0), 0.0, {0: 0.0})
+    hit = characterisation_error(level(0.0), 0.0, {0: 0.0})
     assert hit.direction == Vec(1.0, 0.0, 0.0)
 
 
 def test_obstacles_that_may_lean_have_no_normal_by_fusion() -> None:
     anywhere = RecoverySettings.model_validate({"characterisation": {"level": False}})
-    hit = made_out(level(20.0), 0.3, {0: 2.0}, look=anywhere.looks(157.0))
+    hit = characterisation_error(level(20.0), 0.3, {0: 2.0}, look=anywhere.looks(157.0))
     assert hit.by_fusion == NONE
     assert hit.direction == hit.by_wrench
 
@@ -200,7 +204,7 @@ def test_the_contact_point_is_that_of_the_circle(pitch: float) -> None:
     place, normal = Vec(1.0, 2.0, 3.0), level(25.0)
     point = contact_point(AIRFRAME, place, r, LENGTHS, (1.0, 0.0, 0.0, 0.0), normal)
     np.testing.assert_allclose(point, np.array(place) + rim(r, 0, normal), atol=1e-12)
-    hit = made_out(level(25.0), 0.2, {0: 2.0})
+    hit = characterisation_error(level(25.0), 0.2, {0: 2.0})
     at = np.array(place) + rim(rotation(LEVEL), 0, level(25.0))
     np.testing.assert_allclose(hit.contact_point, at, atol=1e-9)
 
@@ -228,9 +232,9 @@ def test_turning_back_undoes_a_turn_and_a_tilted_plane_keeps_the_level_normal() 
 def test_what_was_strongest_is_kept_and_clipped_readings_say_no_direction() -> None:
     at, nothing = Estimate(NONE, attitude(90.0), NONE, NONE), wrench_of(blow_of(
         rotation(LEVEL), level(0.0), {0: np.zeros(3)}))  # fmt: skip
-    so_far = no_impression(AIRFRAME)
+    so_far = no_observation(AIRFRAME)
     for reading in (40.0, 90.0, 150.0, 60.0):
-        so_far = impressed(LOOK, AIRFRAME, seen(Vec(-reading, 0.0, 9.81)), at, nothing, so_far)
+        so_far = observe(LOOK, AIRFRAME, seen(Vec(-reading, 0.0, 9.81)), at, nothing, so_far)
     assert so_far.ticks == 4.0
     assert norm(so_far.jolted - Vec(0.0, -90.0, 0.0)) < 1e-9  # body x is world y
     assert so_far.clipped == 3.0  # the third of four
@@ -240,7 +244,7 @@ def test_what_was_strongest_is_kept_and_clipped_readings_say_no_direction() -> N
 
 def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it() -> None:
     """Ticks are of 1 ms; the reading of the eighth was clipped."""
-    clear = no_impression(AIRFRAME)
+    clear = no_observation(AIRFRAME)
 
     def enough(at: int, clipped: float, pressed: float, second: float = 0.0) -> bool:
         found = clear._replace(ticks=float(at), clipped=clipped, pressed=(pressed, 0.0, 0.0, 0.0))
@@ -258,19 +262,21 @@ def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it(
 def test_plain_and_compiled_are_twins() -> None:
     @numba.njit
     def law(a: Any, b: Any, c: Any, d: Any, e: Any, f: Any, g: Any, h: Any) -> Any:
-        return characterised(a, b, c, d, e, f, g, h)
+        return characterise(a, b, c, d, e, f, g, h)
 
     @numba.njit
     def seen_once(a: Any, b: Any, c: Any, d: Any, e: Any, f: Any) -> Any:
-        return impressed(a, b, c, d, e, f)
+        return observe(a, b, c, d, e, f)
 
     for wall, pressed in ((20.0, (0.0,) * 4), (-10.0, (0.0, 6e-3, 0.0, 0.0))):
         arms = {0 if wall > 0.0 else 1: 2.0}
-        plain = made_out(level(wall), 0.25, arms, pitch=-20.0, pressed=pressed)
-        compiled = made_out(level(wall), 0.25, arms, pitch=-20.0, pressed=pressed, law=law)
+        plain = characterisation_error(level(wall), 0.25, arms, pitch=-20.0, pressed=pressed)
+        compiled = characterisation_error(
+            level(wall), 0.25, arms, pitch=-20.0, pressed=pressed, law=law
+        )
         np.testing.assert_allclose(leaves(compiled), leaves(plain), rtol=0.0, atol=1e-12)
-    so_far: Impression = no_impression(AIRFRAME)
+    so_far: CollisionObservation = no_observation(AIRFRAME)
     at, force = Estimate(NONE, attitude(30.0), NONE, NONE), seen(Vec(-40.0, 3.0, 9.81))
     words = wrench_of(blow_of(rotation(LEVEL), level(0.0), {0: np.ones(3)}))
-    plain_seen = impressed(LOOK, AIRFRAME, force, at, words, so_far)
+    plain_seen = observe(LOOK, AIRFRAME, force, at, words, so_far)
     assert leaves(seen_once(LOOK, AIRFRAME, force, at, words, so_far)) == leaves(plain_seen)

@@ -105,8 +105,8 @@ def test_compression_is_positive_when_pressed_in_and_the_vertical_is_no_jolt() -
 @pytest.mark.parametrize("every", [1, 5])
 @pytest.mark.parametrize("persistence", [1, 3])
 def test_judging_afterwards_is_the_trigger_itself(every: int, persistence: int) -> None:
-    luck = np.random.default_rng(7)
-    samples = luck.normal(size=400)
+    noise_stream = np.random.default_rng(7)
+    samples = noise_stream.normal(size=400)
     signal = np.repeat(samples, every)
     settings = trigger(persistence=float(persistence), threshold=0.4, refractory=0.0495)
     fresh = [k % every == 0 for k in range(len(signal))]
@@ -123,8 +123,8 @@ def test_delay_of_a_ramp_and_a_curve_that_falls() -> None:
     hit = Judged(np.clip((ticks - touch) / 0.01, 0.0, None), TICK, 1)
     assert delay(hit, touch, 1.45, 1, 0.1) == pytest.approx(0.015)
     assert delay(hit, touch, 5.0, 1, 0.03) is None
-    luck = np.random.default_rng(3)
-    free = Judged(luck.exponential(size=100_000), TICK, 1)
+    noise_stream = np.random.default_rng(3)
+    free = Judged(noise_stream.exponential(size=100_000), TICK, 1)
     thresholds = [0.5, 2.0, 2.5, 8.0, 20.0]
     points = curve(quiet([free], thresholds, refractory=0.01), [(hit, touch)], thresholds)
     false = [p.false_alarms for p in points]

@@ -6,18 +6,18 @@ import pytest
 
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec
-from springback.recovery.evaluator import NEVER, RefereeMemory, between_runs, referee_at_start
+from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs, evaluator_at_start
 from springback.recovery.parameters import RecoverySettings
-from springback.recovery.pilot import ResilientMemory
+from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
-from springback.simulation.onboard import Touch, witnessed
+from springback.simulation.onboard import ContactReport, evaluated
 from springback.vehicle.state import State
 
 from .resting import resting_memory
 
 STILL = Vec(0.0, 0.0, 0.0)
 GOAL = Vec(2.4, 0.0, 1.0)
-REFEREE = RecoverySettings().referee()
+REFEREE = RecoverySettings().evaluator()
 TICK = 1e-3
 
 
@@ -26,20 +26,26 @@ def state(x: float, z: float = 1.0, speed: float = 0.0, pitch: float = 0.0) -> S
     return State(Vec(x, 0.0, z), attitude, Vec(speed, 0.0, 0.0), STILL, (0.19,) * 4, (0.0,) * 4)
 
 
-def thinking(leg: float, alarm: float = NEVER) -> ResilientMemory:
+def thinking(phase: float, alarm: float = NOT_YET) -> RecoveryPilotMemory:
     memory = resting_memory()
-    journey = memory.journey
-    log = journey.log._replace(alarm=alarm)
-    return memory._replace(journey=journey._replace(leg=leg, goal=GOAL, log=log, since=alarm))
+    recovery_state = memory.recovery_state
+    log = recovery_state.log._replace(alarm=alarm)
+    return memory._replace(
+        recovery_state=recovery_state._replace(phase=phase, goal=GOAL, log=log, since=alarm)
+    )
 
 
 def seen(
-    memory: RefereeMemory, time: float, now: State, touch: Touch, thought: ResilientMemory
-) -> RefereeMemory:
+    memory: EvaluatorMemory,
+    time: float,
+    now: State,
+    touch: ContactReport,
+    thought: RecoveryPilotMemory,
+) -> EvaluatorMemory:
     """What the referee has seen after a tick; where no run is open, the short way says the same."""
-    after: RefereeMemory = witnessed(REFEREE, time, now, touch, thought, memory)
+    after: EvaluatorMemory = evaluated(REFEREE, time, now, touch, thought, memory)
     if memory.open == 0.0 and touch.contacts == memory.contacts:
-        alarm = thought.journey.log.alarm
+        alarm = thought.recovery_state.log.alarm
         assert between_runs(time, now.position, alarm, touch, memory) == after
     return after
 
@@ -49,21 +55,21 @@ class Story:
 
     def __init__(self) -> None:
         self.memory, self.time, self.contacts, self.last = (
-            referee_at_start(Vec(0.0, 0.0, 1.0)),
+            evaluator_at_start(Vec(0.0, 0.0, 1.0)),
             0.0,
             0.0,
             -1.0,
         )
 
     def goes_on(
-        self, duration: float, now: State, thought: ResilientMemory, touching: bool = False
+        self, duration: float, now: State, thought: RecoveryPilotMemory, touching: bool = False
     ) -> None:
         if touching:
             self.contacts += 1.0
         for _ in range(round(duration / TICK)):
             self.time += TICK
             self.last = self.time if touching else self.last
-            touch = Touch(1.0 if touching else 0.0, self.contacts, self.last, -1.0)
+            touch = ContactReport(1.0 if touching else 0.0, self.contacts, self.last, -1.0)
             self.memory = seen(self.memory, self.time, now, touch, thought)
 
 
@@ -74,7 +80,7 @@ def test_a_recovery() -> None:
     story.goes_on(0.03, state(2.5, pitch=0.4), thinking(CRUISE), touching=True)
     story.goes_on(0.5, state(2.2, 0.8, -1.0, -0.7), thinking(RECOVER, alarm=1.01))
     m = story.memory
-    assert (m.runs, m.recovered, m.run.settled) == (1.0, 0.0, NEVER)
+    assert (m.runs, m.recovered, m.run.settled) == (1.0, 0.0, NOT_YET)
     assert m.run.touch == pytest.approx(1.001)
     assert m.run.alarm == 1.01
     assert m.run.excursion == pytest.approx(0.3)

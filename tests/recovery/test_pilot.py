@@ -45,20 +45,20 @@ def test_arq_survives_the_fastest_test(flight: Flight) -> None:
 
 
 def test_legs_come_in_their_order(flight: Flight) -> None:
-    legs = flight.diary["leg"]
-    order = [leg for k, leg in enumerate(legs) if k == 0 or leg != legs[k - 1]]
+    phases = flight.telemetry["phase"]
+    order = [phase for k, phase in enumerate(phases) if k == 0 or phase != phases[k - 1]]
     assert order == [CRUISE, LOOK, RECOVER, RETURN, HOVER]
     names = ("alarm_time", "planned_time", "rested_time", "home_time")
-    for name, leg in zip(names, (LOOK, RECOVER, RETURN, HOVER), strict=True):
-        begins = flight.diary["t"][np.argmax(legs == leg)]
+    for name, phase in zip(names, (LOOK, RECOVER, RETURN, HOVER), strict=True):
+        begins = flight.telemetry["t"][np.argmax(phases == phase)]
         assert flight.measures[name] == pytest.approx(begins, abs=1e-9)
 
 
 def test_the_alarm_comes_after_the_touch_and_the_goal_is_before_the_wall(flight: Flight) -> None:
-    d, touch = flight.diary, flight.measures["touch_time"]
-    noticed = np.argmax(d["leg"] == LOOK)
+    d, touch = flight.telemetry, flight.measures["touch_time"]
+    noticed = np.argmax(d["phase"] == LOOK)
     assert d["t"][noticed] > touch
-    gone = np.argmax(d["leg"] == RECOVER)
+    gone = np.argmax(d["phase"] == RECOVER)
     goal = np.array([d[f"goal_{axis}"][gone] for axis in "xyz"])
     there = np.array([d[f"est_{axis}"][noticed] for axis in "xyz"])
     np.testing.assert_allclose(goal, there - [0.1, 0.0, 0.0], atol=5e-3)
@@ -87,13 +87,13 @@ def test_the_truth_is_poison_and_nothing_changes() -> None:
         seen = measurement._replace(exact=absurd[0])
         thought = own.memory if memory is None else memory
         said = decided(own.settings, 1e-3, round(1e3 * time), seen, thought, 4)
-        legs.append(said.memory.journey.leg)
+        phases.append(said.memory.recovery_state.phase)
         return said.thrust, said.memory
 
-    legs: list[float] = []
+    phases: list[float] = []
     compiled = springback.fly(tables)
     plain = springback.fly(tables, pilot=poisoned)
-    assert {CRUISE, LOOK, RECOVER} <= set(legs)
+    assert {CRUISE, LOOK, RECOVER} <= set(phases)
     assert len(plain.t) == len(compiled.t)
     for axis in "xyz":
         apart = np.abs(plain.columns[axis] - compiled.columns[axis])
@@ -128,7 +128,7 @@ def test_two_runs_without_landing() -> None:
     flight = springback.fly(hit("arq", 0.0, 2.0, 20.0, recovery={"runs": 2}))
     assert flight.outcome is Outcome.RECOVERED
     assert flight.measures["runs"] == flight.measures["recovered_runs"] == 2.0
-    assert flight.diary["leg"][-1] == HOVER
+    assert flight.telemetry["phase"][-1] == HOVER
 
 
 def test_nothing_to_hit_is_no_alarm() -> None:
@@ -137,7 +137,7 @@ def test_nothing_to_hit_is_no_alarm() -> None:
     flight = springback.fly(tables)
     assert flight.outcome is Outcome.NO_CONTACT
     assert flight.measures["false_alarms"] == 0.0
-    assert set(flight.diary["leg"]) == {CRUISE}
+    assert set(flight.telemetry["phase"]) == {CRUISE}
 
 
 def test_without_detection_the_collision_is_missed() -> None:

@@ -86,9 +86,9 @@ def test_the_fastest_way_from_any_motion() -> None:
     """Continuous in position and speed, never beyond the acceleration, at rest at the goal; and no
     bang-bang way that brakes with less, or switches at another time, stands still there earlier.
     """
-    luck = np.random.default_rng(0)
+    noise_stream = np.random.default_rng(0)
     for _ in range(50):
-        p, v, goal = luck.uniform(-2.0, 2.0, 3)
+        p, v, goal = noise_stream.uniform(-2.0, 2.0, 3)
         response = TimeOptimal(6.0, 3.0)
         here = believed(Vec(p, 0.0, 1.0), Vec(v, 0.0, 0.0))
         plan = planned(response, hit(2.0), Vec(goal, 0.0, 1.0), here, 1.0, 0.0)

@@ -58,15 +58,15 @@ def test_the_impact_is_beyond_the_range() -> None:
     flight = hit("kalman").flight
     assert flight.peak_acceleration is not None
     assert flight.peak_acceleration > 3.5 * RANGE
-    assert np.abs(flight.diary["imu_ax"]).max() <= RANGE
-    read = np.abs(hit("kalman", HUGE).flight.diary["imu_ax"]).max()
+    assert np.abs(flight.telemetry["imu_ax"]).max() <= RANGE
+    read = np.abs(hit("kalman", HUGE).flight.telemetry["imu_ax"]).max()
     assert 0.9 < read / flight.peak_acceleration < 1.0  # mean of a tick, and its low-pass
 
 
 def test_the_mean_force_adds_up_to_the_change_of_velocity() -> None:
     """∫ (R f − g e_Z) dt = Δv: nothing of a shock of 60 g is lost between the ticks."""
     flight = hit("kalman", HUGE).flight
-    c, ticks = flight.columns, flight.diary["t"]
+    c, ticks = flight.columns, flight.telemetry["t"]
     q = np.stack([np.interp(ticks, c["t"], c[f"q{a}"]) for a in "wxyz"], axis=1)
     f, w, u = felt_force(flight), q[:, :1], q[:, 1:]
     world = f + 2.0 * np.cross(u, np.cross(u, f) + w * f)

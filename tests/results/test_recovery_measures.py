@@ -9,14 +9,14 @@ from typing import Any
 import pytest
 
 from springback.kernels.vectors import Vec
-from springback.recovery.evaluator import referee_at_start
+from springback.recovery.evaluator import evaluator_at_start
 from springback.results.flight import Flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
     recovery_outcomes,
 )
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.columns import as_columns
 from springback.simulation.measures import MEASURES, Outcome, told_of
@@ -27,8 +27,12 @@ def memories() -> tuple[Any, Any, Any]:
     """Of a flight in which nothing has happened yet."""
     given = {"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}}
     scenario = scenario_from(given)
-    board = board_of(scenario, scenario.flight_model(), scenario.start_state())
-    return blank_record(4), referee_at_start(Vec(0.0, 0.0, 1.0)), board.cabin.aboard.pilot
+    built_avionics = build_avionics(scenario, scenario.flight_model(), scenario.start_state())
+    return (
+        blank_record(4),
+        evaluator_at_start(Vec(0.0, 0.0, 1.0)),
+        built_avionics.avionics.onboard.pilot,
+    )
 
 
 def read(record: Any, seen: Any, memory: Any) -> dict[str, float | None]:

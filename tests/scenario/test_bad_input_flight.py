@@ -11,7 +11,7 @@ import pytest
 
 import springback
 from springback.errors import InputError
-from springback.scenario.avionics import uneasy
+from springback.scenario.avionics import scenario_warnings
 from springback.scenario.files import read_scenario
 
 GOOD = """\
@@ -188,15 +188,15 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "error in kilograms": (ERROR, 'mass = "2 kg"', "model_error.mass", ("wrong unit", "a plain number")),
 
     "weaker than its weight": (
-        VEHICLE, PROPULSION + "most_thrust = 3", "vehicle.propulsion.most_thrust",
+        VEHICLE, PROPULSION + "max_thrust = 3", "vehicle.propulsion.max_thrust",
         ("more than 3.398 N", "true weight", "got 3 N"),
     ),
     "never down again": (
-        VEHICLE, PROPULSION + "least_thrust = 4", "vehicle.propulsion.least_thrust",
+        VEHICLE, PROPULSION + "min_thrust = 4", "vehicle.propulsion.min_thrust",
         ("less than 3.398 N", "got 4 N"),
     ),
     "thrust in kilograms": (
-        VEHICLE, PROPULSION + 'most_thrust = "5 kg"', "vehicle.propulsion.most_thrust", ("wrong unit", "N"),
+        VEHICLE, PROPULSION + 'max_thrust = "5 kg"', "vehicle.propulsion.max_thrust", ("wrong unit", "N"),
     ),
     "lag ahead of time": (
         VEHICLE, PROPULSION + "time_constant = -1", "vehicle.propulsion.time_constant", ("at least 0 s",),
@@ -205,7 +205,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         VEHICLE, PROPULSION + "figure_of_merit = 2", "vehicle.propulsion.figure_of_merit", ("at most 1",),
     ),
     "misspelt rotor": (
-        VEHICLE, PROPULSION + "most = 3", "vehicle.propulsion.most", ("did you mean most_thrust?",),
+        VEHICLE, PROPULSION + "most = 3", "vehicle.propulsion.most", ("did you mean max_thrust?",),
     ),
 
     "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("beside a reference", "3")),
@@ -249,7 +249,7 @@ def written(folder: Path, text: str) -> Path:
 def test_the_scenario_itself_is_good(tmp_path: Path) -> None:
     scenario = read_scenario(written(tmp_path, GOOD))
     assert scenario.seed == 3
-    assert uneasy(scenario) == []
+    assert scenario_warnings(scenario) == []
 
 
 @pytest.mark.parametrize(("old", "new", "field", "words"), BAD.values(), ids=BAD.keys())
@@ -338,15 +338,15 @@ def test_own_pilots_are_checked_for_what_they_use(tmp_path: Path) -> None:
 def test_uneasy_scenarios_are_flown_with_a_warning(tmp_path: Path) -> None:
     """Unstable gains, a circle beyond the limits, tables that nobody reads."""
     path = written(tmp_path, 'vehicle = "quad"\nreference = { type = "steps" }\n')
-    assert uneasy(read_scenario(path)) == []
-    [said] = uneasy(read_scenario(path, ["control.damping=0"]))
+    assert scenario_warnings(read_scenario(path)) == []
+    [said] = scenario_warnings(read_scenario(path, ["control.damping=0"]))
     assert "linearised horizontal loop unstable: eigenvalue +" in said
     circle = read_scenario(path, ['reference={ type = "circle", period = 0.8 }'])
-    assert any("circle needs a tilt of 80.96 deg" in said for said in uneasy(circle))
+    assert any("circle needs a tilt of 80.96 deg" in said for said in scenario_warnings(circle))
     plain = read_scenario(
         written(tmp_path, 'vehicle = "quad"\nseed = 3\n[control]\nstiffness = 3\n')
     )
-    assert [said.split()[0] for said in uneasy(plain)] == ["control", "seed"]
+    assert [said.split()[0] for said in scenario_warnings(plain)] == ["control", "seed"]
 
 
 def test_perfect_estimator_needs_no_asking(tmp_path: Path) -> None:

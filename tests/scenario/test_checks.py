@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from springback.contact.cage import meeting
-from springback.contact.obstacles import obstacle_seen
+from springback.contact.cage import cage_contact
+from springback.contact.obstacles import obstacle_in_body_frame
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.checks import is_clear
 from springback.scenario.model import _is_positive
 from springback.scenario.scenario import scenario_from
@@ -23,8 +23,8 @@ def least_gap(model: Model, state: State) -> float:
     r, still = rotation(state.attitude), Vec(0.0, 0.0, 0.0)
     vertical = Vec(0.0, 0.0, 1.0) @ r
     return min(
-        meeting(
-            obstacle_seen(obstacle, state.position, r), model.contact_point, arm.cage_radius,
+        cage_contact(
+            obstacle_in_body_frame(obstacle, state.position, r), model.contact_point, arm.cage_radius,
             arm_pose(arm, arm.length, 0.0, still), still, vertical,
         ).gap
         for obstacle in model.world.obstacles
@@ -44,10 +44,10 @@ def test_who_is_out_of_reach_is_out_of_reach_however_turned(point: str) -> None:
         }
     )
     model, start = scenario.flight_model(), scenario.start_state()
-    luck, clear, touching = np.random.default_rng(0), 0, 0
+    noise_stream, clear, touching = np.random.default_rng(0), 0, 0
     for _ in range(400):
-        place = Vec(*luck.uniform([1.2, -0.5, 0.2], [2.0, 0.5, 0.6]).tolist())
-        attitude = Quat(*attitude_from_euler(*luck.uniform(-math.pi, math.pi, 3).tolist()))
+        place = Vec(*noise_stream.uniform([1.2, -0.5, 0.2], [2.0, 0.5, 0.6]).tolist())
+        attitude = Quat(*attitude_from_euler(*noise_stream.uniform(-math.pi, math.pi, 3).tolist()))
         state = start._replace(position=place, attitude=attitude)
         if is_clear(model, state):
             clear += 1
@@ -58,10 +58,10 @@ def test_who_is_out_of_reach_is_out_of_reach_however_turned(point: str) -> None:
 
 
 def test_a_positive_matrix_is_told_by_its_eigenvalues() -> None:
-    luck, positive = np.random.default_rng(1), 0
+    noise_stream, positive = np.random.default_rng(1), 0
     for _ in range(2000):
-        half = luck.uniform(-0.5, 0.5, (3, 3))
-        matrix = half + half.T + np.diag(luck.uniform(0.0, 2.0, 3))
+        half = noise_stream.uniform(-0.5, 0.5, (3, 3))
+        matrix = half + half.T + np.diag(noise_stream.uniform(0.0, 2.0, 3))
         wanted = bool(np.linalg.eigvalsh(matrix)[0] > 0.0)
         assert _is_positive(matrix) == wanted
         positive += wanted
@@ -80,6 +80,6 @@ def test_home_is_where_the_flight_starts_unless_told(
             "start": {"position": [0.1, 0.2, 1.3]},
         }
     )  # fmt: skip
-    board = board_of(scenario, scenario.flight_model(), scenario.start_state())
-    assert board.cabin.guidance.pilot.route.home == home
-    assert board.cabin.aboard.pilot.journey.goal == home
+    built_avionics = build_avionics(scenario, scenario.flight_model(), scenario.start_state())
+    assert built_avionics.avionics.systems.pilot.route.home == home
+    assert built_avionics.avionics.onboard.pilot.recovery_state.goal == home

@@ -31,9 +31,11 @@ class Leveller(NamedTuple):
     fuse: float  # tick at which a division by zero occurs; negative for none
 
 
-@springback.piloted.register(Leveller)
+@springback.pilot_step.register(Leveller)
 @springback.kernel
-def levelled(pilot: Leveller, time: float, measurement: Any, memory: float) -> springback.Piloted:
+def levelled(
+    pilot: Leveller, time: float, measurement: Any, memory: float
+) -> springback.PilotOutput:
     """Damps roll and pitch; at the tick of the fuse its command is infinite."""
     w, q = measurement.inertial.angular_velocity, measurement.pose.attitude
     roll, pitch = pilot.gain * (w.x + 8.0 * q.x), pilot.gain * (w.y + 8.0 * q.y)
@@ -44,7 +46,7 @@ def levelled(pilot: Leveller, time: float, measurement: Any, memory: float) -> s
         share + roll - pitch,
         share - roll - pitch,
     )
-    return springback.Piloted(thrusts, memory + 1.0)
+    return springback.PilotOutput(thrusts, memory + 1.0)
 
 
 SETTINGS = Leveller(springback.QUAD.vehicle.mass * 9.81 / 4.0, 0.3, -1.0)
@@ -72,7 +74,7 @@ def test_plain_pilot_is_asked_at_every_tick(flight: springback.Flight) -> None:
     noted = springback.fly(SHORT, pilot=noting)
     assert len(asked) == 400
     assert np.allclose([t for t, _ in asked], np.arange(400) * 1e-3, rtol=0.0, atol=1e-12)
-    commands = np.stack([noted.diary[f"command{n}"] for n in (1, 2, 3, 4)], axis=1)
+    commands = np.stack([noted.telemetry[f"command{n}"] for n in (1, 2, 3, 4)], axis=1)
     assert np.array_equal(commands, [said for _, said in asked])
     assert len(np.unique(commands[:, 0])) > 100
     assert np.abs(noted.columns["wx"][-1]) < 0.2  # it damps
@@ -81,16 +83,16 @@ def test_plain_pilot_is_asked_at_every_tick(flight: springback.Flight) -> None:
 
 def test_compiled_pilot_flies_the_same_bits(flight: springback.Flight) -> None:
     """One source, run by the interpreter outside the loop, and compiled inside it."""
-    compiled = springback.fly(SHORT, pilot=springback.OwnPilot(SETTINGS, 0.0))
+    compiled = springback.fly(SHORT, pilot=springback.CompiledPilot(SETTINGS, 0.0))
     for name, values in flight.columns.items():
         assert np.array_equal(values, compiled.columns[name]), name
     for name in ("command1", "thrust4", "imu_wx", "pose_qx"):
-        assert np.array_equal(flight.diary[name], compiled.diary[name]), name
+        assert np.array_equal(flight.telemetry[name], compiled.telemetry[name]), name
 
 
 def test_compiled_pilot_that_divides_by_zero_ends_as_not_finite() -> None:
     """An infinite command is not cut to the rotors' most; the last good state is kept."""
-    pilot = springback.OwnPilot(SETTINGS._replace(fuse=100.0), 0.0)
+    pilot = springback.CompiledPilot(SETTINGS._replace(fuse=100.0), 0.0)
     flight = springback.fly(SHORT, pilot=pilot)
     assert flight.outcome is springback.Outcome.NOT_FINITE
     assert flight.measures["end_time"] == pytest.approx(0.1, abs=2e-3)
@@ -106,8 +108,8 @@ def test_thrust_below_nothing_is_flown_as_the_least_and_said() -> None:
     words = r"less than 0 N at 300 of 400 ticks, first at 0\.1 s \(-5 N\).* their least, 0 N"
     with pytest.warns(CommandWarning, match=words):
         flight = springback.fly(SHORT, pilot=pulling)
-    assert flight.diary["thrust1"].min() >= 0.0
-    negative = springback.OwnPilot(SETTINGS._replace(share=-1.0), 0.0)
+    assert flight.telemetry["thrust1"].min() >= 0.0
+    negative = springback.CompiledPilot(SETTINGS._replace(share=-1.0), 0.0)
     with pytest.warns(CommandWarning, match="less than 0 N at 400 of 400 ticks"):
         springback.fly(SHORT, pilot=negative)
     springback.fly(
@@ -145,14 +147,14 @@ def blind(time, measurement, memory):
 class Gains(NamedTuple):
     share: float
 
-@springback.piloted.register(Gains)
+@springback.pilot_step.register(Gains)
 @springback.kernel
 def law(pilot, time, measurement, memory):
     if memory > 5.0:
-        return springback.Piloted((pilot.share,) * 4, (memory, memory))
+        return springback.PilotOutput((pilot.share,) * 4, (memory, memory))
     if memory > 3.0:
-        return springback.Piloted((pilot.share,) * 3, memory)
-    return springback.Piloted((pilot.share,) * 4, memory)
+        return springback.PilotOutput((pilot.share,) * 3, memory)
+    return springback.PilotOutput((pilot.share,) * 4, memory)
 
 class Other(NamedTuple):
     share: float
@@ -163,18 +165,18 @@ def no_arguments():
 class Strange(NamedTuple):
     share: float
 
-@springback.piloted.register(Strange)
+@springback.pilot_step.register(Strange)
 @springback.kernel
 def short_law(pilot):
-    return springback.Piloted((pilot.share,) * 4, 0.0)
+    return springback.PilotOutput((pilot.share,) * 4, 0.0)
 
-odd = springback.OwnPilot(Strange(3.0), 0.0)
+odd = springback.CompiledPilot(Strange(3.0), 0.0)
 number = 3
-whole = springback.OwnPilot(Gains(3), 0.0)
-array = springback.OwnPilot(Gains(3.0), [1.0])
-few = springback.OwnPilot(Gains(3.0), 4.0)
-grows = springback.OwnPilot(Gains(3.0), 6.0)
-stranger = springback.OwnPilot(Other(3.0), 0.0)
+whole = springback.CompiledPilot(Gains(3), 0.0)
+array = springback.CompiledPilot(Gains(3.0), [1.0])
+few = springback.CompiledPilot(Gains(3.0), 4.0)
+grows = springback.CompiledPilot(Gains(3.0), 6.0)
+stranger = springback.CompiledPilot(Other(3.0), 0.0)
 """
 
 SLIPS = {
@@ -191,7 +193,7 @@ SLIPS = {
     "grows": (":27: ", "memory like the first, float", "(float, float)"),
     "no_arguments": ("slips.py:39: ", "TypeError", "no_arguments()"),
     "odd": ("slips.py:45: ", "TypeError", "short_law()"),
-    "stranger": ("Other is no pilot yet", "register piloted"),
+    "stranger": ("Other is no pilot yet", "register pilot_step"),
 }
 
 
@@ -249,7 +251,7 @@ def test_kernels_are_kept_only_for_files_that_stand(tmp_path: Path) -> None:
     for entry in tmp_path.glob("*.py"):
         os.utime(entry, (BEGUN - 100.0, BEGUN - 100.0))
     pilot = read_pilot(f"{path}:few")
-    assert isinstance(pilot, springback.OwnPilot)
+    assert isinstance(pilot, springback.CompiledPilot)
     types = {type(pilot.settings)}
     files = sources(types)  # generic functions of other test modules count, too, once loaded
     assert files is not None
@@ -320,4 +322,4 @@ def test_command_line(tmp_path: Path) -> None:
         "fly", "s.toml", "--pilot", "p.py:hover", "--out", "o", "--no-figures", cwd=tmp_path
     )
     assert flown.returncode == 0, flown.stderr
-    assert (tmp_path / "o" / "diary.parquet").exists()
+    assert (tmp_path / "o" / "telemetry.parquet").exists()

@@ -10,7 +10,7 @@ import pytest
 
 from oracles.estimating import NOTHING, ZERO
 from springback.errors import InputError
-from springback.kernels.layout import Like, got
+from springback.kernels.layout import TreeLayout, load
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.complementary import Complementary
@@ -95,17 +95,17 @@ def test_lanes_believe_what_each_would_alone(name, fresh):
     settings = EstimatorSettings(type=name)
     estimator = settings.estimator(RHYTHM, 9.81)
     memory = settings.memory(estimator, TRUTH)
-    cabins = [
+    avionics_list = [
         Lane(estimator, seen(has, pose_fresh=1.0 - k % 2), memory, NOTHING, 7.0)
         for k, has in enumerate(fresh)
     ]
-    like, width = Like(cabins[0]), len(cabins)
-    g = np.array([leaves(cabin) for cabin in cabins]).T.ravel()
+    like, width = TreeLayout(avionics_list[0]), len(avionics_list)
+    g = np.array([leaves(avionics) for avionics in avionics_list]).T.ravel()
     believe(like.estimator, like.seen, like.memory, like.estimate, like.tick, g, width, 1)
-    for k, cabin in enumerate(cabins):
-        alone = estimated(estimator, 7.0, cabin.seen, memory)
+    for k, avionics in enumerate(avionics_list):
+        alone = estimated(estimator, 7.0, avionics.seen, memory)
         for part, expected in ((like.estimate, alone.estimate), (like.memory, alone.memory)):
-            assert leaves(got(part, g, width, k)) == pytest.approx(leaves(expected), abs=1e-15)
+            assert leaves(load(part, g, width, k)) == pytest.approx(leaves(expected), abs=1e-15)
 
 
 def test_slow_inertial_samples_cover_their_whole_interval():

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Quat,
     Vec,
     conjugate,
@@ -31,7 +31,7 @@ from springback.kernels.vectors import (
 
 numbers = st.floats(-1.7, 1.7)
 vectors = st.builds(Vec, numbers, numbers, numbers)
-matrices = st.builds(Mat, vectors, vectors, vectors)
+matrices = st.builds(Mat3, vectors, vectors, vectors)
 
 
 def quat(r):
@@ -92,5 +92,5 @@ def test_matrices_are_numpys(a, b, v, s):
     assert np.allclose(symmetric_part(a), 0.5 * (x + x.T), **close)
     assert np.allclose(np.array(skew(v)) @ b.x, np.cross(v, b.x), **close)
     positive = x @ x.T + np.eye(3)
-    inverse = inverse_symmetric(Mat(*(Vec(*row) for row in positive.tolist())))
+    inverse = inverse_symmetric(Mat3(*(Vec(*row) for row in positive.tolist())))
     assert np.allclose(np.array(inverse) @ positive, isotropic(1.0), rtol=0.0, atol=1e-11)

@@ -9,10 +9,10 @@ import numpy as np
 
 from springback.kernels.layout import Buffer
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
-from springback.simulation.onboard import Cabin, Draw
+from springback.simulation.onboard import Avionics, Draw
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
@@ -32,7 +32,7 @@ class Ready(NamedTuple):
 
     model: Model
     start: State
-    cabin: Cabin
+    avionics: Avionics
     noise: Buffer
 
 
@@ -64,10 +64,15 @@ def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
     """A flight of a campaign, made ready to fly in company."""
     scenario = scenario_from(given)
     model, start = scenario.flight_model(), scenario.start_state()
-    board = board_of(scenario, model, start, flight=flight)
-    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
-    noise = noise_table(scenario.seed, flight, ticks, board.noise)
-    return Lane(Ready(model, start, board.cabin, noise), board.noise, scenario.seed, flight)
+    built_avionics = build_avionics(scenario, model, start, flight=flight)
+    ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
+    noise = noise_table(scenario.seed, flight, ticks, built_avionics.noise)
+    return Lane(
+        Ready(model, start, built_avionics.avionics, noise),
+        built_avionics.noise,
+        scenario.seed,
+        flight,
+    )
 
 
 def same(a: GuidedFlown, b: GuidedFlown) -> bool:
@@ -75,6 +80,6 @@ def same(a: GuidedFlown, b: GuidedFlown) -> bool:
     trees = [
         (a.flown.motion, b.flown.motion),
         (a.flown.record, b.flown.record),
-        (a.aboard, b.aboard),
+        (a.onboard, b.onboard),
     ]
     return all(np.array_equal(leaves(one), leaves(other)) for one, other in trees)

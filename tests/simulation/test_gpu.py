@@ -28,7 +28,7 @@ from springback.kernels.gpu.ptx import (
     parameter,
     program,
 )
-from springback.kernels.layout import Like, rows
+from springback.kernels.layout import TreeLayout, rows
 from springback.kernels.trees import leaves, rebuilt
 from springback.results.flight import as_scenario
 from springback.simulation.executor import advance, to_tick
@@ -36,8 +36,8 @@ from springback.simulation.flight import fly_many, loaded, shape_of, unloaded
 from springback.simulation.gpu import flying
 from springback.simulation.gpu import thread as threads
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
-from springback.simulation.guided import cabins_loaded, fly_guided
-from springback.simulation.noise import deal
+from springback.simulation.guided import fly_guided, loaded_avionics
+from springback.simulation.noise import generate
 from springback.simulation.ticks import powered, ticked
 
 WIDTH = 2
@@ -59,7 +59,7 @@ class Interpreted:
     launches = 0
 
     def __init__(self, entry: Any, parameters: list[Any]) -> None:
-        plain = {f.__name__: f.py_func for f in (advance, ticked, powered, deal)}
+        plain = {f.__name__: f.py_func for f in (advance, ticked, powered, generate)}
         plain["to_tick"] = rebound(to_tick.py_func, advance=plain["advance"])
         self.entry = rebound(entry, **plain)
         self.parameters = parameters
@@ -69,7 +69,7 @@ class Interpreted:
         for thread in range(count + 1):  # one too many, as a block may have
             given, values = list(arguments), []
             for p in self.parameters:
-                if isinstance(p, Like):
+                if isinstance(p, TreeLayout):
                     values.append(p)
                 elif isinstance(p, Constants):
                     values.append(self.tree(p, given, min(thread, count - 1)))
@@ -94,7 +94,7 @@ def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(flying, "Memory", HeldMemory)
     monkeypatch.setattr(flying, "_kinds", lambda kinds={}: kinds)
     monkeypatch.setattr(
-        flying._Kind,
+        flying._KernelKind,
         "kernel",
         lambda kind, *masks: Interpreted(kind._entry, kind._parameters(*masks)),
     )
@@ -150,18 +150,18 @@ def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.Monk
     shape = shape_of(first.model, first.start)
     models, starts = [one.model for one in ready], [one.start for one in ready]
     buffers = loaded(shape, models, starts, WIDTH)
-    aboard = cabins_loaded([one.cabin for one in ready], WIDTH)
+    onboard = loaded_avionics([one.avionics for one in ready], WIDTH)
     fly_groups_on_gpu(
-        first.model, first.start, first.cabin, buffers, aboard, flights[0].draws,
+        first.model, first.start, first.avionics, buffers, onboard, flights[0].draws,
         [one.seed for one in flights], flights=[one.flight for one in flights], width=WIDTH,
     )  # fmt: skip
     flown = unloaded(shape, models, starts, buffers, WIDTH)
-    memories = aboard.reshape(len(buffers), -1, WIDTH)
-    after, touched = rows(first.cabin.guidance), set()
+    memories = onboard.reshape(len(buffers), -1, WIDTH)
+    after, touched = rows(first.avionics.systems), set()
     for k, (one, alone) in enumerate(zip(flown, ready, strict=True)):
         there = fly_guided(*alone, trace=False)
-        inside = rebuilt(first.cabin.aboard, memories[k // WIDTH, after:, k % WIDTH])
-        assert same(there._replace(flown=one, aboard=inside), there)
+        inside = rebuilt(first.avionics.onboard, memories[k // WIDTH, after:, k % WIDTH])
+        assert same(there._replace(flown=one, onboard=inside), there)
         touched.add(there.flown.record.contacts > 0.0)
     assert touched == {True, False}
     assert Interpreted.launches == 2
@@ -169,7 +169,7 @@ def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.Monk
 
 def test_a_kernel_that_is_there_serves_flights_of_which_less_varies() -> None:
     """Another one is compiled only where a leaf varies that it takes for constant."""
-    kind = flying._Kind(None, None, None, None)
+    kind = flying._KernelKind(None, None, None, None)
     wide: Any = (True, False, True), (True,)
     kind._loaded = {wide: object(), ((True, True, True), (True,)): object()}  # type: ignore[dict-item]
     model = np.array([[1.0, 2.0], [3.0, 3.0], [4.0, 4.0]])
@@ -225,7 +225,7 @@ def test_what_a_gpu_does_not_have_is_said() -> None:
 def test_parts_of_an_entry_point_are_named() -> None:
     """All that an entry point calls by name is given to it; else the processor's would be used."""
     for entry in (threads.fly_impact, threads.fly_ticks):
-        called = {advance, to_tick, ticked, powered, deal} & {
+        called = {advance, to_tick, ticked, powered, generate} & {
             threads.__dict__.get(name) for name in entry.__code__.co_names
         }
         names = {one.__name__ for one in called}

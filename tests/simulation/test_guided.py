@@ -29,12 +29,15 @@ VARIANTS: dict[str, dict[str, Any]] = {
 
 @pytest.mark.parametrize("variant", VARIANTS.values(), ids=VARIANTS.keys())
 def test_plain_python_is_the_compiled_flight(variant: dict[str, Any]) -> None:
-    """Motion, record, everything aboard, trajectory and diary, bit for bit."""
+    """Motion, record, everything aboard, trajectory and telemetry, bit for bit."""
     flight = ready(tables(0.05, **variant))
     plain, compiled = fly_guided(*flight, executor="python"), fly_guided(*flight)
     assert plain.flown.record.contacts >= (1.0 if "world" in variant else 0.0)
     assert same(plain, compiled)
-    for one, other in ((plain.flown.trace, compiled.flown.trace), (plain.diary, compiled.diary)):
+    for one, other in (
+        (plain.flown.trace, compiled.flown.trace),
+        (plain.telemetry, compiled.telemetry),
+    ):
         assert one is not None
         assert other is not None
         assert np.array_equal(one.values, other.values)
@@ -44,8 +47,8 @@ def test_allocation_knows_the_arms_as_they_are_read() -> None:
     """Mixer and inertia are kept until a length changes, and then are those of the new lengths."""
     flight = ready(tables(0.05, "kalman", world=WALL, start=AT_WALL))
     flown = fly_guided(*flight, trace=False)
-    airframe = flight.cabin.guidance.pilot.airframe
-    lengths, built = flown.aboard.measurement.arm_length, flown.aboard.pilot.autopilot.built.tree
+    airframe = flight.avionics.systems.pilot.airframe
+    lengths, built = flown.onboard.measurement.arm_length, flown.onboard.pilot.autopilot.built.tree
     assert min(lengths) < min(arm.length for arm in airframe.arms) - 5e-4
     assert built.mixer == mixer(airframe, lengths)
     assert built.inertia == inertia_at(airframe, lengths)
@@ -70,8 +73,10 @@ def alone() -> list[GuidedFlown]:
 
 def abreast(flights: list[Lane], **options: int) -> list[GuidedFlown]:
     alone, draws, seeds, numbers = (list(part) for part in zip(*flights, strict=True))
-    models, starts, cabins, _ = (list(part) for part in zip(*alone, strict=True))
-    return fly_guided_many(models, starts, cabins, draws[0], seeds, flights=numbers, **options)
+    models, starts, avionics_list, _ = (list(part) for part in zip(*alone, strict=True))
+    return fly_guided_many(
+        models, starts, avionics_list, draws[0], seeds, flights=numbers, **options
+    )
 
 
 @pytest.mark.parametrize("options", [{"width": 1}, {"width": 4, "threads": 1}, {"width": 4}])
@@ -113,9 +118,9 @@ def test_interrupted_and_continued_is_the_same_flight(monkeypatch: pytest.Monkey
         assert whole.flown.trace is not None
         assert pieces.flown.trace is not None
         assert np.array_equal(whole.flown.trace.values, pieces.flown.trace.values)
-        assert whole.diary is not None
-        assert pieces.diary is not None
-        assert np.array_equal(whole.diary.values, pieces.diary.values)
+        assert whole.telemetry is not None
+        assert pieces.telemetry is not None
+        assert np.array_equal(whole.telemetry.values, pieces.telemetry.values)
 
 
 def test_luck_depends_on_seed_and_flight_alone() -> None:
@@ -162,9 +167,9 @@ def test_numbers_that_are_not_drawn_are_not_taken(perfect: str) -> None:
 
 def test_biases_and_first_gust_depend_on_seed_and_flight_alone() -> None:
     """Not on the length of the flight; a campaign's flight 17 is that flight by itself."""
-    long, short = (ready(tables(t, air=GUSTY), 17).cabin for t in (2.0, 0.1))
+    long, short = (ready(tables(t, air=GUSTY), 17).avionics for t in (2.0, 0.1))
     assert long == short
-    assert ready(tables(0.1, air=GUSTY), 16).cabin.guidance.sensors != short.guidance.sensors
+    assert ready(tables(0.1, air=GUSTY), 16).avionics.systems.sensors != short.systems.sensors
 
 
 # -- what a pilot may know ------------------------------------------------------------------------
@@ -177,11 +182,11 @@ def test_the_truth_beside_the_measurements_changes_nothing(estimator: str) -> No
         fly_guided(*ready(tables(0.3, estimator, sensors={"reveal": reveal})))
         for reveal in (False, True)
     )
-    assert blind.aboard.measurement.exact.position == (0.0, 0.0, 0.0)
-    assert shown.aboard.measurement.exact.position != (0.0, 0.0, 0.0)
+    assert blind.onboard.measurement.exact.position == (0.0, 0.0, 0.0)
+    assert shown.onboard.measurement.exact.position != (0.0, 0.0, 0.0)
     assert blind.flown.motion == shown.flown.motion
-    assert blind.aboard.pilot == shown.aboard.pilot
-    assert blind.aboard.command == shown.aboard.command
+    assert blind.onboard.pilot == shown.onboard.pilot
+    assert blind.onboard.command == shown.onboard.command
 
 
 # -- physics --------------------------------------------------------------------------------------

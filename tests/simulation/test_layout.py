@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from springback.kernels.layout import Like, read, row_of, rows, write
+from springback.kernels.layout import TreeLayout, read, row_of, rows, write
 from springback.kernels.vectors import Quat, Vec
 
 
@@ -37,8 +37,8 @@ def test_plain_and_compiled_reach_the_same_places() -> None:
     width = 3
     source = np.arange(10.0 * width)
     plain, packed = np.zeros(8 * width), np.zeros(8 * width)
-    moved(Like(TREE), source, plain, width)
-    numba.njit(numba.njit(moved).py_func)(Like(TREE), source, packed, width)
+    moved(TreeLayout(TREE), source, plain, width)
+    numba.njit(numba.njit(moved).py_func)(TreeLayout(TREE), source, packed, width)
     np.testing.assert_array_equal(plain, packed)
     assert plain[0] == 10.0 + 400.0
     rows_of_lane_1 = plain.reshape(8, width)[1:7, 1]
@@ -46,7 +46,7 @@ def test_plain_and_compiled_reach_the_same_places() -> None:
 
 
 def test_rows_count_leaves() -> None:
-    assert (rows(TREE), rows(Like(TREE).inner), row_of(TREE, "inner")) == (10, 6, 4)
+    assert (rows(TREE), rows(TreeLayout(TREE).inner), row_of(TREE, "inner")) == (10, 6, 4)
     back = np.zeros(10)
     write(TREE, back, 0, 1, 0)
-    assert read(Like(TREE), back, 0, 1, 0) == TREE
+    assert read(TreeLayout(TREE), back, 0, 1, 0) == TREE

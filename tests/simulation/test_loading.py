@@ -7,41 +7,41 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.dynamics.gusts import Calm
+from springback.dynamics.gusts import NoGusts
 from springback.kernels.vectors import Vec
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import loaded, shape_of
-from springback.simulation.guided import cabins_loaded
-from springback.simulation.loading import PATIENCE, Loader, Unlike
-from springback.simulation.onboard import Cabin
+from springback.simulation.guided import loaded_avionics
+from springback.simulation.loading import PATIENCE, DifferentStructure, Loader
+from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
-Flight = tuple[Model, State, Cabin]
+Flight = tuple[Model, State, Avionics]
 
 
 def flight(**tables: Any) -> Flight:
     given = {"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}}
     scenario = scenario_from(given | tables)
     model, start = scenario.flight_model(), scenario.start_state()
-    return model, start, board_of(scenario, model, start).cabin
+    return model, start, build_avionics(scenario, model, start).avionics
 
 
 def mixed() -> list[Flight]:
     """Flights of one kind that differ in many ways, and in none."""
     wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
     first = flight(world={"obstacles": [wall]})
-    model, start, cabin = first
+    model, start, avionics = first
     pressed = start._replace(arm_length=(0.18, *start.arm_length[1:]))
     return [
         first,
         first,
         flight(world={"obstacles": [wall | {"distance": 2.0}]}, seed=3),
-        (model, pressed, cabin),
+        (model, pressed, avionics),
         flight(world={"obstacles": [wall]}, start={"position": [0.2, 0, 1], "yaw": 0.1}),
         flight(world={"obstacles": [wall]}, control={"stiffness": 7.0}, model_error={"mass": 1.1}),
-        (model, start._replace(velocity=Vec(-0.0, 0.0, 0.0)), cabin),
+        (model, start._replace(velocity=Vec(-0.0, 0.0, 0.0)), avionics),
         flight(world={"obstacles": [wall]}, vehicle={"preset": "arq", "arms": {"stiffness": 3e3}}),
         first,
     ]
@@ -54,17 +54,17 @@ def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> Non
     wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
     other = flight(vehicle="quad", world={"obstacles": [wall]})
     flights = [*mixed(), *([other] * twins), *mixed(), *([other] * twins)]
-    models, starts, cabins = (list(column) for column in zip(*flights, strict=True))
+    models, starts, avionics_list = (list(column) for column in zip(*flights, strict=True))
     loader = Loader(*flights[0], width)
     for one in flights:
         loader.add(*one)
     laid = loader.laid()
     shape = shape_of(models[0], starts[0])
-    wanted, aboard = loaded(shape, models, starts, width), cabins_loaded(cabins, width)
-    assert laid.aboard is not None
+    wanted, onboard = loaded(shape, models, starts, width), loaded_avionics(avionics_list, width)
+    assert laid.onboard is not None
     # By their bits: −0 is not 0 here.
     np.testing.assert_array_equal(laid.buffers.view(np.int64), wanted.view(np.int64))
-    np.testing.assert_array_equal(laid.aboard.view(np.int64), aboard.view(np.int64))
+    np.testing.assert_array_equal(laid.onboard.view(np.int64), onboard.view(np.int64))
 
 
 def test_flights_without_pilots_are_laid_too() -> None:
@@ -73,7 +73,7 @@ def test_flights_without_pilots_are_laid_too() -> None:
     for model, start in flights:
         loader.add(model, start, None)
     laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
-    assert laid.aboard is None
+    assert laid.onboard is None
     np.testing.assert_array_equal(laid.buffers, loaded(laid.shape, models, starts, 8))
 
 
@@ -85,8 +85,8 @@ def test_flights_of_another_kind_are_told_apart() -> None:
     )
     loader = Loader(*first, 8)
     loader.add(*first)
-    model, start, cabin = first
-    assert isinstance(cabin.guidance.weather, Calm)
+    model, start, avionics = first
+    assert isinstance(avionics.systems.weather, NoGusts)
     arms = model.airframe._replace(arms=model.airframe.arms[:3])
     others: list[tuple[Any, Any, Any]] = [
         gusty,
@@ -95,14 +95,14 @@ def test_flights_of_another_kind_are_told_apart() -> None:
         (
             model,
             start,
-            cabin._replace(aboard=cabin.aboard._replace(weather=gusty[2].aboard.weather)),
+            avionics._replace(onboard=avionics.onboard._replace(weather=gusty[2].onboard.weather)),
         ),
         (model, start, flight(recovery={"response": {"way": "staged"}})[2]),
-        (model._replace(airframe=arms), start, cabin),
+        (model._replace(airframe=arms), start, avionics),
     ]
     for other in others:
-        with pytest.raises(Unlike):
+        with pytest.raises(DifferentStructure):
             loader.add(*other)
     assert loader.count == 1
-    wanted = cabins_loaded([cabin], 8)
-    np.testing.assert_array_equal(loader.laid().aboard, wanted)
+    wanted = loaded_avionics([avionics], 8)
+    np.testing.assert_array_equal(loader.laid().onboard, wanted)

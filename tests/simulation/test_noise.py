@@ -8,7 +8,7 @@ import scipy.stats
 
 from springback.simulation.noise import (
     Block,
-    deal,
+    generate,
     noise_table,
     philox,
     plan_of,
@@ -61,7 +61,7 @@ def test_any_stretch_for_any_lanes_is_that_of_the_flight_alone() -> None:
     words, drawn = workplace(stretch * lanes)
     for first in (0, 25, 33, 75):
         out = np.zeros((stretch, 26 * lanes))
-        deal(keys, flights, plan_of(DRAWS), first, out, words, drawn)
+        generate(keys, flights, plan_of(DRAWS), first, out, words, drawn)
         for lane, table in enumerate(alone):
             mine = out.reshape(stretch, 26, lanes)[:, :, lane]
             assert np.array_equal(mine, table[first : first + stretch])

@@ -10,9 +10,9 @@ import pytest
 from contact.scenes import FACE, approaching, one_arm, surface
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import measures_of
-from springback.simulation.peaks import Recent, Sample, peak_of, spacing
+from springback.simulation.peaks import PeakSample, Recent, peak_of, spacing
 
-NONE = Sample(0.0, 0.0, 0.0)
+NONE = PeakSample(0.0, 0.0, 0.0)
 
 
 def test_the_vertex_of_a_parabola_is_found_exactly() -> None:

@@ -29,10 +29,10 @@ def test_a_step_is_answered_by_the_exact_exponential_at_every_tick() -> None:
     assert QUAD.propulsion is not None
     assert pytest.approx(LAG) == QUAD.propulsion.time_constant
     for clock in (1000.0, 2000.0):
-        diary = flown(constant(4.0), clock=clock).diary
-        expected = 4.0 + (HOVER - 4.0) * np.exp(-diary["t"] / LAG)
+        telemetry = flown(constant(4.0), clock=clock).telemetry
+        expected = 4.0 + (HOVER - 4.0) * np.exp(-telemetry["t"] / LAG)
         for rotor in range(1, 5):
-            assert diary[f"thrust{rotor}"] == pytest.approx(expected, rel=1e-12)
+            assert telemetry[f"thrust{rotor}"] == pytest.approx(expected, rel=1e-12)
 
 
 def test_the_vehicle_climbs_by_the_integral_of_the_lagged_thrust() -> None:
@@ -46,15 +46,15 @@ def test_the_vehicle_climbs_by_the_integral_of_the_lagged_thrust() -> None:
 
 
 def test_commands_beyond_the_bounds_saturate() -> None:
-    """More than most_thrust, and less than nothing."""
+    """More than max_thrust, and less than nothing."""
     assert QUAD.propulsion is not None
-    most = float(QUAD.propulsion.most_thrust)
+    most = float(QUAD.propulsion.max_thrust)
     for command, bound in ((1e3, most), (-5.0, 0.0)):
-        diary = flown(constant(command), 0.4).diary
-        assert diary["command1"][-1] == command
-        assert diary["thrust1"][-1] == pytest.approx(bound, abs=2e-5 * most)
-        assert diary["thrust1"].max() <= most
-        assert diary["thrust1"].min() >= 0.0
+        telemetry = flown(constant(command), 0.4).telemetry
+        assert telemetry["command1"][-1] == command
+        assert telemetry["thrust1"][-1] == pytest.approx(bound, abs=2e-5 * most)
+        assert telemetry["thrust1"].max() <= most
+        assert telemetry["thrust1"].min() >= 0.0
 
 
 def test_a_command_acts_from_its_own_tick_on() -> None:
@@ -63,7 +63,7 @@ def test_a_command_acts_from_its_own_tick_on() -> None:
     def pulse(time: float, measurement: Any, memory: Any) -> Any:
         return ((HOVER + (1.0 if round(time / TICK) == 10 else 0.0),) * 4, None)
 
-    thrust = flown(pulse, 0.05).diary["thrust1"] - HOVER
+    thrust = flown(pulse, 0.05).telemetry["thrust1"] - HOVER
     assert thrust[:11] == pytest.approx(0.0, abs=1e-15)
     jump = -math.expm1(-TICK / LAG)
     assert thrust[11] == pytest.approx(jump, rel=1e-12)
@@ -72,9 +72,9 @@ def test_a_command_acts_from_its_own_tick_on() -> None:
 
 def test_rotors_without_lag_follow_at_once() -> None:
     vehicle = {"preset": "quad", "propulsion": {"time_constant": 0.0}}
-    diary = flown(constant(4.0), 0.01, vehicle=vehicle).diary
-    assert diary["thrust1"][0] == pytest.approx(HOVER)
-    assert diary["thrust1"][1:] == pytest.approx(4.0)
+    telemetry = flown(constant(4.0), 0.01, vehicle=vehicle).telemetry
+    assert telemetry["thrust1"][0] == pytest.approx(HOVER)
+    assert telemetry["thrust1"][1:] == pytest.approx(4.0)
 
 
 def test_spinning_rotors_turn_the_vehicle_about_z_by_their_reaction() -> None:

@@ -111,14 +111,14 @@ def test_a_ledger_that_does_not_close_is_said() -> None:
 
 
 @pytest.mark.parametrize("make", [families.preset, families.moderate])
-def test_ledgers_close_for_impacts_that_nobody_picked(make) -> None:  # type: ignore[no-untyped-def]
+def test_ledgers_close_for_impacts_that_nobody_picked(build) -> None:  # type: ignore[no-untyped-def]
     """99 of 100 within 1e-6 (presets) and 1e-5 (others); 84 and 85 of 100 before."""
-    draws = families.family(make, 400, 11)
+    draws = families.family(build, 400, 11)
     mine = [d for d in draws if type(d.model.contact_point).__name__ == "Ring"]
     mine = [
         d for d in mine if "Both" in type(d.model.world.obstacles[0].surface.friction_axes).__name__
     ]
     left = families.residuals(families.flown(mine, threads=1))
-    limit = 1e-6 if make is families.preset else 1e-5
+    limit = 1e-6 if build is families.preset else 1e-5
     assert np.mean(left > limit) <= 0.01
     assert left.max() < 1e-5

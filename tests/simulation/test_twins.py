@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 from simulation.impacts import towards_wall
-from springback.kernels.layout import Like
+from springback.kernels.layout import TreeLayout
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, normalised
 from springback.results.flight import as_scenario
 from springback.simulation.executor import advance
 from springback.simulation.flight import (
-    Flown,
+    FlightRecord,
     fly_buffers,
     fly_many,
     fly_one,
@@ -60,7 +60,7 @@ def scene(speed: float, tilt: float, *overrides: str) -> tuple[Model, State]:
     return scenario.flight_model(), scenario.start_state()
 
 
-def same(a: Flown, b: Flown) -> bool:
+def same(a: FlightRecord, b: FlightRecord) -> bool:
     """Whether motion and record are the same, bit for bit."""
     return bool(
         np.array_equal(leaves(a.motion), leaves(b.motion))
@@ -90,13 +90,13 @@ def fleet() -> tuple[list[Model], list[State]]:
 
 
 @pytest.fixture(scope="module")
-def alone() -> list[Flown]:
+def alone() -> list[FlightRecord]:
     """Each flight of the fleet by itself."""
     return [fly_one(model, start, trace=False) for model, start in zip(*fleet(), strict=True)]
 
 
 @pytest.mark.parametrize("width", [1, 4, 16])
-def test_a_flight_in_lanes_is_the_flight_alone(width: int, alone: list[Flown]) -> None:
+def test_a_flight_in_lanes_is_the_flight_alone(width: int, alone: list[FlightRecord]) -> None:
     """Whatever flies beside it, whenever that ends, and with lanes to spare."""
     models, starts = fleet()
     abreast = fly_many(models, starts, width=width)
@@ -123,7 +123,7 @@ def test_a_finished_flight_keeps_its_bits_while_others_fly_on() -> None:
 
 
 @pytest.mark.parametrize("width", [1, 4])
-def test_nothing_is_read_before_it_is_written(width: int, alone: list[Flown]) -> None:
+def test_nothing_is_read_before_it_is_written(width: int, alone: list[FlightRecord]) -> None:
     """Rates, sums and views are outputs: filled with infinity beforehand, they change no bit."""
     models, starts = fleet()
     shape = shape_of(models[0], starts[0])
@@ -143,7 +143,9 @@ def test_lanes_in_plain_python() -> None:
     buffers = loaded(shape, models, starts, 2)
     loop: Any = getattr(advance, "py_func", advance)
     logged = np.zeros(1, dtype=np.int64)
-    assert loop(Like(shape), buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000, 0.0) == 0
+    assert (
+        loop(TreeLayout(shape), buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000, 0.0) == 0
+    )
     for k, flown in enumerate(unloaded(shape, models, starts, buffers, 2)):
         assert same(flown, fly_one(models[k], starts[k], trace=False))
 
@@ -155,7 +157,7 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
     buffers = loaded(shape, [model], [start], 1)
     log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
     calls = 1
-    while advance(Like(shape), buffers, 0, 1, (0,), log, logged, 7, 0.0):
+    while advance(TreeLayout(shape), buffers, 0, 1, (0,), log, logged, 7, 0.0):
         calls += 1
     assert calls > 10
     again = unloaded(shape, [model], [start], buffers, 1)[0]
@@ -164,14 +166,14 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
 
 @pytest.mark.parametrize("budget", [100_000, 37])
 def test_flights_that_change_lanes_come_home_with_the_same_bits(
-    budget: int, alone: list[Flown]
+    budget: int, alone: list[FlightRecord]
 ) -> None:
     """Groups lend each other flights, also when they are interrupted; each ends where it began."""
     models, starts = fleet()
     shape = shape_of(models[0], starts[0])
     buffers = loaded(shape, models, starts, 4)
     log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
-    while advance(Like(shape), buffers, 0, len(buffers), (0,) * 4, log, logged, budget, 0.0):
+    while advance(TreeLayout(shape), buffers, 0, len(buffers), (0,) * 4, log, logged, budget, 0.0):
         pass
     for one, other in zip(alone, unloaded(shape, models, starts, buffers, 4), strict=True):
         assert same(one, other)
@@ -192,4 +194,4 @@ def test_lanes_are_kept_full() -> None:
     log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
     half = int(sum(longest)) // 2
     assert len(longest) == len(buffers) == 5
-    assert advance(Like(shape), buffers, 0, 5, (0,) * 4, log, logged, half, 0.0) == 0
+    assert advance(TreeLayout(shape), buffers, 0, 5, (0,) * 4, log, logged, half, 0.0) == 0

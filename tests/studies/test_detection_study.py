@@ -67,7 +67,7 @@ def test_no_false_alarm_in_free_flight_and_no_threshold_is_near(study: Detection
 def test_direction_within_five_degrees_and_place_within_two_centimetres(
     study: DetectionResults, robot: str
 ) -> None:
-    found = study.made_out(robot)
+    found = study.characterisation_error(robot)
     assert len(found) == 9
     # With friction along both tangents 216 of 216 hits were within 5 degrees.  With the paper's,
     # along the vertical, two of Quad's nine are put down to a wrong arm, up to 13 degrees off.
@@ -86,10 +86,10 @@ def test_curves_judge_as_the_triggers_aboard_did(study: DetectionResults) -> Non
 
     for one in study.encounters:
         for name in ("hall", "acceleration", "wrench"):
-            aboard, threshold = one.delays[name], default_threshold(name)
+            onboard, threshold = one.delays[name], default_threshold(name)
             after = delay(one.signals[name], one.touch, threshold, 1, 0.09)
-            if aboard is not None and aboard < 0.09:
-                assert after == pytest.approx(aboard, abs=1.5e-3)
+            if onboard is not None and onboard < 0.09:
+                assert after == pytest.approx(onboard, abs=1.5e-3)
 
 
 def test_curves_fall_with_the_threshold(study: DetectionResults) -> None:

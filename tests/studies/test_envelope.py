@@ -9,8 +9,8 @@ from springback.errors import InputError
 from springback.scenario.scenario import scenario_from
 from springback.studies import envelope_run
 from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import LEVEL, Cell, Envelope, Place, stretches
-from springback.studies.envelope_run import Plan, fly_envelope, outlook, plan_envelope
+from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place, stretches
+from springback.studies.envelope_run import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
 from springback.studies.trials import DURATION
 
 SMALL = {"robots": ("arq",), "trials": 2}
@@ -29,7 +29,7 @@ def made_up(counts: list[list[int | None]], trials: int = 1000) -> Envelope:
         for i, n in enumerate(row):
             place = Place("arq", i, j)
             ended = {} if n is None else {"recovered": n, "hit_ground": trials - n}
-            cells[place] = Cell(place, ended, "too weak" if n is None else "")
+            cells[place] = EnvelopeCell(place, ended, "too weak" if n is None else "")
     return Envelope(x, y, ("arq",), trials, 0, (), cells)
 
 
@@ -91,7 +91,7 @@ def test_intervals_are_wilsons() -> None:
 # -- parameters -----------------------------------------------------------------------------------
 
 
-def axes(*words: str, **given: object) -> Plan:
+def axes(*words: str, **given: object) -> EnvelopePlan:
     return plan_envelope(*words, **{**SMALL, **given})
 
 
@@ -239,14 +239,14 @@ def test_a_cell_is_what_its_trials_are() -> None:
 def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
     """Rotors that lift 1 % more than the believed weight: of ten drawn masses some are too much."""
     share = 1.404 * 9.81 / 4.0
-    words = (f"vehicle.propulsion.most_thrust={0.9 * share}:{1.01 * share}:2", "speed=1:1.1:2")
+    words = (f"vehicle.propulsion.max_thrust={0.9 * share}:{1.01 * share}:2", "speed=1:1.1:2")
     told = flown(*words, trials=10)
     assert all(cell.trials == 0 and cell.reason for cell in told.cells.values())
 
 
 def test_the_outlook_counts_and_flies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(envelope_run, "fly_trials", None)
-    coming = outlook(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
+    coming = envelope_cost(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
     assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, DURATION, 1)
     two = axes("estimator.kalman.offset.0=0:0.01:2", settings=("estimator.type=perfect",))
-    assert outlook(two).kinds == 1
+    assert envelope_cost(two).kinds == 1

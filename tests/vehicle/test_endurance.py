@@ -23,7 +23,7 @@ from springback.vehicle.parameters import Arms, Body, Vehicle
 from springback.vehicle.rotors import Propulsion
 
 ENGINE: dict[str, Any] = {
-    "most_thrust": 8.0, "figure_of_merit": 0.5, "disk_radius": 0.1, "battery_energy": 2e5,
+    "max_thrust": 8.0, "figure_of_merit": 0.5, "disk_radius": 0.1, "battery_energy": 2e5,
     "usable_share": 0.75, "electronics_power": 0.0,
 }  # fmt: skip
 
@@ -50,7 +50,7 @@ def test_induced_power_is_work_on_the_wake() -> None:
 def test_hover_power_of_a_helicopter() -> None:
     """One rotor of 1 m² in air of 0.5 kg/m³ under 9.81 N: √(2ρA) = 1, so 9.81^1.5 W ideally."""
     one = craft(
-        count=1, disk_radius=math.pi**-0.5, air_density=0.5, most_thrust=20.0, figure_of_merit=1.0
+        count=1, disk_radius=math.pi**-0.5, air_density=0.5, max_thrust=20.0, figure_of_merit=1.0
     )
     assert hover_power(one) == pytest.approx(9.81**1.5)
     assert hover_power(craft(electronics_power=7.0)) == pytest.approx(hover_power(craft()) + 7.0)
@@ -79,7 +79,7 @@ def test_best_battery_weighs_twice_the_rest() -> None:
     """Known optimum: with energy in proportion to the battery's mass b, b/(m + b)^1.5 peaks at 2 m."""
     masses = np.linspace(0.5, 4.0, 701)
     times = [
-        hover_time(craft(mass=1.0 + b, battery_energy=b * 5e5, most_thrust=50.0)) for b in masses
+        hover_time(craft(mass=1.0 + b, battery_energy=b * 5e5, max_thrust=50.0)) for b in masses
     ]
     assert masses[int(np.argmax(times))] == pytest.approx(2.0, abs=0.006)
 
@@ -89,7 +89,7 @@ def test_largest_payload_is_where_thrust_just_holds() -> None:
     payload = largest_payload(craft())
     assert (1.0 + payload) * GRAVITY == pytest.approx(32.0)
     assert hover_time(craft(), payload) > 0.0
-    with pytest.raises(InputError, match=r"cannot hover: it takes 8.00245 N .*most_thrust is 8 N"):
+    with pytest.raises(InputError, match=r"cannot hover: it takes 8.00245 N .*max_thrust is 8 N"):
         hover_power(craft(), payload + 0.001)
     reserve = largest_payload(craft(), thrust_to_weight=2.0)
     assert 2.0 * (1.0 + reserve) == pytest.approx(1.0 + payload)

@@ -144,21 +144,21 @@ def test_plain_python_is_compiled(constant: float) -> None:
 
 
 def test_settings_become_the_kernels_numbers() -> None:
-    settings = Propulsion(most_thrust="7 N", least_thrust=0.2, time_constant="30 ms")
+    settings = Propulsion(max_thrust="7 N", min_thrust=0.2, time_constant="30 ms")
     assert settings.rotors() == ROTORS
-    assert Propulsion(most_thrust=1.0, battery_energy="1 Wh").battery_energy == pytest.approx(3600)
+    assert Propulsion(max_thrust=1.0, battery_energy="1 Wh").battery_energy == pytest.approx(3600)
 
 
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ({"most_thrust": 0.0}, "more than 0 N"),
-        ({"most_thrust": 1.0, "least_thrust": 1.0}, "less than most_thrust, 1 N"),
-        ({"most_thrust": 1.0, "time_constant": -0.1}, "at least 0 s"),
-        ({"most_thrust": 1.0, "figure_of_merit": 1.1}, "at most 1"),
-        ({"most_thrust": 1.0, "usable_share": 0.0}, "more than 0"),
-        ({"most_thrust": 1.0, "battery_energy": "3 V"}, "wrong unit"),
-        ({"most_thrust": 1.0, "batery_energy": 3.0}, "did you mean battery_energy"),
+        ({"max_thrust": 0.0}, "more than 0 N"),
+        ({"max_thrust": 1.0, "min_thrust": 1.0}, "less than max_thrust, 1 N"),
+        ({"max_thrust": 1.0, "time_constant": -0.1}, "at least 0 s"),
+        ({"max_thrust": 1.0, "figure_of_merit": 1.1}, "at most 1"),
+        ({"max_thrust": 1.0, "usable_share": 0.0}, "more than 0"),
+        ({"max_thrust": 1.0, "battery_energy": "3 V"}, "wrong unit"),
+        ({"max_thrust": 1.0, "batery_energy": 3.0}, "did you mean battery_energy"),
     ],
 )
 def test_wrong_settings_say_what_is_allowed(wrong: dict[str, Any], said: str) -> None:

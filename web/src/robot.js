@@ -91,7 +91,7 @@ export class Robot {
       return glass;
     });
     this.arms = flight.arms.map((arm) => this.#arm(arm, { metal, dark, own, spring, paint, colours, unit, faded, look }));
-    this.most = flight.most_thrust || 1;
+    this.most = flight.max_thrust || 1;
     this.bar = 1.2 * span;
   }
 

@@ -24,7 +24,7 @@ def parameters(vehicle: dict[str, Any]) -> dict[str, Any]:
     import numpy as np
 
     speed = 2000.0  # [rad/s], chosen
-    k_eta = vehicle["most_thrust"] / speed**2
+    k_eta = vehicle["max_thrust"] / speed**2
     return {
         "mass": vehicle["mass"],
         **{f"I{a}{a}": vehicle["inertia"][k] for k, a in enumerate("xyz")},

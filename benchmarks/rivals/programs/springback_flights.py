@@ -60,7 +60,7 @@ def collision_tables(told: Mapping[str, Any], count: int) -> list[dict[str, Any]
         "estimator": {"type": told["estimator"]},
     }
     lucks = (Scatter().drawn("arq", PITCH, SPEED, k, 0) for k in range(count))
-    tables = [trial_tables("arq", PITCH, SPEED, luck, changes) for luck in lucks]
+    tables = [trial_tables("arq", PITCH, SPEED, noise_stream, changes) for noise_stream in lucks]
     for one in tables:
         if told.get("arms", 4) != 4:
             one["vehicle"] = with_arms(told["arms"])

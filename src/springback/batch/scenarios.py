@@ -16,12 +16,12 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.batch.templates import Alike, Many, made_together, pace_of
-from springback.batch.validation import UNCHECKED, Ready, made_ready, settings_of
+from springback.batch.templates import BuiltGroup, ScenarioGroup, build_group, pace_of
+from springback.batch.validation import UNCHECKED, ReadyFlight, made_ready, settings_of
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
-from springback.kernels.memo import Kept
-from springback.recovery.evaluator import RefereeMemory
+from springback.kernels.memo import Memo
+from springback.recovery.evaluator import EvaluatorMemory
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
@@ -31,9 +31,9 @@ from springback.scenario.avionics import turn_on_normals
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
-from springback.simulation.loading import Laid, Loader, Unlike
+from springback.simulation.loading import DifferentStructure, Laid, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
-from springback.simulation.onboard import Cabin
+from springback.simulation.onboard import Avionics
 
 #: Outcome of a flight that was not flown, because its scenario cannot be.
 REFUSED = "refused"
@@ -72,7 +72,7 @@ class _Kind(NamedTuple):
     """Flights that fly abreast, as they are collected."""
 
     loader: Loader
-    first: Ready
+    first: ReadyFlight
     numbers: list[int]
     seeds: list[int]
 
@@ -97,7 +97,7 @@ def fly_scenarios(
     Raises:
         InputError: If the device is not there.
     """
-    count, make = len(tables), Kept()
+    count, build = len(tables), Memo()
     out = Rows(
         [REFUSED] * count,
         {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
@@ -113,8 +113,8 @@ def fly_scenarios(
                 progress((first + x * size) / count)
 
         with no_collection():
-            _fly_block(tables, block, make, fly, share, out)
-            make.forget()
+            _fly_block(tables, block, build, fly, share, out)
+            build.forget()
         share(1.0)
     return out
 
@@ -145,7 +145,7 @@ def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
 def _fly_block(
     tables: Sequence[Mapping[str, Any]],
     block: list[int],
-    make: Kept,
+    build: Memo,
     fly: _Fly,
     progress: Callable[[float], None],
     out: Rows,
@@ -153,13 +153,13 @@ def _fly_block(
     """Make some flights ready, fly them kind by kind, and read what they left."""
     biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
 
-    def one(number: int) -> Ready:
-        return made_ready(tables[number], make, biases[number])
+    def one(number: int) -> ReadyFlight:
+        return made_ready(tables[number], build, biases[number])
 
     kinds: dict[Any, _Kind] = {}
-    alike, alone = _sorted_out(tables, block, make)
+    alike, alone = _sorted_out(tables, block, build)
     for group in alike:
-        many = made_together(group, [biases[k] or [] for k in group.flights], one)
+        many = build_group(group, [biases[k] or [] for k in group.flights], one)
         if many is None:
             alone += group.flights
         else:
@@ -194,15 +194,15 @@ def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
 
 
 def _sorted_out(
-    tables: Sequence[Mapping[str, Any]], block: Sequence[int], make: Kept
-) -> tuple[list[Alike], list[int]]:
+    tables: Sequence[Mapping[str, Any]], block: Sequence[int], build: Memo
+) -> tuple[list[ScenarioGroup], list[int]]:
     """Flights that are alike but for numbers, and those that something is wrong with."""
-    alike: list[Alike] = []
+    alike: list[ScenarioGroup] = []
     wrong: list[int] = []
     before: tuple[Mapping[str, Any], Mapping[str, Any]] = {}, {}
     for number in block:
         try:
-            settings = settings_of(tables[number], make, before)
+            settings = settings_of(tables[number], build, before)
         except UNCHECKED:
             wrong.append(number)
             continue
@@ -213,41 +213,41 @@ def _sorted_out(
                 alike.insert(0, alike.pop(k))  # the next one will be like this one
                 break
         else:
-            alike.insert(0, Alike(number, settings, make))
+            alike.insert(0, ScenarioGroup(number, settings, build))
     return alike, wrong
 
 
-def _add_many(many: Many, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
+def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
     """Add flights that were made ready together to those of their kind."""
     kind = _kind_of(many.first, kinds)
-    cabin = many.first.board.cabin if many.first.board else None
-    kind.loader.add_alike(many.first.model, many.first.start, cabin, many.flown, many.aboard)
+    avionics = many.first.built_avionics.avionics if many.first.built_avionics else None
+    kind.loader.add_alike(many.first.model, many.first.start, avionics, many.flown, many.onboard)
     kind.numbers.extend(many.flights)
     kind.seeds.extend(seeds)
 
 
-def _sorted_in(one: Ready, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
+def _sorted_in(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
     """The kind that a flight was added to: that of the flight before it, if it is like that."""
-    cabin = one.board.cabin if one.board else None
+    avionics = one.built_avionics.avionics if one.built_avionics else None
     if last is not None and pace_of(one) == pace_of(last.first):
         try:
-            last.loader.add(one.model, one.start, cabin)
-        except Unlike:
+            last.loader.add(one.model, one.start, avionics)
+        except DifferentStructure:
             pass
         else:
             return last
     kind = _kind_of(one, kinds)
-    kind.loader.add(one.model, one.start, cabin)
+    kind.loader.add(one.model, one.start, avionics)
     return kind
 
 
-def _kind_of(one: Ready, kinds: dict[Any, _Kind]) -> _Kind:
+def _kind_of(one: ReadyFlight, kinds: dict[Any, _Kind]) -> _Kind:
     """The kind of a flight, which may be the first of it."""
-    cabin = one.board.cabin if one.board else None
-    key = structure(one.model), structure(cabin), pace_of(one)
+    avionics = one.built_avionics.avionics if one.built_avionics else None
+    key = structure(one.model), structure(avionics), pace_of(one)
     if key not in kinds:
-        width = LANES if cabin is None else GUIDED_LANES
-        kinds[key] = _Kind(Loader(one.model, one.start, cabin, width), one, [], [])
+        width = LANES if avionics is None else GUIDED_LANES
+        kinds[key] = _Kind(Loader(one.model, one.start, avionics, width), one, [], [])
     return kinds[key]
 
 
@@ -269,12 +269,13 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Callable[[float], None], out: Ro
     """Fly all flights of one kind, and keep what they left."""
     laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
     before = energies(laid.shape, laid.buffers, width, count)
-    board = kind.first.board
-    if board is None or laid.cabin is None or laid.aboard is None:
+    built_avionics = kind.first.built_avionics
+    if built_avionics is None or laid.avionics is None or laid.onboard is None:
         fly.impacts(laid.shape, laid.buffers, width, progress=progress)
     else:
         fly.guided(
-            laid.model, laid.start, laid.cabin, laid.buffers, laid.aboard, board.noise, kind.seeds,
+            laid.model, laid.start, laid.avionics, laid.buffers, laid.onboard,
+            built_avionics.noise, kind.seeds,
             width=width, progress=progress,
         )  # fmt: skip
     words, columns = _read(laid, before, width, count)
@@ -293,17 +294,17 @@ def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], d
     work = columns_of(shape.motion.work, buffers, work_row, width, count)
     after = energies(shape, buffers, width, count)
     columns = measure_columns(record, work, before, after)
-    if laid.cabin is None or laid.aboard is None:
+    if laid.avionics is None or laid.onboard is None:
         return [one.word for one in outcomes_of(record)], columns
-    if not isinstance(laid.cabin.aboard.witness, RefereeMemory):
+    if not isinstance(laid.avionics.onboard.evaluator, EvaluatorMemory):
         return [one.word for one in outcomes_of(record)], columns
-    seen = _aboard(laid.cabin, laid.aboard, width, count, "witness")
-    memory = _aboard(laid.cabin, laid.aboard, width, count, "pilot")
+    seen = _aboard(laid.avionics, laid.onboard, width, count, "evaluator")
+    memory = _aboard(laid.avionics, laid.onboard, width, count, "pilot")
     words = [one.word for one in recovery_outcomes(record, seen)]
     return words, columns | recovery_columns(record, seen, memory)
 
 
-def _aboard(cabin: Cabin, buffers: Buffer, width: int, count: int, name: str) -> Any:
+def _aboard(avionics: Avionics, buffers: Buffer, width: int, count: int, name: str) -> Any:
     """One part of what was aboard, in columns."""
-    row = rows(cabin.guidance) + row_of(cabin.aboard, name)
-    return columns_of(getattr(cabin.aboard, name), buffers, row, width, count)
+    row = rows(avionics.systems) + row_of(avionics.onboard, name)
+    return columns_of(getattr(avionics.onboard, name), buffers, row, width, count)

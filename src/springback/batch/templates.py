@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.validation import UNCHECKED, Ready, ready_of, scenario_with
-from springback.kernels.memo import EVER, Kept, Make
-from springback.kernels.tracing import NO_FORMULA, Cell, Filled, Sheet
+from springback.batch.validation import UNCHECKED, ReadyFlight, ready_of, scenario_with
+from springback.kernels.memo import FOREVER, Build, Memo
+from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced
 from springback.kernels.trees import leaves
 from springback.settings import Settings
 from springback.simulation.flight import first_phase
@@ -113,12 +113,12 @@ def _getter(keys: list[Any]) -> Callable[[dict[Any, Any]], tuple[Any, ...]]:
     return lambda fields: tuple(fields[key] for key in keys)
 
 
-class Alike:
+class ScenarioGroup:
     """Flights whose settings differ in numbers only, as they are collected."""
 
-    def __init__(self, number: int, first: Mapping[str, Any], make: Make) -> None:
+    def __init__(self, number: int, first: Mapping[str, Any], build: Build) -> None:
         """Of the first flight: its number, and its settings by the name of their table."""
-        self._first, self._make = first, make
+        self._first, self._make = first, build
         self._templates: dict[str, Template] = {}
         self._numbers: dict[str, list[list[float]]] = {}
         self.flights = [number]
@@ -132,8 +132,8 @@ class Alike:
             first = self._first[name]
             if part is not first:
                 if name not in self._templates:  # robots have tables of a sample in common
-                    self._templates[name] = self._make(Template, first, place=EVER)
-                numbers = self._make(self._templates[name].numbers, part, place=EVER)
+                    self._templates[name] = self._make(Template, first, place=FOREVER)
+                numbers = self._make(self._templates[name].numbers, part, place=FOREVER)
                 if numbers is None:
                     return False
                 found[name] = numbers
@@ -144,7 +144,7 @@ class Alike:
         self.flights.append(number)
         return True
 
-    def on_sheet(self, more: Sequence[Sequence[float]]) -> tuple[Sheet, dict[str, Any], list[Any]]:
+    def on_sheet(self, more: Sequence[Sequence[float]]) -> tuple[Tape, dict[str, Any], list[Any]]:
         """Settings with cells for the numbers that are not all the same.
 
         Args:
@@ -157,7 +157,7 @@ class Alike:
         tables = [np.array(numbers) for numbers in self._numbers.values()]
         rows = np.hstack([*tables, np.array(more)])
         bits = rows.view(np.int64)  # −0 is not 0
-        sheet, differs = Sheet(rows), (bits != bits[0]).any(axis=0).tolist()
+        sheet, differs = Tape(rows), (bits != bits[0]).any(axis=0).tolist()
         cells = iter(
             [cell if one else cell.value for cell, one in zip(sheet.first, differs, strict=True)]
         )
@@ -165,22 +165,22 @@ class Alike:
         return sheet, {**self._first, **changed}, [*cells]
 
 
-class Many(NamedTuple):
+class BuiltGroup(NamedTuple):
     """Flights made ready together."""
 
     flights: list[int]
     """Their numbers."""
-    first: Ready
+    first: ReadyFlight
     """The first of them."""
     flown: Leaves
     """Leaves of model and start in which they differ from the first."""
-    aboard: Leaves
+    onboard: Leaves
     """The same for what is aboard."""
 
 
-def made_together(
-    alike: Alike, biases: Sequence[Sequence[float]], one: Callable[[int], Ready]
-) -> Many | None:
+def build_group(
+    alike: ScenarioGroup, biases: Sequence[Sequence[float]], one: Callable[[int], ReadyFlight]
+) -> BuiltGroup | None:
     """Flights that are alike, made ready by one pass.
 
     Args:
@@ -198,7 +198,7 @@ def made_together(
     try:
         first = one(alike.flights[0])
         # The seed is a number to nobody, lest luck be taken for a formula.
-        on_sheet = ready_of(scenario_with({**settings, "seed": object()}), Kept(), normals)
+        on_sheet = ready_of(scenario_with({**settings, "seed": object()}), Memo(), normals)
         first_phase(on_sheet.model, on_sheet.start)
         filled = sheet.filled()
         rows = np.flatnonzero(filled.holds)
@@ -208,34 +208,38 @@ def made_together(
     # Functions might have taken a cell for something else than a float: two flights are compared.
     if not (_agree(on_sheet, filled, 0, first) and _agree(on_sheet, filled, rows[-1], last)):
         return None
-    flown, aboard = _trees(on_sheet)
+    flown, onboard = _trees(on_sheet)
     numbers = [alike.flights[row] for row in rows]
-    return Many(numbers, first, _cells(flown, filled, rows), _cells(aboard, filled, rows))
+    return BuiltGroup(numbers, first, _cells(flown, filled, rows), _cells(onboard, filled, rows))
 
 
-def _cells(tree: Any, filled: Filled, rows: Any) -> Leaves:
+def _cells(tree: Any, filled: Evaluated, rows: Any) -> Leaves:
     """Where cells stand in a tree, and what they are in some rows."""
-    cells = {k: x for k, x in enumerate(leaves(tree)) if isinstance(x, Cell)}
+    cells = {k: x for k, x in enumerate(leaves(tree)) if isinstance(x, Traced)}
     columns = [filled.of(x, rows) for x in cells.values()]
     return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
 
 
-def _agree(on_sheet: Ready, filled: Filled, row: int, plain: Ready) -> bool:
+def _agree(on_sheet: ReadyFlight, filled: Evaluated, row: int, plain: ReadyFlight) -> bool:
     """Whether a row of a sheet is the very flight made ready alone."""
-    if any(isinstance(x, Cell) for x in leaves(pace_of(on_sheet))):
+    if any(isinstance(x, Traced) for x in leaves(pace_of(on_sheet))):
         return False
     cells, floats = leaves(_trees(on_sheet)), leaves(_trees(plain))
     there = np.array([filled.of(x, row) for x in cells])
     return pace_of(on_sheet) == pace_of(plain) and there.tobytes() == np.array(floats).tobytes()
 
 
-def _trees(ready: Ready) -> tuple[Any, Any]:
+def _trees(ready: ReadyFlight) -> tuple[Any, Any]:
     """All numbers of a flight: model and start, and what is aboard."""
-    return (ready.model, ready.start), ready.board.cabin if ready.board else ()
+    return (ready.model, ready.start), ready.built_avionics.avionics if ready.built_avionics else ()
 
 
-def pace_of(ready: Ready) -> tuple[Any, ...]:
+def pace_of(ready: ReadyFlight) -> tuple[Any, ...]:
     """What flights abreast have in common beside their types; without pilots, nothing."""
-    if ready.board is None:
+    if ready.built_avionics is None:
         return ()
-    return ready.model.timing.until, ready.board.cabin.guidance.period, ready.board.noise
+    return (
+        ready.model.timing.until,
+        ready.built_avionics.avionics.systems.period,
+        ready.built_avionics.noise,
+    )

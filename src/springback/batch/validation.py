@@ -16,8 +16,8 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import ObstacleSettings, SurfaceSettings
 from springback.errors import InputError
-from springback.kernels.memo import EVER, Kept, Make, afresh
-from springback.scenario.avionics import Board, board_of
+from springback.kernels.memo import FOREVER, Build, Memo, uncached
+from springback.scenario.avionics import BuiltAvionics, build_avionics
 from springback.scenario.checks import (
     check_clock,
     check_start,
@@ -37,23 +37,23 @@ from springback.vehicle.state import State
 UNCHECKED = (PydanticCustomError, ValidationError, InputError)
 
 
-class Ready(NamedTuple):
+class ReadyFlight(NamedTuple):
     """A flight made ready; without a pilot it has no board."""
 
     seed: int
     model: Model
     start: State
-    board: Board | None
+    built_avionics: BuiltAvionics | None
 
 
 def made_ready(
-    table: Mapping[str, Any], make: Kept, biases: Sequence[float] | None = None
-) -> Ready:
+    table: Mapping[str, Any], build: Memo, biases: Sequence[float] | None = None
+) -> ReadyFlight:
     """A flight made ready from plain tables.
 
     Args:
         table: The whole scenario.
-        make: Remembers what flights before shared.
+        build: Remembers what flights before shared.
         biases: `turn_on_normals` of its seed, if they are known already.
 
     Raises:
@@ -61,47 +61,52 @@ def made_ready(
         run-up would need, which takes long to find out.
     """
     try:
-        return ready_of(scenario_of(table, make), make, biases)
+        return ready_of(scenario_of(table, build), build, biases)
     except PydanticCustomError as error:
         if (error.context or {}).get("field") == "reference":
             raise InputError(f"reference: {error.message()}") from None
     except (ValidationError, InputError):
         pass
-    return _ready(scenario_from(table, False), afresh)
+    return _ready(scenario_from(table, False), uncached)
 
 
-def ready_of(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
+def ready_of(
+    scenario: Scenario, build: Build, biases: Sequence[float] | None = None
+) -> ReadyFlight:
     """The checks across the tables, and the numbers.
 
     Args:
         scenario: Of `scenario_with`.
-        make: How parts are made.
+        build: How parts are made.
         biases: `turn_on_normals` of its seed, if they are known already.
     """
-    check_tables(scenario, make)
-    return _ready(scenario, make, biases)
+    check_tables(scenario, build)
+    return _ready(scenario, build, biases)
 
 
-def _ready(scenario: Scenario, make: Make, biases: Sequence[float] | None = None) -> Ready:
+def _ready(scenario: Scenario, build: Build, biases: Sequence[float] | None = None) -> ReadyFlight:
     """The last checks, and the numbers."""
     s = scenario
-    model, start = flight_model(s, (), make), start_state(s.start, s.vehicle, make)
+    model, start = flight_model(s, (), build), start_state(s.start, s.vehicle, build)
     check_start(s, model, start)
     if s.reference is None:
         check_without_pilot(s)
-        return Ready(s.seed, model, start, None)
+        return ReadyFlight(s.seed, model, start, None)
     check_clock(s)
-    return Ready(
-        s.seed, model, start, board_of(s, model, start, biases=biases, make=make, advises=False)
+    return ReadyFlight(
+        s.seed,
+        model,
+        start,
+        build_avionics(s, model, start, biases=biases, build=build, advises=False),
     )
 
 
 # -- settings by tables ---------------------------------------------------------------------------
 
 
-def scenario_of(table: Mapping[str, Any], make: Make) -> Scenario:
+def scenario_of(table: Mapping[str, Any], build: Build) -> Scenario:
     """A scenario whose tables were checked one by one, but not against each other."""
-    return scenario_with(settings_of(table, make))
+    return scenario_with(settings_of(table, build))
 
 
 def scenario_with(settings: Mapping[str, Any]) -> Scenario:
@@ -111,14 +116,14 @@ def scenario_with(settings: Mapping[str, Any]) -> Scenario:
 
 def settings_of(
     table: Mapping[str, Any],
-    make: Make,
+    build: Build,
     before: tuple[Mapping[str, Any], Mapping[str, Any]] = ({}, {}),
 ) -> dict[str, Any]:
     """The tables of a scenario, checked one by one.
 
     Args:
         table: The whole scenario.
-        make: How parts are made.
+        build: How parts are made.
         before: Another scenario, which it may share tables with, and its settings.
     """
     others, known = before
@@ -129,8 +134,8 @@ def settings_of(
             continue
         if name not in readers:
             raise problem("unknown key", str(name))
-        place = EVER if isinstance(value, dict) else None
-        given[name] = make(readers[name], value, make, place=place)
+        place = FOREVER if isinstance(value, dict) else None
+        given[name] = build(readers[name], value, build, place=place)
     if "vehicle" not in given:
         raise problem("is missing", "vehicle")
     return given
@@ -150,12 +155,12 @@ def _defaults() -> dict[str, Any]:
 
 
 @functools.cache
-def _readers() -> dict[str, Callable[[Any, Make], Any]]:
+def _readers() -> dict[str, Callable[[Any, Build], Any]]:
     """What checks the values of the scenario's keys."""
     return {name: _reader(name) for name in Scenario.model_fields}
 
 
-def _reader(name: str) -> Callable[[Any, Make], Any]:
+def _reader(name: str) -> Callable[[Any, Build], Any]:
     """Checks the value of a key of the scenario."""
     field = Scenario.model_fields[name]
     kind: Any = (
@@ -164,7 +169,7 @@ def _reader(name: str) -> Callable[[Any, Make], Any]:
     check = TypeAdapter[Any](kind).validate_python
     unfold = {"vehicle": vehicle_table, "estimator": estimator_table}.get(name, _as_given)
 
-    def read(value: Any, make: Make) -> Any:
+    def read(value: Any, build: Build) -> Any:
         return check(unfold(value))
 
     return _world if name == "world" else read
@@ -175,11 +180,11 @@ def _as_given(value: Any) -> Any:
     return value
 
 
-def _world(value: Any, make: Make) -> WorldSettings:
+def _world(value: Any, build: Build) -> WorldSettings:
     """The world, obstacle by obstacle."""
     if isinstance(value, Mapping) and isinstance(value.get("obstacles"), list | tuple):
         entries = [
-            make(_obstacle, entry, k, make, place=k) for k, entry in enumerate(value["obstacles"])
+            build(_obstacle, entry, k, build, place=k) for k, entry in enumerate(value["obstacles"])
         ]
         value = {**value, "obstacles": entries}
     return WorldSettings.model_validate(value)
@@ -188,11 +193,11 @@ def _world(value: Any, make: Make) -> WorldSettings:
 _OBSTACLE: TypeAdapter[Any] = TypeAdapter(ObstacleSettings)
 
 
-def _obstacle(entry: Any, number: int, make: Make) -> Any:
+def _obstacle(entry: Any, number: int, build: Build) -> Any:
     """An obstacle, surface by surface."""
     if isinstance(entry, Mapping):
         parts = [key for key in ("surface", "backing") if key in entry]
-        read = {key: make(_surface, entry[key], place=(key, number)) for key in parts}
+        read = {key: build(_surface, entry[key], place=(key, number)) for key in parts}
         entry = {**entry, **read}
     return _OBSTACLE.validate_python(entry)
 

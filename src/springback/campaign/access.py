@@ -278,9 +278,9 @@ def _answer(found: Any) -> Answer:
 
 
 def _write_kept(flight: Flight, stem: Path) -> None:
-    """Trajectory and diary; each is there whole before the summary that names them is."""
+    """Trajectory and telemetry; each is there whole before the summary that names them is."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
-    for word, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
+    for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
             path = stem.with_name(f"{stem.name}-{word}.parquet")
             with drafted(path) as draft:

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from springback.campaign.errors import Stopped
-from springback.campaign.flying import Chunk, Flown, flown
+from springback.campaign.errors import CampaignError
+from springback.campaign.flying import Chunk, ChunkRows, flown
 from springback.campaign.store import versions
 from springback.campaign.workers import GivenUp, Remark
 from springback.errors import InputError
@@ -34,7 +34,7 @@ _one_at_a_time = threading.Lock()
 here = versions
 
 
-def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], Flown]:
+def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], ChunkRows]:
     """Fly a stretch on a worker; with the versions there.  Threads of a worker take turns."""
     with _one_at_a_time:
         return versions(), flown(text, chunk)
@@ -90,7 +90,7 @@ def connected(address: str, tls: Tls | None = None, remark: Remark | None = None
 
 def fly_on_cluster(
     text: str, chunks: Iterable[Chunk], client: Any, remark: Remark
-) -> Generator[Flown | GivenUp]:
+) -> Generator[ChunkRows | GivenUp]:
     """Fly chunks on a cluster; results come in the order in which they are ready.
 
     Args:
@@ -100,7 +100,7 @@ def fly_on_cluster(
         remark: Told of workers that come and go.
 
     Raises:
-        Stopped: If the scheduler is lost, or a worker that joins has other versions.
+        CampaignError: If the scheduler is lost, or a worker that joins has other versions.
     """
     distributed = needs("distributed", "cluster")
     crew = _Crew(client, remark)
@@ -170,7 +170,7 @@ class _Crew:
         try:
             now: dict[str, int] = self.client.nthreads()
         except (OSError, TimeoutError):
-            raise Stopped("the connection to the scheduler is lost") from None
+            raise CampaignError("the connection to the scheduler is lost") from None
         for lost in self.known.keys() - now.keys():
             self.remark(f"worker {lost} is gone; what it was flying is flown again by another")
         if self.known and not now:
@@ -181,7 +181,7 @@ class _Crew:
 def _ended(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
     """Futures that have ended, perhaps none yet."""
     if client.status not in ("running", "connecting"):
-        raise Stopped("the connection to the scheduler is lost")
+        raise CampaignError("the connection to the scheduler is lost")
     try:
         with client.as_current():
             some = distributed.wait(futures, timeout=LOOK, return_when="FIRST_COMPLETED")
@@ -189,18 +189,18 @@ def _ended(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
     except (TimeoutError, distributed.TimeoutError):
         return []
     except (distributed.CancelledError, OSError):
-        raise Stopped("the connection to the scheduler is lost") from None
+        raise CampaignError("the connection to the scheduler is lost") from None
 
 
-def _answer(distributed: Any, future: Any, chunk: Chunk) -> Flown | GivenUp:
+def _answer(distributed: Any, future: Any, chunk: Chunk) -> ChunkRows | GivenUp:
     """What came of a chunk."""
     if future.status == "finished":
         theirs, rows = future.result()
         if told := differing(theirs):
-            raise Stopped(f"a worker that joined has other versions: {told}")
-        return Flown(*rows)
+            raise CampaignError(f"a worker that joined has other versions: {told}")
+        return ChunkRows(*rows)
     if future.status != "error":
-        raise Stopped(f"the cluster dropped flights {chunk[0]} to {chunk[1] - 1}")
+        raise CampaignError(f"the cluster dropped flights {chunk[0]} to {chunk[1] - 1}")
     error = future.exception()
     if isinstance(error, distributed.KilledWorker):
         return GivenUp(chunk, "worker after worker was lost over them")

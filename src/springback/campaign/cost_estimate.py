@@ -18,7 +18,7 @@ from springback.campaign.running import in_time
 from springback.campaign.store import write_rows
 from springback.errors import InputError
 from springback.kernels.layout import structure
-from springback.scenario.avionics import board_of
+from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 
 #: Flights that are flown to see how long they take (chosen).
@@ -26,7 +26,7 @@ TRIED = 64
 
 
 @dataclass(frozen=True)
-class Outlook:
+class CostEstimate:
     """What a campaign will take."""
 
     flights: int
@@ -70,7 +70,7 @@ class Outlook:
         return "\n".join(lines)
 
 
-def outlook(design: Design, workers: int | None = None) -> Outlook:
+def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
     """Fly a few flights, spread over the whole campaign, twice: once to compile, once to measure.
 
     Args:
@@ -88,7 +88,7 @@ def outlook(design: Design, workers: int | None = None) -> Outlook:
     columns = {name: [one.columns[name][0] for one in dealt] for name in dealt[0].columns}
     rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
     problems = [problem for problem in ended.problems if problem]
-    return Outlook(
+    return CostEstimate(
         design.flights, design.samples, design.plan.repeats, design.robots,
         sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
         problems[0] if problems else "", _kinds(tables), rate, crew,
@@ -104,8 +104,8 @@ def _kinds(tables: list[dict[str, Any]]) -> int:
             scenario = scenario_from(given, False)
             model, start = scenario.flight_model(), scenario.start_state()
             pilot = scenario.reference is not None
-            cabin = board_of(scenario, model, start).cabin if pilot else ()
-            kinds.add((structure((*model, cabin)), model.timing.until, scenario.clock))
+            avionics = build_avionics(scenario, model, start).avionics if pilot else ()
+            kinds.add((structure((*model, avionics)), model.timing.until, scenario.clock))
     return len(kinds)
 
 

@@ -3,5 +3,5 @@
 from __future__ import annotations
 
 
-class Stopped(RuntimeError):
+class CampaignError(RuntimeError):
     """What halted a campaign, in one line; what was done by then is kept."""

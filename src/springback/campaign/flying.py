@@ -11,14 +11,14 @@ Chunk = tuple[int, int]
 """First flight, and the one after the last."""
 
 
-class Flown(NamedTuple):
+class ChunkRows(NamedTuple):
     """A stretch of flights, flown."""
 
     chunk: Chunk
     columns: dict[str, Any]
 
 
-def flown(text: str, chunk: Chunk, device: Device = "cpu") -> Flown:
+def flown(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
     """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
 
     Args:
@@ -26,7 +26,7 @@ def flown(text: str, chunk: Chunk, device: Device = "cpu") -> Flown:
         chunk: Which flights.
         device: On which they fly.
     """
-    return Flown(chunk, rows(design_of(text), chunk, device))
+    return ChunkRows(chunk, rows(design_of(text), chunk, device))
 
 
 def rows(design: Design, chunk: Chunk, device: Device = "cpu") -> dict[str, Any]:

@@ -15,8 +15,8 @@ from springback.batch.scenarios import GPU_BLOCK, Device
 from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import Design, laid_out
 from springback.campaign.design.plan import Plan
-from springback.campaign.errors import Stopped
-from springback.campaign.flying import Chunk, Flown
+from springback.campaign.errors import CampaignError
+from springback.campaign.flying import Chunk, ChunkRows
 from springback.campaign.store import Store, changed_versions, opened
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
@@ -36,7 +36,7 @@ RECENT = 40
 
 
 @dataclass(frozen=True)
-class Progress:
+class CampaignProgress:
     """How far a campaign has come."""
 
     done: int
@@ -89,7 +89,7 @@ class _Watch:
     """Whether the first part, which may have waited for a compiler, is left out of the rate."""
     came: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
 
-    def now(self) -> Progress:
+    def now(self) -> CampaignProgress:
         done = self.store.done
         self.came.append((time.monotonic(), done))
         if len(self.came) == 3 and not self.warm:
@@ -99,7 +99,7 @@ class _Watch:
         rate = (done - before) / (last - then) if last > then else 0.0
         parts = self.store.parts
         refused = sum(part.refused for part in parts)
-        return Progress(
+        return CampaignProgress(
             done, self.store.design.flights, len(parts), refused,
             sum(part.ledger_open for part in parts), self.given_up, rate,
         )  # fmt: skip
@@ -115,7 +115,7 @@ def run_campaign(
     scheduler: str | None = None,
     tls: Tls | None = None,
     device: Device = "cpu",
-    progress: Callable[[Progress], None] | None = None,
+    progress: Callable[[CampaignProgress], None] | None = None,
     remark: Remark | None = None,
 ) -> Campaign:
     """Fly a campaign into a folder, or what is left of it.
@@ -142,8 +142,8 @@ def run_campaign(
 
     Raises:
         InputError: If the plan or the folder cannot be used.
-        Stopped: If the disk is full, workers keep dying, the cluster is lost; all parts that were
-            kept stay, and ``resume`` goes on from them.
+        CampaignError: If the disk is full, workers keep dying, the cluster is lost; all parts that
+            were kept stay, and ``resume`` goes on from them.
     """
     if not isinstance(plan, Plan | Design):
         raise InputError(f"plan must be a springback.Plan (got {as_written(plan)})")
@@ -167,7 +167,7 @@ def run_campaign(
         tell(watch.now())
         with contextlib.closing(fly(design.plan.canonical(), chunks, say)) as coming:
             for one in coming:
-                if isinstance(one, Flown):
+                if isinstance(one, ChunkRows):
                     store.add(*one.chunk, one.columns)
                 else:
                     failed.append(one)
@@ -176,7 +176,7 @@ def run_campaign(
                     _note(folder, one)
                 tell(watch.now())
         if failed:
-            raise Stopped(
+            raise CampaignError(
                 f"{watch.given_up} flights were given up: {failed[0].why}; {store.done} of "
                 f"{design.flights} are kept, and --resume tries the others again"
             )
@@ -185,7 +185,7 @@ def run_campaign(
     return campaign
 
 
-Fly = Callable[[str, list[Chunk], Remark], Generator[Flown | GivenUp]]
+Fly = Callable[[str, list[Chunk], Remark], Generator[ChunkRows | GivenUp]]
 """A plan and chunks of it to their rows, as they come."""
 
 

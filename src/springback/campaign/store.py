@@ -30,7 +30,7 @@ from springback.campaign import manifest
 from springback.campaign.columns import known_columns
 from springback.campaign.design.layout import HEAD, Design
 from springback.campaign.design.plan import Plan, plan_from
-from springback.campaign.errors import Stopped
+from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import PARTS, file_of
 from springback.errors import InputError
 from springback.results.atomic_files import DRAFT, drafted
@@ -107,7 +107,7 @@ class Store:
         """Keep the rows of a stretch of flights.
 
         Raises:
-            Stopped: If they cannot be written; nothing half-written is left.
+            CampaignError: If they cannot be written; nothing half-written is left.
         """
         name = file_of(first)
         path = self.folder / name
@@ -123,7 +123,7 @@ class Store:
         except Exception as error:
             if not is_disk(error):
                 raise
-            raise Stopped(f"{name} cannot be written: {_reason(error)}") from error
+            raise CampaignError(f"{name} cannot be written: {_reason(error)}") from error
         self.parts = sorted([*self.parts, part], key=lambda one: one.first)
         return part
 
@@ -231,7 +231,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
 
     Raises:
         InputError: If it holds another campaign or other things, or another process holds it.
-        Stopped: If it cannot be written to.
+        CampaignError: If it cannot be written to.
     """
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--out {folder}: is a file, not a folder")
@@ -253,7 +253,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
     except OSError as error:
         if not is_disk(error):
             raise
-        raise Stopped(f"--out {folder}: cannot be written to: {_reason(error)}") from error
+        raise CampaignError(f"--out {folder}: cannot be written to: {_reason(error)}") from error
 
 
 @contextlib.contextmanager

@@ -20,8 +20,8 @@ from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device
-from springback.campaign.errors import Stopped
-from springback.campaign.flying import Chunk, Flown, flown
+from springback.campaign.errors import CampaignError
+from springback.campaign.flying import Chunk, ChunkRows, flown
 from springback.campaign.store import source
 from springback.errors import warn_in_one_line
 
@@ -106,7 +106,7 @@ def serve(line: Connection, text: str, device: Device) -> None:
         line.send(source())
         while True:
             chunk: Chunk = line.recv()
-            answer: Flown | GivenUp
+            answer: ChunkRows | GivenUp
             try:
                 answer = flown(text, chunk, device)
             except Exception as error:
@@ -128,7 +128,7 @@ def _leave_with_parent() -> None:
 
 def fly_locally(
     text: str, chunks: Iterable[Chunk], workers: int, remark: Remark, device: Device = "cpu"
-) -> Generator[Flown | GivenUp]:
+) -> Generator[ChunkRows | GivenUp]:
     """Fly chunks on this machine; results come in the order in which they are ready.
 
     Args:
@@ -139,7 +139,7 @@ def fly_locally(
         device: On which they fly.
 
     Raises:
-        Stopped: If workers cannot even start.
+        CampaignError: If workers cannot even start.
     """
     waiting, strikes = deque(chunks), Counter[Chunk]()
     crew = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
@@ -166,7 +166,7 @@ def fly_locally(
                 if isinstance(answer, str):
                     worker.ready = True
                     if answer != source():
-                        raise Stopped("springback's source was changed while it was flying")
+                        raise CampaignError("springback's source was changed while it was flying")
                     continue
                 if waiting:
                     worker.fly(waiting.popleft())
@@ -184,7 +184,7 @@ def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp |
     worker.end()
     pid, how, chunk = worker.process.pid, _ending(worker.process.exitcode), worker.chunk
     if not worker.ready:
-        raise Stopped(
+        raise CampaignError(
             f"a worker could not start ({how}); a script that flies campaigns must do so under "
             "if __name__ == '__main__'"
         )

@@ -2,7 +2,7 @@
 
 All vectors here are in body axes and all points are taken from the main body: a cage circle then
 lies in the plane z = 0, and most products with its zeros drop out.  Obstacles come as they are seen
-from there (`springback.contact.obstacles.seen`).
+from there (`springback.contact.obstacles.in_body_frame`).
 """
 
 from __future__ import annotations
@@ -10,7 +10,12 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.friction_rate import Grip, Press, grip_of, press_of
+from springback.contact.friction_rate import (
+    ContactStiffness,
+    FrictionDamping,
+    contact_stiffness,
+    friction_damping,
+)
 from springback.contact.obstacles import (
     Again,
     Obstacle,
@@ -94,7 +99,7 @@ def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, radius: float) -> Sup
     return Support((lever @ inward) * inward, lever, lever * 0.0, 0.0)
 
 
-class Touch(NamedTuple):
+class ContactLoad(NamedTuple):
     """One cage against one obstacle, or the sum over obstacles."""
 
     force: Vec  # on the cage [N]
@@ -104,11 +109,11 @@ class Touch(NamedTuple):
     contact_loss: float  # [W]
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
-    grip: Grip  # of friction, as a damper
-    press: Press  # the normal force, as a spring and a damper
+    grip: FrictionDamping  # of friction, as a damper
+    press: ContactStiffness  # the normal force, as a spring and a damper
 
 
-class Meeting(NamedTuple):
+class CageContact(NamedTuple):
     """One cage against one obstacle: the geometry and the forces."""
 
     gap: float  # positive apart, negative pressed in [m]
@@ -118,7 +123,7 @@ class Meeting(NamedTuple):
     pressing_at: Vec  # where the normal force acts, from the main body [m]
     rubbing_at: Vec  # where friction acts, from the main body [m]
     per_speed: float  # of friction, 1/√(v² + v_s²); 0 where nothing rubs [s/m]
-    touch: Touch
+    touch: ContactLoad
 
 
 @kernel
@@ -128,7 +133,7 @@ def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -
     return rubbing(surface.friction_axes, slip, normal, vertical)
 
 
-class Facing(NamedTuple):
+class NearestFace(NamedTuple):
     """Where a cage is nearest to an obstacle."""
 
     gap: float  # positive apart, negative pressed in [m]
@@ -137,13 +142,13 @@ class Facing(NamedTuple):
 
 
 @kernel
-def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
-    """Eq. (13) for one cage and one obstacle; arguments as for `meeting`."""
+def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
+    """Eq. (13) for one cage and one obstacle; arguments as for `cage_contact`."""
     return faced(obstacle.shape, contact_point, radius, arm)
 
 
 @generic
-def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Where a cage is nearest to a shape.
 
     Args:
@@ -157,21 +162,21 @@ def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing
 
 @faced.register(Plane)
 @kernel
-def _plane_faced(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+def _plane_faced(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     return faced_along_normal(shape, contact_point, radius, arm)
 
 
 @faced.register(Again)
 @kernel
-def _faced_again(shape: Again, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+def _faced_again(shape: Again, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     return faced_twice(contact_point, shape.shape, radius, arm).second
 
 
 class FacedTwice(NamedTuple):
     """The two points where a cage is nearest to a shape; `FAR` away where there is no second."""
 
-    first: Facing
-    second: Facing
+    first: NearestFace
+    second: NearestFace
 
 
 @generic
@@ -192,10 +197,10 @@ def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> FacedTw
 
 
 @kernel
-def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> Facing:
+def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> NearestFace:
     lever = Vec(radius * low.towards.x, radius * low.towards.y, 0.0)
     inward = -outward_normal(shape, on_ring(centre, radius, low.towards))
-    return Facing(low.gap, inward, Support(lever, lever, lever, 0.0))
+    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
 
 
 @faced_twice.register(ArmTip)
@@ -203,11 +208,11 @@ def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> Facing:
 def _tip_faced(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
     """The paper's contact point is one."""
     there = faced_along_normal(shape, model, radius, arm)
-    return FacedTwice(there, Facing(FAR, there.inward, there.at))
+    return FacedTwice(there, NearestFace(FAR, there.inward, there.at))
 
 
 @kernel
-def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Facing:
+def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Eq. (13) along the normal at the end of the arm: a plane's is the same everywhere.
 
     Of a signed distance it is the same all along itself, so the paper's contact point, which lies
@@ -215,24 +220,24 @@ def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPo
     """
     n = -outward_normal(shape, arm.lever)
     at = support(contact_point, n, arm.direction, radius)
-    return Facing(signed_distance(shape, arm.lever + at.point) + at.inset, n, at)
+    return NearestFace(signed_distance(shape, arm.lever + at.point) + at.inset, n, at)
 
 
 @kernel
-def apart(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
-    """The gap between a cage and an obstacle [m]; arguments as for `meeting`."""
+def cage_gap(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
+    """The gap between a cage and an obstacle [m]; arguments as for `cage_contact`."""
     return facing(obstacle, contact_point, radius, arm).gap
 
 
 @kernel
-def meeting(
+def cage_contact(
     obstacle: Obstacle,
     contact_point: Any,
     radius: float,
     arm: ArmPose,
     omega: Vec,
     vertical: Vec,
-) -> Meeting:
+) -> CageContact:
     """Eqs. (13)-(15) for one cage and one obstacle of any shape and orientation.
 
     Args:
@@ -243,11 +248,11 @@ def meeting(
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
     """
-    return meeting_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical, 0.0)
+    return cage_contact_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical, 0.0)
 
 
 @kernel
-def meeting_while(
+def cage_contact_while(
     obstacle: Obstacle,
     engaged: float,
     contact_point: Any,
@@ -256,20 +261,20 @@ def meeting_while(
     omega: Vec,
     vertical: Vec,
     ahead: float,
-) -> Meeting:
-    """`meeting`, without forces where the cage is not engaged.
+) -> CageContact:
+    """`cage_contact`, without forces where the cage is not engaged.
 
     A Runge–Kutta step that lands on a touch looks past it with its last stage.  So contact on or
     off is decided at the first stage of a step, and kept.
 
     Args:
-        obstacle: As for `meeting`.
+        obstacle: As for `cage_contact`.
         engaged: 0 for a cage that was apart at the beginning of the step.
-        contact_point: As for `meeting`.
-        radius: As for `meeting`.
-        arm: As for `meeting`.
-        omega: As for `meeting`.
-        vertical: As for `meeting`.
+        contact_point: As for `cage_contact`.
+        radius: As for `cage_contact`.
+        arm: As for `cage_contact`.
+        omega: As for `cage_contact`.
+        vertical: As for `cage_contact`.
         ahead: How the contact resists is for depths up to so much farther [m].
     """
     surface, end = obstacle.surface, arm.lever
@@ -277,8 +282,8 @@ def meeting_while(
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
     # A step lands on the face to within rounding; a law that jumps there must see it at once.
-    least_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
-    depth = -gap if gap < -AT_TOUCH else least_depth
+    min_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
+    depth = -gap if gap < -AT_TOUCH else min_depth
     pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate, ahead)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
@@ -287,10 +292,10 @@ def meeting_while(
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = obstacle.is_ground if gap < 0.0 else 0.0
-    grip = grip_of(rubbed.grip, n, rubbing_at, arm.direction)
-    press = press_of(pressed.stiffness, pressed.damper, n, arm.direction)
-    touch = Touch(
+    grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
+    press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
+    touch = ContactLoad(
         force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
-    return Meeting(gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, touch)
+    return CageContact(gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, touch)

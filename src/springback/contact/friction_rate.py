@@ -24,11 +24,11 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, largest
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.trees import field_of, maximum
+from springback.kernels.vectors import Mat3, Vec
 
 
-class Grip(NamedTuple):
+class FrictionDamping(NamedTuple):
     """Friction of one contact as a damper, or the sum over contacts; body axes."""
 
     damper: float  # g [N s/m]
@@ -42,7 +42,7 @@ class Grip(NamedTuple):
 
 
 @kernel
-def grip_of(damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Grip:
+def friction_damping(damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> FrictionDamping:
     """Friction of one contact.
 
     Args:
@@ -53,13 +53,13 @@ def grip_of(damper: float, normal: Vec, point: Vec, arm_direction: Vec) -> Grip:
     """
     g, along, out = damper, arm_direction @ normal, normal.z * normal.z
     upright, pn, square = g * (1.0 - out), point @ normal, point @ point
-    return Grip(
+    return FrictionDamping(
         g, g * (1.0 - along * along), g * (pn * pn + out * square), upright * point.y * point.y,
         upright * point.x * point.x, upright * point.x * point.y, g * out, g * out * square,
     )  # fmt: skip
 
 
-class Press(NamedTuple):
+class ContactStiffness(NamedTuple):
     """Normal force of one contact as a spring and a damper, or the sum over contacts."""
 
     stiffness: float  # K [N/m]
@@ -69,7 +69,9 @@ class Press(NamedTuple):
 
 
 @kernel
-def press_of(stiffness: float, damper: float, normal: Vec, arm_direction: Vec) -> Press:
+def contact_stiffness(
+    stiffness: float, damper: float, normal: Vec, arm_direction: Vec
+) -> ContactStiffness:
     """Normal force of one contact.
 
     Args:
@@ -80,7 +82,7 @@ def press_of(stiffness: float, damper: float, normal: Vec, arm_direction: Vec) -
     """
     along = arm_direction @ normal
     sliding = along * along
-    return Press(stiffness, damper, stiffness * sliding, damper * sliding)
+    return ContactStiffness(stiffness, damper, stiffness * sliding, damper * sliding)
 
 
 class Stiffness(NamedTuple):
@@ -92,7 +94,7 @@ class Stiffness(NamedTuple):
 
 @kernel
 def contact_rate(
-    press: Press, slides: tuple[Stiffness, ...], mass: float, inertia: Mat, reach: float
+    press: ContactStiffness, slides: tuple[Stiffness, ...], mass: float, inertia: Mat3, reach: float
 ) -> float:
     """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
 
@@ -107,12 +109,12 @@ def contact_rate(
     upright = j.x.x if j.x.x < j.y.y else j.y.y
     per_inertia = 1.0 / (upright if upright < j.z.z else j.z.z)
     as_one_body = 1.0 / mass + reach * reach * per_inertia
-    spring = press.stiffness * as_one_body + largest(column(slides, "spring"))
-    damper = press.damper * as_one_body + largest(column(slides, "damper"))
+    spring = press.stiffness * as_one_body + maximum(field_of(slides, "spring"))
+    damper = press.damper * as_one_body + maximum(field_of(slides, "damper"))
     return math.sqrt(spring) + damper
 
 
-class ArmGrip(NamedTuple):
+class ArmFrictionDamping(NamedTuple):
     """How fast friction brings an arm to rest along itself [1/s]."""
 
     whole: float
@@ -120,7 +122,7 @@ class ArmGrip(NamedTuple):
 
 
 @kernel
-def _tumbling(grip: Grip, j: Mat) -> float:
+def _tumbling(grip: FrictionDamping, j: Mat3) -> float:
     """The larger eigenvalue of J⁻¹ K of the turns about x and y [1/s]."""
     x, y, both = grip.about_x, grip.about_y, grip.about_both
     per = 1.0 / (j.x.x * j.y.y - j.x.y * j.x.y)
@@ -130,22 +132,26 @@ def _tumbling(grip: Grip, j: Mat) -> float:
 
 
 @kernel
-def rest_rate(
-    grip: Grip, whole: tuple[float, ...], lean: tuple[float, ...], mass: float, inertia: Mat
+def friction_rate_bound(
+    grip: FrictionDamping,
+    whole: tuple[float, ...],
+    lean: tuple[float, ...],
+    mass: float,
+    inertia: Mat3,
 ) -> float:
     """A bound on λ [1/s], exact to a few per cent where a vehicle meets a wall upright.
 
     Args:
         grip: Sum over all contacts.
-        whole: Of every arm, see `ArmGrip`.
+        whole: Of every arm, see `ArmFrictionDamping`.
         lean: Likewise.
         mass: m [kg].
         inertia: J about the main body, body axes [kg m²].
     """
     j, per_mass = inertia, 1.0 / mass
     per_turn = 1.0 / j.z.z
-    in_plane = grip.damper * per_mass + grip.about_z * per_turn + largest(whole)
-    lean_part = grip.lean * per_mass + grip.lean_about_z * per_turn + largest(lean)
+    in_plane = grip.damper * per_mass + grip.about_z * per_turn + maximum(whole)
+    lean_part = grip.lean * per_mass + grip.lean_about_z * per_turn + maximum(lean)
     across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, j)
     half = 0.5 * (in_plane - across)
     return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)

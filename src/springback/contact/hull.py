@@ -2,7 +2,7 @@
 
 A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
 its centre less its radius, and it touches on the normal through its centre.  It meets what a cage
-meets, by the same laws (`springback.contact.cage.meeting_while`).
+meets, by the same laws (`springback.contact.cage.cage_contact_while`).
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.cage import (
+    CageContact,
     FacedTwice,
-    Facing,
-    Meeting,
+    NearestFace,
     Support,
-    apart,
+    cage_contact_while,
+    cage_gap,
     faced_twice,
-    meeting_while,
     support,
 )
 from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
@@ -39,7 +39,7 @@ def _sphere_faced(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> Fac
     """A sphere touches a shape at one point."""
     inward = -outward_normal(shape, arm.lever)
     gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
-    return FacedTwice(Facing(gap, inward, at), Facing(FAR, inward, at))
+    return FacedTwice(NearestFace(gap, inward, at), NearestFace(FAR, inward, at))
 
 
 @kernel
@@ -51,7 +51,7 @@ def _pose(hull: Sphere, velocity: Vec) -> ArmPose:
 @kernel
 def hull_apart(obstacle: Obstacle, hull: Sphere) -> float:
     """The gap between the hull and an obstacle as it is seen from the main body [m]."""
-    return apart(obstacle, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+    return cage_gap(obstacle, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
 
 
 @kernel
@@ -63,17 +63,17 @@ def hull_meeting(
     omega: Vec,
     vertical: Vec,
     ahead: float,
-) -> Meeting:
+) -> CageContact:
     """Eqs. (13)-(15) for the hull and one obstacle.
 
     Args:
         obstacle: As it is seen from the main body.
-        engaged: As for `springback.contact.cage.meeting_while`.
+        engaged: As for `springback.contact.cage.cage_contact_while`.
         hull: Of the main body.
         velocity: Rᵀ v, of the main body, body axes [m/s].
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
-        ahead: As for `springback.contact.cage.meeting_while`.
+        ahead: As for `springback.contact.cage.cage_contact_while`.
     """
     pose = _pose(hull, velocity)
-    return meeting_while(obstacle, engaged, hull, hull.radius, pose, omega, vertical, ahead)
+    return cage_contact_while(obstacle, engaged, hull, hull.radius, pose, omega, vertical, ahead)

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.surfaces import Surface
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import Mat3, Vec
 
 
 class Plane(NamedTuple):
@@ -76,16 +76,16 @@ def outward_normal(shape: Any, point: Vec) -> Vec:
     raise TypeError(f"{type(shape).__name__} has no outward_normal; register one")
 
 
-class Seen(NamedTuple):
+class InBodyFrame(NamedTuple):
     """A shape that stands in the world, seen from a body: points and normals in body axes."""
 
     shape: Any
     position: Vec  # of the body, world [m]
-    r: Mat  # body axes to world axes
+    r: Mat3  # body axes to world axes
 
 
 @generic
-def seen(shape: Any, position: Vec, r: Mat) -> Any:
+def in_body_frame(shape: Any, position: Vec, r: Mat3) -> Any:
     """A shape as it appears in the axes of a body, from where the body is.
 
     Any shape will do; one that is registered here itself can be faster.
@@ -95,19 +95,19 @@ def seen(shape: Any, position: Vec, r: Mat) -> Any:
         position: Of the body, world [m].
         r: Body axes to world axes.
     """
-    return Seen(shape, position, r)
+    return InBodyFrame(shape, position, r)
 
 
-@seen.register(Plane)
+@in_body_frame.register(Plane)
 @kernel
-def _plane_seen(plane: Plane, position: Vec, r: Mat) -> Plane:
+def _plane_seen(plane: Plane, position: Vec, r: Mat3) -> Plane:
     return Plane(plane.normal @ r, plane.offset - plane.normal @ position)
 
 
-@seen.register(Again)
+@in_body_frame.register(Again)
 @kernel
-def _seen_again(again: Again, position: Vec, r: Mat) -> Again:
-    return Again(seen(again.shape, position, r))
+def _seen_again(again: Again, position: Vec, r: Mat3) -> Again:
+    return Again(in_body_frame(again.shape, position, r))
 
 
 @signed_distance.register(Again)
@@ -122,22 +122,24 @@ def _normal_again(again: Again, point: Vec) -> Vec:
     return outward_normal(again.shape, point)
 
 
-@signed_distance.register(Seen)
+@signed_distance.register(InBodyFrame)
 @kernel
-def _seen_distance(view: Seen, point: Vec) -> float:
+def _seen_distance(view: InBodyFrame, point: Vec) -> float:
     return signed_distance(view.shape, view.position + view.r @ point)
 
 
-@outward_normal.register(Seen)
+@outward_normal.register(InBodyFrame)
 @kernel
-def _seen_normal(view: Seen, point: Vec) -> Vec:
+def _seen_normal(view: InBodyFrame, point: Vec) -> Vec:
     return outward_normal(view.shape, view.position + view.r @ point) @ view.r
 
 
 @kernel
-def obstacle_seen(obstacle: Obstacle, position: Vec, r: Mat) -> Obstacle:
+def obstacle_in_body_frame(obstacle: Obstacle, position: Vec, r: Mat3) -> Obstacle:
     """An obstacle as it appears in the axes of a body, from where the body is."""
-    return Obstacle(seen(obstacle.shape, position, r), obstacle.surface, obstacle.is_ground)
+    return Obstacle(
+        in_body_frame(obstacle.shape, position, r), obstacle.surface, obstacle.is_ground
+    )
 
 
 @signed_distance.register(Plane)

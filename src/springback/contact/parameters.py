@@ -19,7 +19,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
-from springback.kernels.memo import Make, afresh
+from springback.kernels.memo import Build, uncached
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, quantity, triple
@@ -104,7 +104,7 @@ class SurfaceSettings(Settings):
         )
 
 
-class Facing(Settings):
+class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
     distance: quantity("m") | None = None  # type: ignore[valid-type]
@@ -115,7 +115,7 @@ class Facing(Settings):
     surface: SurfaceSettings
 
     @model_validator(mode="after")
-    def _placed(self) -> Facing:
+    def _placed(self) -> PlaneSettings:
         parts = (self.position is not None, self.normal is not None)
         if any(parts) if self.distance is not None else not all(parts):
             raise problem("needs either distance, or position and normal")
@@ -134,7 +134,7 @@ class Facing(Settings):
         return Plane(n, n @ Vec(*self.position) + raised)
 
 
-class Wall(Facing):
+class Wall(PlaneSettings):
     """A wall of any place and orientation."""
 
     type: Literal["wall"]
@@ -148,7 +148,7 @@ class Ground(Settings):
     surface: SurfaceSettings
 
 
-class Mat(Facing):
+class Mat(PlaneSettings):
     """A mat on a wall: its own surface in front, and the wall behind once it is pressed through."""
 
     type: Literal["mat"]
@@ -188,7 +188,7 @@ def _numbers(surface: SurfaceSettings, exponent: type[Any]) -> Surface:
 
 
 def obstacles(
-    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), make: Make = afresh
+    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), build: Build = uncached
 ) -> tuple[Obstacle, ...]:
     """The numbers of all obstacles; with none, a face that nothing can reach."""
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -201,6 +201,6 @@ def obstacles(
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
     return tuple(
-        Obstacle(shape, make(_numbers, surface, exponent, place=k), ground)
+        Obstacle(shape, build(_numbers, surface, exponent, place=k), ground)
         for k, (shape, surface, ground) in enumerate(all_faces)
     )

@@ -43,7 +43,7 @@ REST: Row = (0.0, 0.0, 0.0, 0.0)
 NONE = Demands(0.0, 0.0, 0.0, 0.0)
 
 
-class Plan(NamedTuple):
+class RunUpPlan(NamedTuple):
     """A way from rest to a row."""
 
     breaks: list[float]  # [s]
@@ -52,12 +52,12 @@ class Plan(NamedTuple):
     share: float  # largest of the limits' shares; infinite for a way that moves back
 
 
-def _plan(course: Courses, breaks: list[float], rows: list[Row], limits: Limits) -> Plan:
+def _plan(course: Courses, breaks: list[float], rows: list[Row], limits: Limits) -> RunUpPlan:
     """A plan with what it asks for, from its only course."""
     asked = level_demands(course.acceleration, course.jerk, limits)
     share = max(asked.uses(limits).values())
     behind = float(course.velocity.min()) < -BACKWARDS * rows[-1][1]
-    return Plan(breaks, rows, asked, math.inf if behind else share)
+    return RunUpPlan(breaks, rows, asked, math.inf if behind else share)
 
 
 def approach(
@@ -90,7 +90,7 @@ def approach(
         raise InputError(f"{who} can be steady for less than {speed / a:.3g} s (got {steady:g} s)")
     room = max(ROOM, *at_contact.uses(limits).values())
 
-    def planned(length: float) -> Plan | None:
+    def planned(length: float) -> RunUpPlan | None:
         place = length - speed * steady + 0.5 * a * steady**2  # where the steady phase begins
         row = (place, speed - a * steady, a, 0.0)
         return _gentlest(row, limits, room) if place > 0.0 else None
@@ -105,7 +105,7 @@ def approach(
     return [*plan.breaks, plan.breaks[-1] + steady], [*plan.rows, (distance, speed, a, 0.0)]
 
 
-def _advice(planned: Callable[[float], Plan | None], distance: float) -> str:
+def _advice(planned: Callable[[float], RunUpPlan | None], distance: float) -> str:
     """How much more distance would do, in words."""
     needed = _least_distance(planned, distance)
     if needed == math.inf:
@@ -113,7 +113,7 @@ def _advice(planned: Callable[[float], Plan | None], distance: float) -> str:
     return f"a distance of {needed:.3g} m, {needed - distance:.2g} m more than"
 
 
-def _reason(plan: Plan | None, limits: Limits, who: str) -> str:
+def _reason(plan: RunUpPlan | None, limits: Limits, who: str) -> str:
     """The worst of what is wrong with a plan."""
     if plan is None:
         return f"{who} has no room for the steady phase"
@@ -124,7 +124,7 @@ def _reason(plan: Plan | None, limits: Limits, who: str) -> str:
     return next(text for text in shortfalls(plan.asked, limits, who) if f"a {worst} of" in text)
 
 
-def _least_distance(planned: Callable[[float], Plan | None], distance: float) -> float:
+def _least_distance(planned: Callable[[float], RunUpPlan | None], distance: float) -> float:
     """The distance [m] from which on a run-up is possible, to within 5 % above."""
 
     def fits(length: float) -> bool:
@@ -142,13 +142,13 @@ def _least_distance(planned: Callable[[float], Plan | None], distance: float) ->
     return high
 
 
-def _gentlest(end: Row, limits: Limits, room: float) -> Plan:
+def _gentlest(end: Row, limits: Limits, room: float) -> RunUpPlan:
     """The simplest plan from rest to a row if it leaves room, else one with knots moved."""
     plan = _simplest(end, limits)
     return plan if plan.share <= room else _least([plan, _moved(end, plan, limits)])
 
 
-def _simplest(end: Row, limits: Limits) -> Plan:
+def _simplest(end: Row, limits: Limits) -> RunUpPlan:
     """The single polynomial of degree 7 that uses the limits least and never moves back.
 
     Durations from 0.02 to 8 d/v are tried, d = end[0] and v = end[1], wide around the 2 d/v of
@@ -179,20 +179,20 @@ def _responses(samples: int) -> Array:
     return np.stack([spline(np.linspace(0.0, 1.0, samples), k) for k in range(4)])
 
 
-def _least(plans: Iterable[Plan]) -> Plan:
+def _least(plans: Iterable[RunUpPlan]) -> RunUpPlan:
     """The plan that uses the limits least, and of several that use them alike the first."""
     known = [*plans]
     most = ALIKE * min(plan.share for plan in known)
     return next(plan for plan in known if plan.share <= most)
 
 
-def _moved(end: Row, simplest: Plan, limits: Limits) -> Plan:
+def _moved(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
     """The spline of degree 7 from rest that uses the limits least, with knots free to move.
 
     Durations are tried around that of the simplest plan, and then closer around the best.
     """
 
-    def best(stretches: Array, centre: float) -> Plan:
+    def best(stretches: Array, centre: float) -> RunUpPlan:
         durations = [float(centre * stretch) for stretch in stretches]
         return _least(_shaped(end, T, limits) for T in durations)
 
@@ -200,7 +200,7 @@ def _moved(end: Row, simplest: Plan, limits: Limits) -> Plan:
     return _least([coarse, best(np.geomspace(0.92, 1.08, 4), coarse.breaks[-1])])
 
 
-def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
+def _shaped(end: Row, duration: float, limits: Limits) -> RunUpPlan:
     """The best places at the knots for one duration, by linear programmes.
 
     Least share s with |a| ≤ s a_most, |ȧ| ≤ s ω_most (g² + a²)/g and v ≥ 0 at all samples.  The a²
@@ -211,11 +211,11 @@ def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
     fixed = np.zeros(KNOTS + 4)
     fixed[KNOTS + 1 :] = end[0], end[1] * T, end[2] * T**2
     free = slice(1, KNOTS + 1)
-    strongest = math.acos(min(1.0, limits.mass * g / limits.most_thrust))
-    most = np.full(FEW, g * math.tan(min(limits.most_tilt, strongest)))
+    strongest = math.acos(min(1.0, limits.mass * g / limits.max_thrust))
+    most = np.full(FEW, g * math.tan(min(limits.max_tilt, strongest)))
     square, plans = np.zeros(FEW), []
     for _ in range(ROUNDS):
-        turning = limits.most_body_rate * (g * g + square) / g
+        turning = limits.max_body_rate * (g * g + square) / g
         sides = ((j, 1.0, turning), (j, -1.0, turning), (a, 1.0, most), (a, -1.0, most))
         bounds = [(sign * m[:, free], -share, -sign * m @ fixed) for m, sign, share in sides]
         bounds.append((-v[:, free], np.zeros(FEW), v @ fixed))
@@ -227,10 +227,10 @@ def _shaped(end: Row, duration: float, limits: Limits) -> Plan:
             break
         plans.append(_as_plan(T, found[:-1], end, limits))
         square = np.square(a[:, free] @ found[:-1] + a @ fixed)
-    return _least(plans) if plans else Plan([0.0, T], [REST, end], NONE, math.inf)
+    return _least(plans) if plans else RunUpPlan([0.0, T], [REST, end], NONE, math.inf)
 
 
-def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> Plan:
+def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> RunUpPlan:
     """The plan of a spline from rest with given places at inner knots [m]."""
     T = duration
     given = np.concatenate([[0.0], places, [end[0], end[1] * T, end[2] * T**2]])

@@ -16,10 +16,10 @@ from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, 
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, got, put
-from springback.kernels.memo import Make, afresh
-from springback.kernels.trees import Seldom, each, largest, pick
-from springback.kernels.vectors import ZERO, Mat, Vec
+from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.memo import Build, uncached
+from springback.kernels.trees import Rarely, maximum, select, tree_map
+from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
     Estimate,
     any_due,
@@ -27,7 +27,7 @@ from springback.sensing.measurement import (
     due,
     how_many_due,
 )
-from springback.simulation.onboard import told
+from springback.simulation.onboard import telemetry_of
 from springback.simulation.ticks import decide
 from springback.vehicle.state import Airframe
 
@@ -59,7 +59,7 @@ class Offboard(NamedTuple):
 class Built(NamedTuple):
     """What follows from the arm lengths."""
 
-    inertia: Mat  # J(l) about the main body, body axes [kg m²]
+    inertia: Mat3  # J(l) about the main body, body axes [kg m²]
     mixer: Mixer
 
 
@@ -71,7 +71,7 @@ class Autopilot(NamedTuple):
     rate: RateMemory
     unmet: Vec  # moment asked for less moment given [N m]
     thrust: tuple[float, ...]  # command to each rotor [N]
-    built: Seldom  # Built; arms seldom change their lengths
+    built: Rarely  # Built; arms seldom change their lengths
 
 
 class CascadeMemory(NamedTuple):
@@ -89,7 +89,7 @@ def cascade_memory(
     estimator: Any,
     estimate: Estimate,
     thrust: tuple[float, ...],
-    make: Make = afresh,
+    build: Build = uncached,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust that the robot starts with.
 
@@ -98,13 +98,13 @@ def cascade_memory(
         estimator: Memory of its estimator.
         estimate: Of the start.
         thrust: Command to each rotor [N].
-        make: How parts are made.
+        build: How parts are made.
     """
     at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
-    wanted = make(_first_target, pilot.reference)
+    wanted = build(_first_target, pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    built = make(_first_built, pilot.airframe)
+    built = build(_first_built, pilot.airframe)
     autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
@@ -113,8 +113,8 @@ def _first_target(reference: Any) -> Target:
     return target(reference, 0.0)
 
 
-def _first_built(airframe: Airframe) -> Seldom:
-    return Seldom(0.0, _built(airframe, tuple(arm.length for arm in airframe.arms)))
+def _first_built(airframe: Airframe) -> Rarely:
+    return Rarely(0.0, _built(airframe, tuple(arm.length for arm in airframe.arms)))
 
 
 @kernel
@@ -149,13 +149,13 @@ def steered(
     ahead = _anticipated(pilot.position, reference, wanted, time)
     aimed = aim(pilot.position, ahead, at, before.position)
     now = Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
-    return pick(due(tick, pilot.schedule.position), now, before)
+    return select(due(tick, pilot.schedule.position), now, before)
 
 
 @kernel
 def _heard(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTarget:
     """The last word of the position loop that has reached the autopilot."""
-    return pick(tick >= offboard.arrival, offboard.word, last)
+    return select(tick >= offboard.arrival, offboard.word, last)
 
 
 @kernel
@@ -170,34 +170,37 @@ def _apart(a: float, b: float) -> float:
 
 
 @kernel
-def hear(memory: Like, g: Buffer, w: int, once: int) -> None:
+def hear(memory: TreeLayout, g: Buffer, w: int, once: int) -> None:
     """The last word of the position loops reaches the autopilots, where it comes just now."""
     coming = 0
     for i in range(w * once):
-        since = got(memory.tick, g, w, i) - got(memory.offboard.arrival, g, w, i)
+        since = load(memory.tick, g, w, i) - load(memory.offboard.arrival, g, w, i)
         coming += 1 if (since >= 0.0) & (since < 1.0) else 0
     for i in range(w if coming > 0 else 0):
-        offboard, last = got(memory.offboard, g, w, i), got(memory.autopilot.aim, g, w, i)
-        put(_heard(got(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
+        offboard, last = load(memory.offboard, g, w, i), load(memory.autopilot.aim, g, w, i)
+        store(_heard(load(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
 
 
 @kernel
-def _point(pilot: Like, memory: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+def _point(
+    pilot: TreeLayout, memory: TreeLayout, g: Buffer, w: int, once: int, tick: float
+) -> None:
     """The attitude loops at their ticks; nearly always those of all lanes at once."""
     own, pace = memory.autopilot, pilot.schedule.attitude
     turns = how_many_due(pace, g, w, once, tick)
     for i in range(w * once if turns == w else 0):
-        law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
-        put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
+        law, at = load(pilot.attitude, g, w, i), load(memory.estimate.attitude, g, w, i)
+        store(rate_setpoint(law, load(own.aim, g, w, i), at), own.setpoint, g, w, i)
     for i in range(w if (turns > 0) & (turns < w) else 0):
-        if due(tick, got(pace, g, w, i)):
-            law, at = got(pilot.attitude, g, w, i), got(memory.estimate.attitude, g, w, i)
-            put(rate_setpoint(law, got(own.aim, g, w, i), at), own.setpoint, g, w, i)
+        if due(tick, load(pace, g, w, i)):
+            law, at = load(pilot.attitude, g, w, i), load(memory.estimate.attitude, g, w, i)
+            store(rate_setpoint(law, load(own.aim, g, w, i), at), own.setpoint, g, w, i)
 
 
 @kernel
 def fly_on(
-    pilot: Like, memory: Like, lengths: Like, command: Like, g: Buffer, w: int, once: int,
+    pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, command: TreeLayout, g: Buffer,
+    w: int, once: int,
     tick: float,
 ) -> None:  # fmt: skip
     """The autopilots of all lanes: the last word that has come, attitude, rate loop and mixer.
@@ -219,75 +222,89 @@ def fly_on(
         _rebuild(pilot, own.built.tree, lengths, g, w, once, tick)
         _turn(pilot, memory, lengths, g, w, once, tick)
     for i in range(w * once):
-        put(got(own.thrust, g, w, i), command, g, w, i)
-        put(got(memory.tick, g, w, i) + 1.0, memory.tick, g, w, i)
+        store(load(own.thrust, g, w, i), command, g, w, i)
+        store(load(memory.tick, g, w, i) + 1.0, memory.tick, g, w, i)
 
 
 @kernel
 def _rebuild(
-    pilot: Like, built: Like, lengths: Like, g: Buffer, w: int, once: int, tick: float
+    pilot: TreeLayout,
+    built: TreeLayout,
+    lengths: TreeLayout,
+    g: Buffer,
+    w: int,
+    once: int,
+    tick: float,
 ) -> None:
     """What follows from the lengths of the arms, made anew where one of them has changed."""
     changed = 0
     for i in range(w * once):
-        now, last = got(lengths, g, w, i), got(built.mixer.lengths, g, w, i)
-        changed += 1 if largest(each(_apart, (now, last), ())) > 0.0 else 0
+        now, last = load(lengths, g, w, i), load(built.mixer.lengths, g, w, i)
+        changed += 1 if maximum(tree_map(_apart, (now, last), ())) > 0.0 else 0
     for i in range(w if changed > 0 else 0):
-        now, last = got(lengths, g, w, i), got(built.mixer.lengths, g, w, i)
-        if largest(each(_apart, (now, last), ())) > 0.0 and due(
-            tick, got(pilot.schedule.rate, g, w, i)
+        now, last = load(lengths, g, w, i), load(built.mixer.lengths, g, w, i)
+        if maximum(tree_map(_apart, (now, last), ())) > 0.0 and due(
+            tick, load(pilot.schedule.rate, g, w, i)
         ):
-            put(_built(got(pilot.airframe, g, w, i), now), built, g, w, i)
+            store(_built(load(pilot.airframe, g, w, i), now), built, g, w, i)
 
 
 @kernel
 def _turn(
-    pilot: Like, memory: Like, lengths: Like, g: Buffer, w: int, once: int, tick: float
+    pilot: TreeLayout,
+    memory: TreeLayout,
+    lengths: TreeLayout,
+    g: Buffer,
+    w: int,
+    once: int,
+    tick: float,
 ) -> None:
     """Rate loop and mixer; where a moment has to be squeezed ``unmet`` first holds all of it."""
     own, built, tight = memory.autopilot, memory.autopilot.built.tree, 0
     for i in range(w * once):
-        omega = got(memory.estimate.angular_velocity, g, w, i)
-        setpoint, unmet = got(own.setpoint, g, w, i), got(own.unmet, g, w, i)
-        before, law = got(own.rate, g, w, i), got(pilot.rate, g, w, i)
-        asked = turn(law, got(built.inertia, g, w, i), setpoint, omega, unmet, before)
-        wrench = Wrench(got(own.aim.thrust, g, w, i), asked.moment)
-        wanted = unlimited(got(built.mixer, g, w, i), wrench)
-        lowest, highest = got(pilot.lowest, g, w, i), got(pilot.highest, g, w, i)
-        now, fitting = due(tick, got(pilot.schedule.rate, g, w, i)), fits(wanted, lowest, highest)
+        omega = load(memory.estimate.angular_velocity, g, w, i)
+        setpoint, unmet = load(own.setpoint, g, w, i), load(own.unmet, g, w, i)
+        before, law = load(own.rate, g, w, i), load(pilot.rate, g, w, i)
+        asked = turn(law, load(built.inertia, g, w, i), setpoint, omega, unmet, before)
+        wrench = Wrench(load(own.aim.thrust, g, w, i), asked.moment)
+        wanted = unlimited(load(built.mixer, g, w, i), wrench)
+        lowest, highest = load(pilot.lowest, g, w, i), load(pilot.highest, g, w, i)
+        now, fitting = due(tick, load(pilot.schedule.rate, g, w, i)), fits(wanted, lowest, highest)
         tight += 0 if fitting else 1
-        put(pick(now, asked.memory, before), own.rate, g, w, i)
-        put(pick(now, pick(fitting, ZERO, asked.moment), unmet), own.unmet, g, w, i)
-        put(pick(now, wanted, got(own.thrust, g, w, i)), own.thrust, g, w, i)
+        store(select(now, asked.memory, before), own.rate, g, w, i)
+        store(select(now, select(fitting, ZERO, asked.moment), unmet), own.unmet, g, w, i)
+        store(select(now, wanted, load(own.thrust, g, w, i)), own.thrust, g, w, i)
     for i in range(w if tight > 0 else 0):
-        wanted, lift = got(own.thrust, g, w, i), got(pilot.lift, g, w, i)
-        lowest, highest = got(pilot.lowest, g, w, i), got(pilot.highest, g, w, i)
-        if due(tick, got(pilot.schedule.rate, g, w, i)) and not fits(wanted, lowest, highest):
-            wrench = Wrench(got(own.aim.thrust, g, w, i), got(own.unmet, g, w, i))
-            thrust = squeezed(got(built.mixer, g, w, i), lowest, highest, wrench, lift)
-            put(thrust, own.thrust, g, w, i)
-            given = wrench_of(got(pilot.airframe, g, w, i), got(lengths, g, w, i), thrust)
-            put(wrench.moment - given.moment, own.unmet, g, w, i)
+        wanted, lift = load(own.thrust, g, w, i), load(pilot.lift, g, w, i)
+        lowest, highest = load(pilot.lowest, g, w, i), load(pilot.highest, g, w, i)
+        if due(tick, load(pilot.schedule.rate, g, w, i)) and not fits(wanted, lowest, highest):
+            wrench = Wrench(load(own.aim.thrust, g, w, i), load(own.unmet, g, w, i))
+            thrust = squeezed(load(built.mixer, g, w, i), lowest, highest, wrench, lift)
+            store(thrust, own.thrust, g, w, i)
+            given = wrench_of(load(pilot.airframe, g, w, i), load(lengths, g, w, i), thrust)
+            store(wrench.moment - given.moment, own.unmet, g, w, i)
 
 
 @decide.register(Cascade)
 @kernel
-def _decide(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
-    """`piloted`, step by step for all lanes."""
-    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+def _decide(
+    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """`pilot_step`, step by step for all lanes."""
+    memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
     believe(pilot.estimator, seen, memory.estimator, memory.estimate, memory.tick, g, w, once)
     if any_due(pilot.schedule.position, g, w, once, tick):
         hear(memory, g, w, once)  # before it is overtaken by the next word
         for i in range(w * once):
-            time, at = tick * got(cabin.guidance.period, g, w, i), got(memory.estimate, g, w, i)
-            settings, before = got(pilot, g, w, i), got(memory.offboard, g, w, i)
+            time, at = tick * load(avionics.systems.period, g, w, i), load(memory.estimate, g, w, i)
+            settings, before = load(pilot, g, w, i), load(memory.offboard, g, w, i)
             offboard = steered(settings, settings.reference, tick, time, at, before)
-            put(offboard, memory.offboard, g, w, i)
-    fly_on(pilot, memory, seen.arm_length, cabin.aboard.command, g, w, once, tick)
+            store(offboard, memory.offboard, g, w, i)
+    fly_on(pilot, memory, seen.arm_length, avionics.onboard.command, g, w, once, tick)
 
 
-class CascadeWords(NamedTuple):
-    """What the pilot tells the diary."""
+class CascadeTelemetry(NamedTuple):
+    """What the pilot tells the telemetry."""
 
     estimate: Estimate
     wanted: Target
@@ -295,8 +312,8 @@ class CascadeWords(NamedTuple):
     setpoint: Vec
 
 
-@told.register(Cascade)
+@telemetry_of.register(Cascade)
 @kernel
-def _tells(pilot: Cascade, memory: CascadeMemory) -> CascadeWords:
+def _tells(pilot: Cascade, memory: CascadeMemory) -> CascadeTelemetry:
     m = memory
-    return CascadeWords(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)
+    return CascadeTelemetry(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)

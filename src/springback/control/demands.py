@@ -18,7 +18,7 @@ ROOM = 0.8
 SAMPLES = 200
 
 
-class Curve(Protocol):
+class DifferentiableCurve(Protocol):
     """A curve in space with derivatives, such as SciPy's splines."""
 
     def __call__(self, x: Any, nu: int = 0) -> Any:
@@ -30,31 +30,31 @@ class Limits(NamedTuple):
 
     mass: float  # [kg]
     gravity: float  # g [m/s²]
-    most_thrust: float  # collective [N]
-    least_thrust: float = 0.0  # collective [N]
-    most_body_rate: float = math.radians(220.0)  # PX4's default MC_PITCHRATE_MAX [rad/s]
-    most_tilt: float = math.pi / 3.0  # chosen: there level flight takes twice the weight [rad]
+    max_thrust: float  # collective [N]
+    min_thrust: float = 0.0  # collective [N]
+    max_body_rate: float = math.radians(220.0)  # PX4's default MC_PITCHRATE_MAX [rad/s]
+    max_tilt: float = math.pi / 3.0  # chosen: there level flight takes twice the weight [rad]
 
 
 class Demands(NamedTuple):
     """The extremes of what a curve asks for."""
 
-    most_thrust: float  # [N]
-    least_thrust: float  # [N]
+    max_thrust: float  # [N]
+    min_thrust: float  # [N]
     tilt: float  # largest angle between thrust and vertical [rad]
     tilt_rate: float  # largest rate of the thrust direction [rad/s]
 
     def uses(self, limits: Limits) -> dict[str, float]:
         """Each demand as a share of its limit; more than 1 cannot be flown."""
         return {
-            "thrust": self.most_thrust / limits.most_thrust,
-            "least thrust": limits.least_thrust / max(self.least_thrust, 1e-12),
-            "tilt": self.tilt / limits.most_tilt,
-            "tilt rate": self.tilt_rate / limits.most_body_rate,
+            "thrust": self.max_thrust / limits.max_thrust,
+            "least thrust": limits.min_thrust / max(self.min_thrust, 1e-12),
+            "tilt": self.tilt / limits.max_tilt,
+            "tilt rate": self.tilt_rate / limits.max_body_rate,
         }
 
 
-def demands(curve: Curve, breaks: Times, limits: Limits) -> Demands:
+def demands(curve: DifferentiableCurve, breaks: Times, limits: Limits) -> Demands:
     """Thrust, tilt and tilt rate along a curve, from flatness.
 
     Thrust m (a + g e_Z) along b; ‖ḃ‖ = ‖j − (j·b) b‖ m/thrust (Mellinger and Kumar 2011, section
@@ -68,8 +68,8 @@ def demands(curve: Curve, breaks: Times, limits: Limits) -> Demands:
     b = pull / strength[..., None]
     turning = jerk - np.sum(jerk * b, axis=-1)[..., None] * b
     return Demands(
-        most_thrust=float(limits.mass * strength.max()),
-        least_thrust=float(limits.mass * strength.min()),
+        max_thrust=float(limits.mass * strength.max()),
+        min_thrust=float(limits.mass * strength.min()),
         tilt=float(np.arccos(np.clip(b[..., 2], -1.0, 1.0)).max()),
         tilt_rate=float((np.linalg.norm(turning, axis=-1) / strength).max()),
     )
@@ -79,10 +79,10 @@ def shortfalls(asked: Demands, limits: Limits, who: str) -> list[str]:
     """One sentence for each limit that is exceeded: the demand, the limit and the difference."""
     degrees = 180.0 / math.pi
     table = {
-        "thrust": (asked.most_thrust, limits.most_thrust, "N", 1.0),
-        "least thrust": (asked.least_thrust, limits.least_thrust, "N", 1.0),
-        "tilt": (asked.tilt, limits.most_tilt, "deg", degrees),
-        "tilt rate": (asked.tilt_rate, limits.most_body_rate, "deg/s", degrees),
+        "thrust": (asked.max_thrust, limits.max_thrust, "N", 1.0),
+        "least thrust": (asked.min_thrust, limits.min_thrust, "N", 1.0),
+        "tilt": (asked.tilt, limits.max_tilt, "deg", degrees),
+        "tilt rate": (asked.tilt_rate, limits.max_body_rate, "deg/s", degrees),
     }
     sentences = []
     for name, use in asked.uses(limits).items():

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest, least, total
+from springback.kernels.trees import maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, within
 from springback.vehicle.state import Airframe, Arm
 
@@ -74,8 +74,8 @@ def _caused(effect: Effect, thrust: float) -> Wrench:
 @kernel
 def wrench_of(airframe: Airframe, lengths: tuple[float, ...], thrusts: tuple[float, ...]) -> Wrench:
     """Collective thrust and moment about the main body of some rotor thrusts [N]."""
-    effects = each(_effect, (airframe.arms, lengths), ())
-    return total(each(_caused, (effects, thrusts), ()))
+    effects = tree_map(_effect, (airframe.arms, lengths), ())
+    return tree_sum(tree_map(_caused, (effects, thrusts), ()))
 
 
 @kernel
@@ -148,9 +148,9 @@ def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
         airframe: Directions and torque ratios of the arms.
         lengths: l_j as they are [m].
     """
-    effects = each(_effect, (airframe.arms, lengths), ())
-    factors = _factors(total(each(_product, (effects,), ())))
-    return Mixer(lengths, each(_shares, (effects,), (factors,)))
+    effects = tree_map(_effect, (airframe.arms, lengths), ())
+    factors = _factors(tree_sum(tree_map(_product, (effects,), ())))
+    return Mixer(lengths, tree_map(_shares, (effects,), (factors,)))
 
 
 @kernel
@@ -160,7 +160,7 @@ def allocated(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
     Exact for four rotors, and of least norm for more.
     """
     m = wrench.moment
-    return each(_share, (mixer.shares,), (Effect(wrench.thrust, m.x, m.y, m.z),))
+    return tree_map(_share, (mixer.shares,), (Effect(wrench.thrust, m.x, m.y, m.z),))
 
 
 @kernel
@@ -185,7 +185,7 @@ def _tilt_beside(k: Rotor, j: Rotor, lowest: float, highest: float) -> float:
 @kernel
 def _tilt_share(j: Rotor, rotors: tuple[Rotor, ...], lowest: float, highest: float) -> float:
     """Largest share of the tilting moment that rotor j allows beside all others."""
-    return least(each(_tilt_beside, (rotors,), (j, lowest, highest)))
+    return minimum(tree_map(_tilt_beside, (rotors,), (j, lowest, highest)))
 
 
 @kernel
@@ -225,16 +225,16 @@ def _squeezed(
 ) -> tuple[float, ...]:
     """Thrusts within their limits where not all that is asked for fits [N]."""
     most = thrust if thrust > lift else lift
-    abreast = least(each(_tilt_share, (rotors,), (rotors, lowest, highest)))
-    under = least(each(_tilt_under, (rotors,), (most, lowest)))
+    abreast = minimum(tree_map(_tilt_share, (rotors,), (rotors, lowest, highest)))
+    under = minimum(tree_map(_tilt_under, (rotors,), (most, lowest)))
     tilt = within(under if under < abreast else abreast, 0.0, 1.0)
-    floor = largest(each(_collective_bound, (rotors,), (tilt, lowest)))
-    ceiling = least(each(_collective_bound, (rotors,), (tilt, highest)))
+    floor = maximum(tree_map(_collective_bound, (rotors,), (tilt, lowest)))
+    ceiling = minimum(tree_map(_collective_bound, (rotors,), (tilt, highest)))
     collective = within(thrust, floor, ceiling)
-    turns = each(_turn_share, (rotors,), (collective, tilt, lowest, highest))
-    turn = within(least(turns), 0.0, 1.0)
-    given = each(_asked, (rotors,), (collective, tilt, turn))
-    return each(within, (given,), (lowest, highest))
+    turns = tree_map(_turn_share, (rotors,), (collective, tilt, lowest, highest))
+    turn = within(minimum(turns), 0.0, 1.0)
+    given = tree_map(_asked, (rotors,), (collective, tilt, turn))
+    return tree_map(within, (given,), (lowest, highest))
 
 
 @kernel
@@ -265,14 +265,14 @@ def mixed(
 @kernel
 def unlimited(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
     """Rotor thrusts that meet a wrench, whatever the rotors can do [N]."""
-    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
-    return each(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
+    rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
+    return tree_map(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
 
 
 @kernel
 def fits(thrusts: tuple[float, ...], lowest: float, highest: float) -> bool:
     """Whether all rotors can do what is asked of them."""
-    return (least(thrusts) >= lowest) & (largest(thrusts) <= highest)
+    return (minimum(thrusts) >= lowest) & (maximum(thrusts) <= highest)
 
 
 @kernel
@@ -280,5 +280,5 @@ def squeezed(
     mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
     """`mixed` where not all that is asked for fits."""
-    rotors = each(_rotor, (mixer.shares,), (wrench.moment,))
+    rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
     return _squeezed(rotors, wrench.thrust, lowest, highest, lift)

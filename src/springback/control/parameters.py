@@ -130,14 +130,14 @@ class ControlSettings(Settings):
         return horizontal, vertical
 
     def position_law(
-        self, mass: float, gravity: float, most_thrust: float = math.inf
+        self, mass: float, gravity: float, max_thrust: float = math.inf
     ) -> PositionLaw:
         """The numbers of the position loop, for what it believes in.
 
         Args:
             mass: [kg].
             gravity: g [m/s²].
-            most_thrust: Collective, of the rotors [N].
+            max_thrust: Collective, of the rotors [N].
         """
         kp, ki = self.stiffness, self.integral
         kv, vertical = self.damping_for(mass)
@@ -150,8 +150,8 @@ class ControlSettings(Settings):
             mass=mass,
             gravity=gravity,
             slope=math.tan(self.tilt_limit),
-            least_lift=LEAST_LIFT * mass * gravity,
-            most_thrust=min(most_thrust, FAR_BEYOND),
+            min_lift=LEAST_LIFT * mass * gravity,
+            max_thrust=min(max_thrust, FAR_BEYOND),
             margin=self.horizontal_margin,
             feed_forward=1.0 if self.feed_forward else 0.0,
             tilt_lead=self.tilt_lead() if self.feed_forward else 0.0,

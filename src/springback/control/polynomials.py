@@ -15,7 +15,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # its parts are loaded when first used
 
-from springback.control.demands import ROOM, Array, Curve, Limits, Times, demands, shortfalls
+from springback.control.demands import (
+    ROOM,
+    Array,
+    DifferentiableCurve,
+    Limits,
+    Times,
+    demands,
+    shortfalls,
+)
 from springback.control.references import Polynomials, Segment
 from springback.control.target import target
 from springback.errors import InputError
@@ -28,7 +36,7 @@ DEGREE = 7
 SHORTEST, LONGEST = 1e-2, 1e3
 
 
-class Motion(NamedTuple):
+class BoundaryCondition(NamedTuple):
     """A boundary condition."""
 
     position: Vec  # [m]
@@ -37,7 +45,9 @@ class Motion(NamedTuple):
 
 
 @kernel
-def quintic(start: Motion, end: Motion, duration: float, begins: float, yaw: float) -> Polynomials:
+def quintic(
+    start: BoundaryCondition, end: BoundaryCondition, duration: float, begins: float, yaw: float
+) -> Polynomials:
     """The polynomial of degree five between two motions: the one of least ∫ |jerk|².
 
     Closed form of the 6 × 6 system of its boundary conditions (Flash and Hogan, J. Neurosci. 5,
@@ -62,7 +72,9 @@ def quintic(start: Motion, end: Motion, duration: float, begins: float, yaw: flo
     return Polynomials((Segment(0.0, coefficients),), begins, T, yaw)
 
 
-def as_reference(curve: Curve, breaks: Times, yaw: float = 0.0, begins: float = 0.0) -> Polynomials:
+def as_reference(
+    curve: DifferentiableCurve, breaks: Times, yaw: float = 0.0, begins: float = 0.0
+) -> Polynomials:
     """A piecewise polynomial of degree 7 or less as a reference, by its Taylor coefficients.
 
     Args:
@@ -99,7 +111,7 @@ def padded(reference: Polynomials, count: int) -> Polynomials:
 # -- minimum snap ---------------------------------------------------------------------------------
 
 
-def snap_spline(times: Times, points: Array, ends: Array | None = None) -> Curve:
+def snap_spline(times: Times, points: Array, ends: Array | None = None) -> DifferentiableCurve:
     """The curve of least ∫ |snap|² through points at given times.
 
     Mellinger and Kumar, "Minimum snap trajectory generation and control for quadrotors", ICRA 2011,
@@ -114,11 +126,11 @@ def snap_spline(times: Times, points: Array, ends: Array | None = None) -> Curve
     ends = np.zeros((2, 3, *points.shape[1:])) if ends is None else ends
     clamped: Any = [[(k + 1, end[k]) for k in range(3)] for end in ends]
     spline = scipy.interpolate.make_interp_spline
-    curve: Curve = spline(np.asarray(times), points, k=DEGREE, bc_type=clamped)
+    curve: DifferentiableCurve = spline(np.asarray(times), points, k=DEGREE, bc_type=clamped)
     return curve
 
 
-def snap_cost(curve: Curve, breaks: Times) -> float:
+def snap_cost(curve: DifferentiableCurve, breaks: Times) -> float:
     """∫ |snap|² dt of a piecewise polynomial of degree 7 [m²/s⁷], exact by Gauss's rule."""
     nodes, weights = np.polynomial.legendre.leggauss(DEGREE - 3)
     t, h = np.asarray(breaks[:-1], dtype=float), np.diff(breaks)

@@ -14,7 +14,7 @@ from springback.control.target import AttitudeTarget, Target
 from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Vec,
     axiswise,
     norm,
@@ -40,8 +40,8 @@ class PositionLaw(NamedTuple):
     mass: float  # m of the controller's model [kg]
     gravity: float  # g [m/s²]
     slope: float  # tangent of the largest tilt
-    least_lift: float  # the vertical force never falls below it [N]
-    most_thrust: float  # collective [N]
+    min_lift: float  # the vertical force never falls below it [N]
+    max_thrust: float  # collective [N]
     margin: float  # share of a limited force that its horizontal part always has
     feed_forward: float  # 1: angular velocity from jerk and yaw rate; 0: none
     tilt_lead: float  # the reference's acceleration is that of so much later [s]
@@ -72,7 +72,7 @@ class Feedback(NamedTuple):
 class Heading(NamedTuple):
     """Axes of an attitude, with the heading that it is built on."""
 
-    axes: Mat  # body to world: columns b_1, b_2, b_3
+    axes: Mat3  # body to world: columns b_1, b_2, b_3
     forward: Vec  # x_C, horizontal
     left: Vec  # y_C, horizontal
 
@@ -130,8 +130,8 @@ def upward(law: PositionLaw, force: Vec) -> Vec:
     point down; then the horizontal part is cut.  So the direction is never undefined and the
     attitude built on it never singular.
     """
-    lift = within(force.z, law.least_lift, law.most_thrust)
-    held = cut(force, law.most_thrust, lift, law.margin)
+    lift = within(force.z, law.min_lift, law.max_thrust)
+    held = cut(force, law.max_thrust, lift, law.margin)
     across = math.sqrt(held.x * held.x + held.y * held.y)
     most = lift * law.slope
     factor = most / across if across > most else 1.0
@@ -155,7 +155,7 @@ def heading(axis: Vec, yaw: float) -> Heading:
     b_2 = y_c if is_parallel else raw * inverse
     b_1 = b_2 ^ axis
     return Heading(
-        Mat(Vec(b_1.x, b_2.x, axis.x), Vec(b_1.y, b_2.y, axis.y), Vec(b_1.z, b_2.z, axis.z)),
+        Mat3(Vec(b_1.x, b_2.x, axis.x), Vec(b_1.y, b_2.y, axis.y), Vec(b_1.z, b_2.z, axis.z)),
         x_c,
         y_c,
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, total
-from springback.kernels.vectors import Mat, Vec, axiswise, positive_part, within
+from springback.kernels.trees import tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Vec, axiswise, positive_part, within
 from springback.vehicle.state import Airframe, Arm, arms_inertia
 
 #: A moment that the rotors fail to give by this much is given, but for rounding [N m].
@@ -58,10 +58,10 @@ def _second_moment(arm: Arm, length: float) -> Vec:
 
 
 @kernel
-def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat:
+def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat3:
     """J(l), of body and arms about the main body at some arm lengths, body axes [kg m²]."""
     return airframe.inertia + arms_inertia(
-        total(each(_second_moment, (airframe.arms, lengths), ()))
+        tree_sum(tree_map(_second_moment, (airframe.arms, lengths), ()))
     )
 
 
@@ -82,7 +82,7 @@ def _integral(
 
 @kernel
 def turn(
-    law: RateLaw, inertia: Mat, setpoint: Vec, measured: Vec, unmet: Vec, memory: RateMemory
+    law: RateLaw, inertia: Mat3, setpoint: Vec, measured: Vec, unmet: Vec, memory: RateMemory
 ) -> Turn:
     """J (k_ω (ω_sp − ω) + i − d ω̇) + ω × J ω.
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from springback.control.target import Target, target
 from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import along, folded, pick
+from springback.kernels.trees import axpy, fold, select
 from springback.kernels.vectors import Vec
 
 
@@ -89,7 +89,7 @@ def _hold(reference: Hold, time: float) -> Target:
 @kernel
 def _come(current: Any, later: Any, time: float) -> Any:
     """The later one, where its time has come."""
-    return pick(time >= later.begins, later, current)
+    return select(time >= later.begins, later, current)
 
 
 class Taylor(NamedTuple):
@@ -106,8 +106,8 @@ def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
     """One more step of Horner's scheme."""
     s = so_far
     return Taylor(
-        along(coefficient, s.value, t), along(s.value, s.first, t), along(s.first, s.second, t),
-        along(s.second, s.third, t),
+        axpy(coefficient, s.value, t), axpy(s.value, s.first, t), axpy(s.first, s.second, t),
+        axpy(s.second, s.third, t),
     )  # fmt: skip
 
 
@@ -115,11 +115,11 @@ def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
 @kernel
 def _steps(reference: Steps, time: float) -> Target:
     """The last set-point whose time has come."""
-    current = folded(_come, reference.points[0], reference.points, (time,))
+    current = fold(_come, reference.points[0], reference.points, (time,))
     return resting(current.position, current.yaw)
 
 
-class Progress(NamedTuple):
+class PathTime(NamedTuple):
     """A path time s(t) and its derivatives."""
 
     value: float  # s [s]
@@ -129,7 +129,7 @@ class Progress(NamedTuple):
 
 
 @kernel
-def progress(elapsed: float, ramp: float) -> Progress:
+def progress(elapsed: float, ramp: float) -> PathTime:
     """Path time that starts at rest and runs at full rate after a ramp.
 
     ṡ = 10 u³ − 15 u⁴ + 6 u⁵ with u = t/ramp, the quintic whose first two derivatives vanish at both
@@ -140,15 +140,15 @@ def progress(elapsed: float, ramp: float) -> Progress:
         ramp: Duration of the ramp [s]; at 0 the full rate stands from the beginning.
     """
     ramping = elapsed < ramp
-    u = elapsed / pick(ramping, ramp, 1.0)
-    v, per = 1.0 - u, 1.0 / pick(ramping, ramp, 1.0)
-    slow = Progress(
+    u = elapsed / select(ramping, ramp, 1.0)
+    v, per = 1.0 - u, 1.0 / select(ramping, ramp, 1.0)
+    slow = PathTime(
         value=ramp * u * u * u * u * (2.5 + u * (u - 3.0)),
         rate=u * u * u * (10.0 + u * (6.0 * u - 15.0)),
         second=30.0 * u * u * v * v * per,
         third=60.0 * u * v * (v - u) * per * per,
     )
-    return pick(ramping, slow, Progress(elapsed - 0.5 * ramp, 1.0, 0.0, 0.0))
+    return select(ramping, slow, PathTime(elapsed - 0.5 * ramp, 1.0, 0.0, 0.0))
 
 
 @target.register(Circle)
@@ -179,12 +179,12 @@ def _polynomials(reference: Polynomials, time: float) -> Target:
     """Horner's scheme for the value and three derivatives at once; at rest outside its time."""
     elapsed = time - reference.begins
     begun, ended = elapsed >= 0.0, elapsed > reference.duration
-    moving = pick(ended, 0.0, pick(begun, 1.0, 0.0))
-    inside = pick(ended, reference.duration, pick(begun, elapsed, 0.0))
-    segment = folded(_come, reference.segments[0], reference.segments, (inside,))
+    moving = select(ended, 0.0, select(begun, 1.0, 0.0))
+    inside = select(ended, reference.duration, select(begun, elapsed, 0.0))
+    segment = fold(_come, reference.segments[0], reference.segments, (inside,))
     none = Vec(0.0, 0.0, 0.0)
     start = Taylor(none, none, none, none)
-    at = folded(_horner, start, segment.coefficients, (inside - segment.begins,))
+    at = fold(_horner, start, segment.coefficients, (inside - segment.begins,))
     v, a, j = moving * at.first, (2.0 * moving) * at.second, (6.0 * moving) * at.third
     return Target(at.value, v, a, j, reference.yaw, 0.0)
 
@@ -193,4 +193,4 @@ def _polynomials(reference: Polynomials, time: float) -> Target:
 @kernel
 def _then(reference: Then, time: float) -> Target:
     first, second = target(reference.first, time), target(reference.second, time)
-    return pick(time >= reference.until, second, first)
+    return select(time >= reference.until, second, first)

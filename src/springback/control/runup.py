@@ -118,7 +118,7 @@ def run_up(
         padded(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
         begins + breaks[touching - 1],
         contact,
-        asked.most_thrust,
+        asked.max_thrust,
         asked.tilt,
         asked.tilt_rate,
     )

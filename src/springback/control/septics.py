@@ -61,7 +61,7 @@ def shares(courses: Courses, limits: Limits) -> Array:
     a, g, weight = courses.acceleration, limits.gravity, limits.mass * limits.gravity
     tilt = np.arctan2(np.abs(a).max(axis=0), g)
     rate = np.abs(g * courses.jerk / (g * g + np.square(a))).max(axis=0)
-    thrust = weight / np.cos(tilt) / limits.most_thrust
-    least = limits.least_thrust / max(weight, 1e-12)
-    used = np.maximum(np.maximum(thrust, least), tilt / limits.most_tilt)
-    return np.asarray(np.maximum(used, rate / limits.most_body_rate))
+    thrust = weight / np.cos(tilt) / limits.max_thrust
+    least = limits.min_thrust / max(weight, 1e-12)
+    used = np.maximum(np.maximum(thrust, least), tilt / limits.max_tilt)
+    return np.asarray(np.maximum(used, rate / limits.max_body_rate))

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 from pydantic import model_validator
 
-from springback.dynamics.gusts import Calm, Dryden, dryden, low_altitude
+from springback.dynamics.gusts import Dryden, NoGusts, dryden, low_altitude
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Mat, Vec, norm
+from springback.kernels.vectors import Mat3, Vec, norm
 from springback.quantities import Speed, quantity, triple
 from springback.settings import Settings, problem
 
@@ -60,7 +60,7 @@ def drag_force(air: Air, u: Vec, thrust: float) -> Vec:
 
 
 @generic
-def aerodynamics(air: Any, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+def aerodynamics(air: Any, velocity: Vec, r: Mat3, thrust: float) -> Aerodynamics:
     """Force of the air on the vehicle, and the power it takes.
 
     Args:
@@ -74,13 +74,13 @@ def aerodynamics(air: Any, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics
 
 @aerodynamics.register(Still)
 @kernel
-def _nothing(air: Still, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+def _nothing(air: Still, velocity: Vec, r: Mat3, thrust: float) -> Aerodynamics:
     return Aerodynamics(Vec(0.0, 0.0, 0.0), 0.0)
 
 
 @aerodynamics.register(Air)
 @kernel
-def _drag(air: Air, velocity: Vec, r: Mat, thrust: float) -> Aerodynamics:
+def _drag(air: Air, velocity: Vec, r: Mat3, thrust: float) -> Aerodynamics:
     force = drag_force(air, velocity - air.wind @ r, thrust)
     return Aerodynamics(force, -(force @ velocity))
 
@@ -152,10 +152,10 @@ class AirSettings(Settings):
         wind, linear, by_thrust = self.wind, self.rotor_drag, self.thrust_drag
         return Air(Vec(*wind), Vec(*linear), float(self.body_drag), Vec(*by_thrust))
 
-    def turbulence(self, tick: float) -> Calm | Dryden:
+    def turbulence(self, tick: float) -> NoGusts | Dryden:
         """The numbers of the gusts, for a tick of some duration [s]."""
         if self.gusts is None:
-            return Calm(0.0)
+            return NoGusts(0.0)
         intensity, scale = low_altitude(self.gusts.wind_at_6_m, self.gusts.altitude)
         mean = norm(Vec(*self.wind))
         level = math.hypot(self.wind[0], self.wind[1])

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from springback.contact.cage import apart
+from springback.contact.cage import cage_gap
 from springback.contact.hull import hull_apart
-from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, least
+from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import rotation
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
 
@@ -18,12 +18,12 @@ def _of_arm(
     arm: Arm, length: float, rate: float, obstacles: tuple[Obstacle, ...], point: Any, state: State
 ) -> float:
     pose = arm_pose(arm, length, rate, state.velocity)  # its place is asked for, not its velocity
-    return least(each(apart, (obstacles,), (point, arm.cage_radius, pose)))
+    return minimum(tree_map(cage_gap, (obstacles,), (point, arm.cage_radius, pose)))
 
 
 @kernel
 def _of_hull(hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
-    return least(each(hull_apart, (obstacles,), (hull,)))
+    return minimum(tree_map(hull_apart, (obstacles,), (hull,)))
 
 
 @kernel
@@ -37,7 +37,7 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
         state: Of the vehicle.
     """
     r = rotation(state.attitude)
-    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
     arms = (airframe.arms, state.arm_length, state.arm_rate)
-    cages = each(_of_arm, arms, (obstacles, contact_point, state))
-    return least(cages + each(_of_hull, (airframe.hull,), (obstacles,)))
+    cages = tree_map(_of_arm, arms, (obstacles, contact_point, state))
+    return minimum(cages + tree_map(_of_hull, (airframe.hull,), (obstacles,)))

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 from springback.contact.cage import LANDED
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import folded
+from springback.kernels.trees import fold
 
 #: Time to the next crossing when none is ahead [s].
-NEVER = 1e9
+NO_CROSSING = 1e9
 
 
 class Crossing(NamedTuple):
@@ -27,7 +27,9 @@ def crossing(value: float, rate: float) -> Crossing:
     """The crossing of a value that changes at a rate; none where it recedes, or is there."""
     ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
     distance = value if value > 0.0 else -value
-    return Crossing(distance if ahead else NEVER, (rate if rate > 0.0 else -rate) if ahead else 1.0)
+    return Crossing(
+        distance if ahead else NO_CROSSING, (rate if rate > 0.0 else -rate) if ahead else 1.0
+    )
 
 
 @kernel
@@ -40,10 +42,10 @@ def sooner(a: Crossing, b: Crossing) -> Crossing:
 @kernel
 def soonest(crossings: tuple[Crossing, ...]) -> Crossing:
     """The soonest of several crossings."""
-    return folded(sooner, Crossing(NEVER, 1.0), crossings, ())
+    return fold(sooner, Crossing(NO_CROSSING, 1.0), crossings, ())
 
 
 @kernel
 def time_to(c: Crossing) -> float:
-    """Time until a crossing [s]; `NEVER` for none."""
+    """Time until a crossing [s]; `NO_CROSSING` for none."""
     return c.distance / c.speed

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import meeting
+from springback.contact.cage import cage_contact
 from springback.contact.hull import hull_apart
-from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel
-from springback.kernels.trees import column, each, folded, total
+from springback.kernels.trees import field_of, fold, tree_map, tree_sum
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Vec,
     positive_part,
     rotation,
@@ -52,12 +52,12 @@ def _arm_energy(
     contact_point: Any,
     gravity: float,
     state: State,
-    r: Mat,
+    r: Mat3,
 ) -> Energy:
     omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
     pose = arm_pose(arm, length, rate, state.velocity @ r)
     velocity = pose.sliding + (omega ^ pose.lever)
-    stored = each(
+    stored = tree_map(
         _contact_energy, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical)
     )
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
@@ -71,7 +71,7 @@ def _arm_energy(
         * (arm.length - length)
         * (arm.length - length),
         stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
-        contact=total(stored),
+        contact=tree_sum(stored),
     )
 
 
@@ -79,14 +79,14 @@ def _arm_energy(
 def _contact_energy(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
 ) -> float:
-    met = meeting(obstacle, contact_point, radius, arm, omega, vertical)
+    met = cage_contact(obstacle, contact_point, radius, arm, omega, vertical)
     return elastic_energy(obstacle.surface, positive_part(-met.gap))
 
 
 @rare_kernel
 def _hull_energy(so_far: float, hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
     """What is stored, with the contacts of the hull [J]."""
-    return so_far + total(each(_hull_contact_energy, (obstacles,), (hull,)))
+    return so_far + tree_sum(tree_map(_hull_contact_energy, (obstacles,), (hull,)))
 
 
 @rare_kernel
@@ -98,18 +98,18 @@ def _hull_contact_energy(obstacle: Obstacle, hull: Sphere) -> float:
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     r, omega = rotation(state.attitude), state.angular_velocity
-    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
-    arms = each(
+    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
+    arms = tree_map(
         _arm_energy,
         (airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, contact_point, world.gravity, state, r),
     )
-    a = total(arms)
-    body_mass = airframe.mass - total(column(airframe.arms, "mass"))
+    a = tree_sum(arms)
+    body_mass = airframe.mass - tree_sum(field_of(airframe.arms, "mass"))
     kinetic = 0.5 * body_mass * (state.velocity @ state.velocity)
     kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
     gravity = body_mass * world.gravity * state.position.z
-    contact = folded(_hull_energy, a.contact, airframe.hull, (obstacles,))
+    contact = fold(_hull_energy, a.contact, airframe.hull, (obstacles,))
     return Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, contact)
 
 
@@ -130,10 +130,10 @@ def spread(arm: Arm, length: float, rate: float) -> Spread:
 
 
 @rare_kernel
-def about_mass_centre(inertia: Mat, mass: float, centre: Vec) -> Mat:
+def about_mass_centre(inertia: Mat3, mass: float, centre: Vec) -> Mat3:
     """Steiner: inertia about a point taken to the centre of mass."""
     c, square = centre, centre @ centre
-    return inertia + Mat(
+    return inertia + Mat3(
         Vec(-mass * (square - c.x * c.x), mass * c.x * c.y, mass * c.x * c.z),
         Vec(mass * c.y * c.x, -mass * (square - c.y * c.y), mass * c.y * c.z),
         Vec(mass * c.z * c.x, mass * c.z * c.y, -mass * (square - c.z * c.z)),
@@ -143,7 +143,7 @@ def about_mass_centre(inertia: Mat, mass: float, centre: Vec) -> Mat:
 @rare_kernel
 def angular_momentum(airframe: Airframe, state: State) -> Vec:
     """Angular momentum about the centre of mass, world axes [kg m²/s]."""
-    now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     omega, m = state.angular_velocity, airframe.mass
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
     about_body = (airframe.inertia + arms_inertia(now.second)) @ omega
@@ -164,7 +164,7 @@ def locked(airframe: Airframe, state: State) -> State:
     caller's to book.
     """
     r, omega, m = rotation(state.attitude), state.angular_velocity, airframe.mass
-    now = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
     spin = angular_momentum(airframe, state) @ r
     velocity = state.velocity + r @ ((omega ^ centre) + drift)
@@ -177,5 +177,5 @@ def locked(airframe: Airframe, state: State) -> State:
         velocity - r @ (new_omega ^ centre),
         new_omega,
         state.arm_length,
-        each(_still, (airframe.arms,), ()),
+        tree_map(_still, (airframe.arms,), ()),
     )

@@ -24,7 +24,7 @@ from springback.kernels.vectors import Vec
 FOOT = 0.3048  # [m]
 
 
-class Calm(NamedTuple):
+class NoGusts(NamedTuple):
     """No gusts."""
 
     unused: float
@@ -159,15 +159,15 @@ def first_gust(weather: Any, noise: tuple[float, ...]) -> Gust:
     """The gust before the first tick, drawn as if the wind had always blown.
 
     Args:
-        weather: `Calm` or `Dryden`.
+        weather: `NoGusts` or `Dryden`.
         noise: Five independent standard normal numbers.
     """
     raise TypeError(f"{type(weather).__name__} is no weather; register first_gust for it")
 
 
-@first_gust.register(Calm)
+@first_gust.register(NoGusts)
 @kernel
-def _first_calm(weather: Calm, noise: tuple[float, ...]) -> Gust:
+def _first_calm(weather: NoGusts, noise: tuple[float, ...]) -> Gust:
     return Gust(Vec(0.0, 0.0, 0.0), 0.0)
 
 
@@ -185,16 +185,16 @@ def gust(weather: Any, noise: tuple[float, ...], memory: Any) -> Gust:
     """The gust one tick later.
 
     Args:
-        weather: `Calm` or `Dryden`.
+        weather: `NoGusts` or `Dryden`.
         noise: Three independent standard normal numbers, drawn for this tick.
         memory: That of the gust before.
     """
     raise TypeError(f"{type(weather).__name__} is no weather; register gust for it")
 
 
-@gust.register(Calm)
+@gust.register(NoGusts)
 @kernel
-def _no_gust(weather: Calm, noise: tuple[float, ...], memory: Any) -> Gust:
+def _no_gust(weather: NoGusts, noise: tuple[float, ...], memory: Any) -> Gust:
     return Gust(Vec(0.0, 0.0, 0.0), memory)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.cage import Meeting
+from springback.contact.cage import CageContact
 from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, soonest
@@ -20,8 +20,8 @@ from springback.dynamics.touches import (
     touching,
 )
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, each, largest, least, total
-from springback.kernels.vectors import Mat, Vec, positive_part
+from springback.kernels.trees import field_of, maximum, minimum, tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Vec, positive_part
 from springback.vehicle.state import Sphere
 
 
@@ -53,7 +53,7 @@ def hull_state(
     hull: Sphere,
     engaged: tuple[float, ...],
     obstacles: tuple[Obstacle, ...],
-    r: Mat,
+    r: Mat3,
     velocity: Vec,
     omega: Vec,
     ahead: float,
@@ -70,30 +70,30 @@ def hull_state(
         ahead: How contacts resist is for depths up to so much farther [m].
     """
     vertical = Vec(r.z.x, r.z.y, r.z.z)
-    met = each(hull_meeting, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
-    touch, gap = total(column(met, "touch")), least(column(met, "gap"))
+    met = tree_map(hull_meeting, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
+    touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     view = HullView(
         gap=gap,
         depth=positive_part(-gap),
         normal=touch.normal,
         friction=r @ touch.friction,
-        crossing=soonest(each(crossing_of, (met,), ())),
-        engaged=each(touching, (met,), ()),
-        impulsive=largest(each(strikes, (met,), ())),
-        inward=r @ total(each(nearest_normal, (met,), (gap,))),
+        crossing=soonest(tree_map(crossing_of, (met,), ())),
+        engaged=tree_map(touching, (met,), ()),
+        impulsive=maximum(tree_map(strikes, (met,), ())),
+        inward=r @ tree_sum(tree_map(nearest_normal, (met,), (gap,))),
     )
-    farthest = largest(each(_square_distance, (met,), ()))
-    rubs = each(rub_of, (met,), ())
+    farthest = maximum(tree_map(_square_distance, (met,), ()))
+    rubs = tree_map(rub_of, (met,), ())
     return HullState(contact_of(touch), view, touch.grip.damper, farthest, rubs)
 
 
 @kernel
-def _square_distance(met: Meeting) -> float:
+def _square_distance(met: CageContact) -> float:
     return met.rubbing_at @ met.rubbing_at
 
 
 @kernel
-def hastened(rate: float, hull: HullState, mass: float, inertia: Mat) -> float:
+def hastened(rate: float, hull: HullState, mass: float, inertia: Mat3) -> float:
     """How fast friction brings parts to rest, at most, with the hull's beside the cages' [1/s].
 
     The largest eigenvalue of a sum is at most the sum of theirs, and the hull's is at most
@@ -123,4 +123,4 @@ def hull_slip_rate(
         angular: Angular acceleration, body axes [rad/s²].
         vertical: Rᵀ e_Z.
     """
-    return largest(each(slip_rate, (obstacles, hull.rubs), (linear, angular, vertical)))
+    return maximum(tree_map(slip_rate, (obstacles, hull.rubs), (linear, angular, vertical)))

@@ -15,15 +15,15 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import Meeting, meeting, slip_velocity
+from springback.contact.cage import CageContact, cage_contact, slip_velocity
 from springback.contact.hull import hull_meeting
-from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
-from springback.kernels.trees import each, total
-from springback.kernels.vectors import Mat, Vec, positive_part, rotation, solve_symmetric
+from springback.kernels.trees import tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Vec, positive_part, rotation, solve_symmetric
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose, arms_inertia
 
 #: Speeds below this are rounding [m/s].
@@ -40,7 +40,7 @@ RESTING_PARTS = 10
 MOST_PARTS = 100 * PARTS
 
 
-class Hit(NamedTuple):
+class ImpulseContact(NamedTuple):
     """One cage, or the hull, at one obstacle at the instant of an impulse."""
 
     near: float  # 1 where it touches and its surface follows the impulse law
@@ -53,24 +53,26 @@ class Hit(NamedTuple):
 
 @rare_kernel
 def _hit_obstacle(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat, omega: Vec
-) -> Hit:
-    met = meeting(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat3, omega: Vec
+) -> ImpulseContact:
+    met = cage_contact(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
     return _hit(met, obstacle.surface, r)
 
 
 @rare_kernel
-def _hull_hits_obstacle(obstacle: Obstacle, hull: Sphere, velocity: Vec, r: Mat, omega: Vec) -> Hit:
+def _hull_hits_obstacle(
+    obstacle: Obstacle, hull: Sphere, velocity: Vec, r: Mat3, omega: Vec
+) -> ImpulseContact:
     met = hull_meeting(obstacle, 1.0, hull, velocity, omega, Vec(r.z.x, r.z.y, r.z.z), 0.0)
     return _hit(met, obstacle.surface, r)
 
 
 @rare_kernel
-def _hit(met: Meeting, surface: Surface, r: Mat) -> Hit:
+def _hit(met: CageContact, surface: Surface, r: Mat3) -> ImpulseContact:
     near = (met.gap <= LANDED) & (met.impulsive > 0.0)
     closing = near & (met.rate < 0.0)
     lever = r @ met.pressing_at
-    return Hit(
+    return ImpulseContact(
         1.0 if near else 0.0,
         1.0 if closing else 0.0,
         -(r @ met.inward),
@@ -88,23 +90,23 @@ def _hits_of_arm(
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
     state: State,
-    r: Mat,
-) -> tuple[Hit, ...]:
+    r: Mat3,
+) -> tuple[ImpulseContact, ...]:
     pose = arm_pose(arm, length, rate, state.velocity @ r)
     shared = (contact_point, arm.cage_radius, pose, r, state.angular_velocity)
-    return each(_hit_obstacle, (obstacles,), shared)
+    return tree_map(_hit_obstacle, (obstacles,), shared)
 
 
 @rare_kernel
 def _hits_of_hull(
-    hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat
-) -> tuple[Hit, ...]:
+    hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat3
+) -> tuple[ImpulseContact, ...]:
     shared = (hull, state.velocity @ r, r, state.angular_velocity)
-    return each(_hull_hits_obstacle, (obstacles,), shared)
+    return tree_map(_hull_hits_obstacle, (obstacles,), shared)
 
 
 @rare_kernel
-def _give(mass: float, inertia: Mat, r: Mat, lever: Vec, along: Vec) -> float:
+def _give(mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec) -> float:
     """Velocity that a unit impulse along a direction gives to its own point along it [1/kg]."""
     turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
     return 1.0 / mass + along @ (turn ^ lever)
@@ -117,7 +119,7 @@ def _part(closing: float) -> float:
 
 
 @rare_kernel
-def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
+def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
     """The motion just after the impulses of all parts that touch and close in.
 
     Tangentially the impulse opposes the slip and is at most μ times the normal one.  A cage that
@@ -126,18 +128,18 @@ def struck(airframe: Airframe, world: World, contact_point: Any, motion: Motion)
     """
     state, work = motion.state, motion.work
     r, m = rotation(state.attitude), airframe.mass
-    arms = total(each(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    arms = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
-    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
     up = Vec(0.0, 0.0, 1.0)
-    of_cages = each(
+    of_cages = tree_map(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, contact_point, state, r),
     )
-    hits = of_cages + each(_hits_of_hull, (airframe.hull,), (obstacles, state, r))
+    hits = of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, state, r))
     count = len(hits) * len(hits[0])
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift

@@ -27,9 +27,15 @@ import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import meeting_while
-from springback.contact.friction_rate import ArmGrip, Grip, Stiffness, contact_rate, rest_rate
-from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.cage import cage_contact_while
+from springback.contact.friction_rate import (
+    ArmFrictionDamping,
+    FrictionDamping,
+    Stiffness,
+    contact_rate,
+    friction_rate_bound,
+)
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull import HullView as HullView
@@ -53,9 +59,17 @@ from springback.dynamics.touches import (
     touching,
 )
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, each, each_summed, folded, largest, least, total
+from springback.kernels.trees import (
+    field_of,
+    fold,
+    maximum,
+    minimum,
+    tree_map,
+    tree_map_sum,
+    tree_sum,
+)
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Vec,
     positive_part,
     quaternion_rate,
@@ -138,7 +152,7 @@ class ArmShare(NamedTuple):
     inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
-    grip: Grip  # of friction
+    grip: FrictionDamping  # of friction
 
 
 class ArmPull(NamedTuple):
@@ -161,7 +175,7 @@ class ArmState(NamedTuple):
     share: ArmShare
     pull: ArmPull
     seen: ArmView
-    grip: ArmGrip
+    grip: ArmFrictionDamping
     slide: Stiffness  # of what acts along the slide
     rubs: tuple[Rub, ...]  # obstacle by obstacle
 
@@ -191,7 +205,7 @@ def arm_state(
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
     state: State,
-    r: Mat,
+    r: Mat3,
     velocity: Vec,
     released: float,
     ahead: float,
@@ -217,13 +231,13 @@ def arm_state(
     e, lever = pose.direction, pose.lever
 
     vertical = Vec(r.z.x, r.z.y, r.z.z)
-    met = each(
-        meeting_while,
+    met = tree_map(
+        cage_contact_while,
         (obstacles, engaged),
         (contact_point, arm.cage_radius, pose, omega, vertical, ahead),
     )
-    touch = total(column(met, "touch"))
-    gap = least(column(met, "gap"))
+    touch = tree_sum(field_of(met, "touch"))
+    gap = minimum(field_of(met, "gap"))
     stop = end_stop(arm, length, rate)
 
     across = e.x * omega.y - e.y * omega.x
@@ -254,7 +268,7 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    inward = total(each(nearest_normal, (met,), (gap,)))
+    inward = tree_sum(tree_map(nearest_normal, (met,), (gap,)))
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -262,15 +276,17 @@ def arm_state(
         friction=r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
-        crossing=sooner(soonest(each(crossing_of, (met,), ())), stops_at),
-        engaged=each(touching, (met,), ()),
-        impulsive=largest(each(strikes, (met,), ())),
+        crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
+        engaged=tree_map(touching, (met,), ()),
+        impulsive=maximum(tree_map(strikes, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
         inward=r @ inward,
     )
-    grip = ArmGrip(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(share, ArmPull(h * per_mass, u), view, grip, slide, each(rub_of, (met,), ()))
+    grip = ArmFrictionDamping(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
+    return ArmState(
+        share, ArmPull(h * per_mass, u), view, grip, slide, tree_map(rub_of, (met,), ())
+    )
 
 
 @kernel
@@ -299,7 +315,7 @@ def _arm_slip_rate(
     vertical: Vec,
 ) -> float:
     end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return largest(each(slip_rate, (obstacles, rubs), (end, angular, vertical)))
+    return maximum(tree_map(slip_rate, (obstacles, rubs), (end, angular, vertical)))
 
 
 class Rates(NamedTuple):
@@ -316,12 +332,12 @@ def _engaged_with(obstacle: Obstacle) -> float:
 
 @kernel
 def _engaged_part(part: Any, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
-    return each(_engaged_with, (obstacles,), ())
+    return tree_map(_engaged_with, (obstacles,), ())
 
 
 @kernel
 def _together(so_far: Contact, more: Contact) -> Contact:
-    return total((so_far, more))
+    return tree_sum((so_far, more))
 
 
 @kernel
@@ -348,8 +364,8 @@ def rates(
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     engaged = Engaged(
-        each(_engaged_part, (airframe.arms,), (world.obstacles,)),
-        each(_engaged_part, (airframe.hull,), (world.obstacles,)),
+        tree_map(_engaged_part, (airframe.arms,), (world.obstacles,)),
+        tree_map(_engaged_part, (airframe.hull,), (world.obstacles,)),
     )
     return rates_while(airframe, world, contact_point, guide, air, state, thrust, released, engaged)
 
@@ -366,7 +382,7 @@ def rates_while(
     released: float,
     engaged: Engaged,
 ) -> Rates:
-    """`rates`, with contacts held off: see `springback.contact.cage.meeting_while`.
+    """`rates`, with contacts held off: see `springback.contact.cage.cage_contact_while`.
 
     Args:
         airframe: As for `rates`.
@@ -381,16 +397,18 @@ def rates_while(
     """
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
-    obstacles = each(obstacle_seen, (world.obstacles,), (state.position, r))
+    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
     ahead = AHEAD * fastest_cage(airframe, state)
-    arms, a = each_summed(
+    arms, a = tree_map_sum(
         arm_state,
         "share",
         (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged.arms),
         (obstacles, contact_point, state, r, velocity, released, ahead),
     )
-    hull = each(hull_state, (airframe.hull, engaged.hull), (obstacles, r, velocity, omega, ahead))
-    contact = folded(_together, a.contact, column(hull, "contact"), ())
+    hull = tree_map(
+        hull_state, (airframe.hull, engaged.hull), (obstacles, r, velocity, omega, ahead)
+    )
+    contact = fold(_together, a.contact, field_of(hull, "contact"), ())
 
     blown = aerodynamics(air, velocity, r, a.thrust)
     turning = omega ^ a.carried
@@ -404,7 +422,7 @@ def rates_while(
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
-    sliding = each(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
+    sliding = tree_map(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
     state_rate = State(
         state.velocity,
         quaternion_rate(state.attitude, omega),
@@ -426,32 +444,36 @@ def rates_while(
         push,
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
-    views = each(_balanced, (column(arms, "seen"), airframe.arms, state.arm_rate, sliding), ())
-    on_arms = column(arms, "grip")
-    friction_rate = rest_rate(
-        a.grip, column(on_arms, "whole"), column(on_arms, "lean"), airframe.mass, inertia
+    views = tree_map(
+        _balanced, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
+    )
+    on_arms = field_of(arms, "grip")
+    friction_rate = friction_rate_bound(
+        a.grip, field_of(on_arms, "whole"), field_of(on_arms, "lean"), airframe.mass, inertia
     )
     stays = airframe.mass - a.sliding.x - a.sliding.y
-    friction_rate = folded(hastened, friction_rate, hull, (stays, inertia))
+    friction_rate = fold(hastened, friction_rate, hull, (stays, inertia))
     # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical
-    cage_slips = each(
+    cage_slips = tree_map(
         _arm_slip_rate,
-        (airframe.arms, sliding, column(arms, "rubs")),
+        (airframe.arms, sliding, field_of(arms, "rubs")),
         (obstacles, linear, solved.angular, vertical),
     )
-    hull_slips = each(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))
+    hull_slips = tree_map(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))
     view = View(
         acceleration,
         solved.linear,
         mass_centre_velocity,
         push,
         views,
-        column(hull, "seen"),
+        field_of(hull, "seen"),
         contact.on_ground,
         friction_rate,
-        contact_rate(contact.press, column(arms, "slide"), airframe.mass, inertia, reach(airframe)),
-        math.sqrt(largest(cage_slips + hull_slips)),
+        contact_rate(
+            contact.press, field_of(arms, "slide"), airframe.mass, inertia, reach(airframe)
+        ),
+        math.sqrt(maximum(cage_slips + hull_slips)),
     )
     return Rates(Motion(state_rate, work_rate), view)

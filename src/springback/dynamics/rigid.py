@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 from springback.dynamics.air import Still, aerodynamics
 from springback.dynamics.motion import Free, System, planar_product, solve
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import along, each, total
+from springback.kernels.trees import axpy, tree_map, tree_sum
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Quat,
     Vec,
     inverse_symmetric,
@@ -29,12 +29,12 @@ class OneBody(NamedTuple):
 
     mass: float  # m [kg]
     carried: Vec  # s = Σ m_j r_j [kg m]
-    inertia: Mat  # J about the main body's centre of mass, body axes [kg m²]
+    inertia: Mat3  # J about the main body's centre of mass, body axes [kg m²]
     thrust: float  # collective [N]
     rotor_moment: Vec  # body axes [N m]
 
 
-class Flight(NamedTuple):
+class RigidState(NamedTuple):
     """Where one body is, how it moves, and the work done on it."""
 
     position: Vec  # of the main body, world [m]
@@ -45,10 +45,10 @@ class Flight(NamedTuple):
     air_work: float  # taken by the air [J]
 
 
-class FlightRates(NamedTuple):
-    """Rate of change of a `Flight`, and what an instant looks like."""
+class RigidRates(NamedTuple):
+    """Rate of change of a `RigidState`, and what an instant looks like."""
 
-    flight: Flight
+    flight: RigidState
     specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z) of the main body, body [m/s²]
     mass_centre_velocity: Vec  # world [m/s]
 
@@ -76,13 +76,13 @@ def as_one_body(
     airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
 ) -> OneBody:
     """A vehicle with its arms locked at some lengths [m], under rotor thrusts [N]."""
-    a = total(each(_part, (airframe.arms, lengths, thrust), ()))
+    a = tree_sum(tree_map(_part, (airframe.arms, lengths, thrust), ()))
     inertia = airframe.inertia + arms_inertia(a.inertia)
     return OneBody(airframe.mass, a.carried, inertia, a.thrust, a.rotor_moment)
 
 
 @kernel
-def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: Flight) -> FlightRates:
+def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidState) -> RigidRates:
     """Eq. (1), Newton–Euler about the main body, which need not be the centre of mass.
 
     Args:
@@ -103,7 +103,7 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: Flight)
     solved = solve(guide, system, r, gravity)
     acceleration = r @ solved.linear - Vec(0.0, 0.0, gravity)
     power = body.thrust * velocity.z + body.rotor_moment @ omega
-    rate = Flight(
+    rate = RigidState(
         x.velocity,
         quaternion_rate(x.attitude, omega),
         acceleration,
@@ -111,18 +111,20 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: Flight)
         power,
         blown.loss,
     )
-    return FlightRates(rate, solved.linear, x.velocity + r @ (turning * (1.0 / body.mass)))
+    return RigidRates(rate, solved.linear, x.velocity + r @ (turning * (1.0 / body.mass)))
 
 
-class Flown(NamedTuple):
-    """One step of a `Flight`."""
+class RigidStep(NamedTuple):
+    """One step of a `RigidState`."""
 
-    known: FlightRates  # at its beginning
-    flight: Flight  # at its end; the attitude is normalised
+    known: RigidRates  # at its beginning
+    flight: RigidState  # at its end; the attitude is normalised
 
 
 @generic
-def flown_on(guide: Any, air: Any, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+def flown_on(
+    guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+) -> RigidStep:
     """One classical Runge–Kutta step.
 
     Args:
@@ -137,31 +139,35 @@ def flown_on(guide: Any, air: Any, body: OneBody, gravity: float, x: Flight, h: 
 
 
 @kernel
-def stepped(guide: Any, air: Any, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+def stepped(
+    guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+) -> RigidStep:
     """One step of all that is integrated, whatever acts on the vehicle; arguments as `flown_on`."""
     first = flight_rates(body, guide, air, gravity, x)
-    second = flight_rates(body, guide, air, gravity, along(x, first.flight, 0.5 * h)).flight
-    third = flight_rates(body, guide, air, gravity, along(x, second, 0.5 * h)).flight
-    fourth = flight_rates(body, guide, air, gravity, along(x, third, h)).flight
-    rate = along(along(along(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
-    new = along(x, rate, h / 6.0)
-    after = Flight(
+    second = flight_rates(body, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
+    third = flight_rates(body, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
+    fourth = flight_rates(body, guide, air, gravity, axpy(x, third, h)).flight
+    rate = axpy(axpy(axpy(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
+    new = axpy(x, rate, h / 6.0)
+    after = RigidState(
         new.position, renormalised(new.attitude), new.velocity, new.angular_velocity,
         new.thrust_work, new.air_work,
     )  # fmt: skip
-    return Flown(first, after)
+    return RigidStep(first, after)
 
 
 @flown_on.register(Free)
 @kernel
 def _flown_freely(
-    guide: Free, air: Any, body: OneBody, gravity: float, x: Flight, h: float
-) -> Flown:
+    guide: Free, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+) -> RigidStep:
     return freely(air, guide, body, gravity, x, h)
 
 
 @generic
-def freely(air: Any, guide: Free, body: OneBody, gravity: float, x: Flight, h: float) -> Flown:
+def freely(
+    air: Any, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
+) -> RigidStep:
     """`flown_on` for a vehicle that nothing guides."""
     return stepped(guide, air, body, gravity, x, h)
 
@@ -176,8 +182,8 @@ class _Turning(NamedTuple):
 class _Driven(NamedTuple):
     """What drives a body about its centre of mass, in its own axes."""
 
-    inertia: Mat  # [kg m²]
-    inverse: Mat
+    inertia: Mat3  # [kg m²]
+    inverse: Mat3
     moment: Vec  # of the rotors [N m]
     thrust: float  # collective [N]
 
@@ -206,8 +212,8 @@ def _stage(by: _Driven, x: _Turning, velocity: Vec) -> _Stage:
 @freely.register(Still)
 @kernel
 def _freely_in_still_air(
-    air: Still, guide: Free, body: OneBody, gravity: float, x: Flight, h: float
-) -> Flown:
+    air: Still, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
+) -> RigidStep:
     """The same step about the centre of mass, where turning and moving part.
 
     Thrust and moment stand still in body axes over a step, and gravity acts at the mass centre: of
@@ -224,19 +230,19 @@ def _freely_in_still_air(
     v, now = x.velocity + r @ swing, _Turning(x.attitude, omega)
     first = _stage(by, now, v)
     a1 = first.up * lift - down
-    second = _stage(by, along(now, first.turning, half), v + a1 * half)
+    second = _stage(by, axpy(now, first.turning, half), v + a1 * half)
     a2 = second.up * lift - down
-    third = _stage(by, along(now, second.turning, half), v + a2 * half)
+    third = _stage(by, axpy(now, second.turning, half), v + a2 * half)
     a3 = third.up * lift - down
-    fourth = _stage(by, along(now, third.turning, h), v + a3 * h)
+    fourth = _stage(by, axpy(now, third.turning, h), v + a3 * h)
     a4 = fourth.up * lift - down
 
-    turning = along(along(first.turning, second.turning, 2.0), third.turning, 2.0)
-    end = along(now, along(turning, fourth.turning, 1.0), sixth)
+    turning = axpy(axpy(first.turning, second.turning, 2.0), third.turning, 2.0)
+    end = axpy(now, axpy(turning, fourth.turning, 1.0), sixth)
     q, spin = renormalised(end.attitude), end.angular_velocity
     after, between = rotation(q), a2 + a3
     work = sixth * (first.power + 2.0 * (second.power + third.power) + fourth.power)
-    new = Flight(
+    new = RigidState(
         x.position + h * (v + (a1 + between) * sixth) + (r @ c - after @ c),
         q,
         v + (a1 + 2.0 * between + a4) * sixth - after @ (spin ^ c),
@@ -246,15 +252,15 @@ def _freely_in_still_air(
     )
     alpha = first.turning.angular_velocity
     felt = Vec(0.0, 0.0, lift) - (alpha ^ c) - (omega ^ swing)
-    rate = Flight(x.velocity, first.turning.attitude, r @ felt - down, alpha, first.power, 0.0)
-    return Flown(FlightRates(rate, felt, v), new)
+    rate = RigidState(x.velocity, first.turning.attitude, r @ felt - down, alpha, first.power, 0.0)
+    return RigidStep(RigidRates(rate, felt, v), new)
 
 
 @kernel
-def about_mass_centre(body: OneBody) -> Mat:
+def about_mass_centre(body: OneBody) -> Mat3:
     """Inertia about the centre of mass, body axes [kg m²] (Steiner)."""
     s, j = body.carried, body.inertia
     n = 1.0 / body.mass
     xx, yy, xy = n * s.x * s.x, n * s.y * s.y, n * s.x * s.y
     upper = Vec(j.x.x - yy, j.x.y + xy, j.x.z)
-    return Mat(upper, Vec(upper.y, j.y.y - xx, j.y.z), Vec(j.x.z, j.y.z, j.z.z - (xx + yy)))
+    return Mat3(upper, Vec(upper.y, j.y.y - xx, j.y.z), Vec(j.x.z, j.y.z, j.z.z - (xx + yy)))

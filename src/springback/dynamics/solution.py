@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Mat, Vec, solve_symmetric
+from springback.kernels.vectors import Mat3, Vec, solve_symmetric
 
 
 class Free(NamedTuple):
@@ -33,7 +33,7 @@ class System(NamedTuple):
     mass: float
     sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
     carried: Vec  # s, in the body plane
-    inertia: Mat  # J
+    inertia: Mat3  # J
     force: Vec  # right-hand side of a', body
     moment: Vec  # right-hand side of α, body
 
@@ -62,14 +62,14 @@ def times(n: PlanarInverse, b: Vec) -> Vec:
 
 
 @generic
-def solve(guide: Any, system: System, r: Mat, gravity: float) -> Accelerations:
+def solve(guide: Any, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Accelerations of the main body under a constraint."""
     raise TypeError(f"{type(guide).__name__} is no guide")
 
 
 @solve.register(Free)
 @kernel
-def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelerations:
+def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
     n, s = planar_inverse(system.mass, system.sliding), system.carried
     alone = times(n, system.force)
@@ -77,14 +77,14 @@ def _solve_free(guide: Free, system: System, r: Mat, gravity: float) -> Accelera
     sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y
     jxx, jyy, jxy = j.x.x - n.zz * syy, j.y.y - n.zz * sxx, j.x.y + n.zz * sxy
     jzz = j.z.z - (n.xx * syy - 2.0 * n.xy * sxy + n.yy * sxx)
-    reduced = Mat(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
+    reduced = Mat3(Vec(jxx, jxy, j.x.z), Vec(jxy, jyy, j.y.z), Vec(j.x.z, j.y.z, jzz))
     alpha = solve_symmetric(reduced, system.moment - (s ^ alone))
     return Accelerations(alone - times(n, alpha ^ s), alpha)
 
 
 @solve.register(Slider)
 @kernel
-def _solve_slider(guide: Slider, system: System, r: Mat, gravity: float) -> Accelerations:
+def _solve_slider(guide: Slider, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
     u = guide.axis @ r
     weight = Vec(0.0, 0.0, gravity) @ r

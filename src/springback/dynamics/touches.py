@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.cage import LANDED, Meeting, Touch, slip_velocity
-from springback.contact.friction_rate import Press
+from springback.contact.cage import LANDED, CageContact, ContactLoad, slip_velocity
+from springback.contact.friction_rate import ContactStiffness
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
@@ -28,7 +28,7 @@ class Contact(NamedTuple):
     contact_loss: float  # [W]
     friction_loss: float  # [W]
     on_ground: float  # number of touched grounds
-    press: Press  # of the normal forces
+    press: ContactStiffness  # of the normal forces
 
 
 class Rub(NamedTuple):
@@ -40,7 +40,7 @@ class Rub(NamedTuple):
 
 
 @kernel
-def contact_of(touch: Touch) -> Contact:
+def contact_of(touch: ContactLoad) -> Contact:
     """What the touches of one part do to the vehicle."""
     return Contact(
         touch.force, touch.moment, touch.contact_loss, touch.friction_loss, touch.on_ground,
@@ -49,13 +49,13 @@ def contact_of(touch: Touch) -> Contact:
 
 
 @kernel
-def crossing_of(met: Meeting) -> Crossing:
+def crossing_of(met: CageContact) -> Crossing:
     """When a gap closes or opens."""
     return crossing(met.gap, met.rate)
 
 
 @kernel
-def touching(met: Meeting) -> float:
+def touching(met: CageContact) -> float:
     """1 while pressed in, from the instant of landing on to that of leaving.
 
     At a surface of the impulse law: while it closes in, and while it rests.
@@ -67,20 +67,20 @@ def touching(met: Meeting) -> float:
 
 
 @kernel
-def strikes(met: Meeting) -> float:
+def strikes(met: CageContact) -> float:
     """1 where it closes in on a surface of the impulse law."""
     closing = (met.gap <= LANDED) & (met.rate < 0.0)
     return met.impulsive if closing else 0.0
 
 
 @kernel
-def nearest_normal(met: Meeting, nearest: float) -> Vec:
+def nearest_normal(met: CageContact, nearest: float) -> Vec:
     """The normal into the obstacle, if it is the nearest; else nothing."""
     return met.inward * (1.0 if met.gap == nearest else 0.0)
 
 
 @kernel
-def rub_of(met: Meeting) -> Rub:
+def rub_of(met: CageContact) -> Rub:
     """How a part slips along an obstacle."""
     return Rub(met.inward, met.rubbing_at, met.per_speed)
 

@@ -159,7 +159,7 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
     """A kernel that is chosen by the type of its first argument, in Python and when compiled.
 
     Other types join with ``function.register(Type)``, exactly as for `functools.singledispatch`.
-    What is like a tree (`springback.kernels.layout.Like`) counts for the tree.
+    What is like a tree (`springback.kernels.layout.TreeLayout`) counts for the tree.
     """
     by_class = functools.singledispatch(function)
 

@@ -1,9 +1,9 @@
 """Trees in flat buffers: how many rows they take, where their parts lie, reading and writing.
 
 A buffer holds many flights abreast: leaf k of the tree of one lane lies at ``(row + k) * width +
-lane``.  What lies there is told by a `Like`, which has the type of a tree and none of its numbers:
-it costs nothing to hand from function to function.  It also knows the row at which its tree begins,
-so that `got` and `put` reach any branch by its name.
+lane``.  What lies there is told by a `TreeLayout`, which has the type of a tree and none of its
+numbers: it costs nothing to hand from function to function.  It also knows the row at which its
+tree begins, so that `load` and `store` reach any branch by its name.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from numba.core.typing import templates
 
 from springback.kernels.compiler import compiled, is_named
 from springback.kernels.trees import (
-    Seldom,
+    Rarely,
     branches,
     construct,
     function_of,
@@ -56,7 +56,7 @@ def structure(tree: Any) -> Any:
     return (type(tree), *inner)
 
 
-class Like:
+class TreeLayout:
     """Like a tree, but without numbers: its parts are reached by name, and are likes again."""
 
     __slots__ = ("_parts", "_row", "_tree", "_type")  # underscored: fields may be named so
@@ -65,7 +65,7 @@ class Like:
         """Take the shape of a tree that begins at some row of a buffer."""
         self._tree = tree
         self._row = row
-        self._parts: dict[str, Like] = {}
+        self._parts: dict[str, TreeLayout] = {}
         self._type: Any = None
 
     @property
@@ -80,10 +80,10 @@ class Like:
             self._type = _like_type(structure(self._tree), self._row, self._tree)
         return self._type
 
-    def __getattr__(self, name: str) -> Like:
+    def __getattr__(self, name: str) -> TreeLayout:
         if name not in self._parts:
             first = self._row + row_of(self._tree, name)
-            self._parts[name] = Like(getattr(self._tree, name), first)
+            self._parts[name] = TreeLayout(getattr(self._tree, name), first)
         return self._parts[name]
 
 
@@ -93,22 +93,22 @@ _LIKE_TYPES: dict[Any, Any] = {}
 def _like_type(nested: Any, row: int, tree: Any) -> Any:
     """Compiler type of a structure; the compiler takes long to find the type of a large tree."""
     if (nested, row) not in _LIKE_TYPES:
-        _LIKE_TYPES[nested, row] = LikeType(_typeof(tree), row)
+        _LIKE_TYPES[nested, row] = TreeLayoutType(_typeof(tree), row)
     return _LIKE_TYPES[nested, row]
 
 
 def rows(like: Any) -> int:
-    """Number of floats in a tree, or in a `Like`."""
-    return len(leaves(like._tree if isinstance(like, Like) else like))
+    """Number of floats in a tree, or in a `TreeLayout`."""
+    return len(leaves(like._tree if isinstance(like, TreeLayout) else like))
 
 
 def row_of(like: Any, field: str) -> int:
-    """Number of floats in a tree, or a `Like`, before one of its fields."""
-    tree = like._tree if isinstance(like, Like) else like
+    """Number of floats in a tree, or a `TreeLayout`, before one of its fields."""
+    tree = like._tree if isinstance(like, TreeLayout) else like
     return sum(len(leaves(branch)) for branch in tree[: tree._fields.index(field)])
 
 
-def read(like: Like, buffer: Buffer, row: int, width: int, lane: int) -> Any:
+def read(like: TreeLayout, buffer: Buffer, row: int, width: int, lane: int) -> Any:
     """The tree that lies in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
     return rebuilt(like._tree, [buffer[(row + k) * width + lane] for k in range(rows(like))])
 
@@ -120,24 +120,24 @@ def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
 
 
 class Parted(NamedTuple):
-    """A buffer in two pieces: `got` and `put` find the one in which a tree lies."""
+    """A buffer in two pieces: `load` and `store` find the one in which a tree lies."""
 
-    like: Like  # what lies in the first
+    like: TreeLayout  # what lies in the first
     first: Buffer
     second: Buffer
 
 
-def got(like: Like, buffer: Buffer | Parted, width: int, lane: int) -> Any:
+def load(like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> Any:
     """The tree in the column ``lane`` of ``width``, at the place that ``like`` knows."""
     return read(like, *_piece(like, buffer), width, lane)
 
 
-def put(tree: Any, like: Like, buffer: Buffer | Parted, width: int, lane: int) -> None:
+def store(tree: Any, like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> None:
     """Lay a tree into the column ``lane`` of ``width``, at the place that ``like`` knows."""
     write(tree, *_piece(like, buffer), width, lane)
 
 
-def _piece(like: Like, buffer: Buffer | Parted) -> tuple[Buffer, int]:
+def _piece(like: TreeLayout, buffer: Buffer | Parted) -> tuple[Buffer, int]:
     """The buffer in which a tree lies, and its first row there."""
     if not isinstance(buffer, Parted):
         return buffer, like._row
@@ -149,8 +149,8 @@ def _piece(like: Like, buffer: Buffer | Parted) -> tuple[Buffer, int]:
 # -- the same for the compiler --------------------------------------------------------------------
 
 
-class LikeType(types.Opaque):
-    """Compiler type of a `Like`."""
+class TreeLayoutType(types.Opaque):
+    """Compiler type of a `TreeLayout`."""
 
     def __init__(self, tree: Any, row: int = 0) -> None:
         """Of a tree's type, at a row."""
@@ -169,34 +169,34 @@ class LikeType(types.Opaque):
         return getattr(self.tree, "instance_class", object)
 
 
-_numba.register_model(LikeType)(_numba.models.OpaqueModel)
+_numba.register_model(TreeLayoutType)(_numba.models.OpaqueModel)
 
 
-@_numba.unbox(LikeType)  # type: ignore[untyped-decorator]
+@_numba.unbox(TreeLayoutType)  # type: ignore[untyped-decorator]
 def _unboxed(typ: Any, value: Any, c: Any) -> Any:
     return _numba.NativeValue(c.context.get_dummy_value())
 
 
 @_numba.infer_getattr
 class _LikeParts(_AttributeTemplate):  # type: ignore[misc]
-    key = LikeType
+    key = TreeLayoutType
 
-    def generic_resolve(self, typ: LikeType, attr: str) -> Any:
+    def generic_resolve(self, typ: TreeLayoutType, attr: str) -> Any:
         fields = getattr(typ.tree, "fields", ())
         if attr not in fields:
             return None
         place = fields.index(attr)
         first = typ.row + sum(leaf_count(typ.tree.types[k]) for k in range(place))
-        return LikeType(typ.tree.types[place], first)
+        return TreeLayoutType(typ.tree.types[place], first)
 
 
-@_numba.lower_getattr_generic(LikeType)  # type: ignore[untyped-decorator]
+@_numba.lower_getattr_generic(TreeLayoutType)  # type: ignore[untyped-decorator]
 def _like_part(context: Any, builder: Any, typ: Any, value: Any, attr: str) -> Any:
     return context.get_dummy_value()
 
 
 def _tree_of(like: Any) -> Any:
-    return like.tree if isinstance(like, LikeType) else like
+    return like.tree if isinstance(like, TreeLayoutType) else like
 
 
 @compiled(rows)
@@ -241,7 +241,7 @@ def _typed_piece(like: Any, buffer: Any) -> tuple[str, int]:
     return ("buffer[1]", like.row) if inside else ("buffer[2]", like.row - before)
 
 
-@compiled(got)
+@compiled(load)
 def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     scope: dict[str, Any] = {"whole": np.uint64, "taken_from": _taken_from}
     name, row = _typed_piece(like, buffer)
@@ -251,7 +251,7 @@ def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     return function_of("like, buffer, width, lane", lines, scope)
 
 
-@compiled(put)
+@compiled(store)
 def _put(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     lines = [*_KNOWN]
     name, row = _typed_piece(like, buffer)
@@ -332,7 +332,7 @@ def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place:
         lines.append(indent + place.format(row=first, leaf=stem))
         return first + 1
     for k, branch in enumerate(branches(tree)):
-        if k == 1 and is_named(tree, Seldom):
+        if k == 1 and is_named(tree, Rarely):
             lines.append(f"{indent}if {stem}[0] > 0.5:")
             indent += "    "
         inner = f"{stem}[{k}]"

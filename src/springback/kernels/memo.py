@@ -15,27 +15,27 @@ R = TypeVar("R")
 
 
 #: A place where all results are kept.
-EVER = "ever"
+FOREVER = "ever"
 
 
-class Make(Protocol):
-    """How a part is made: `afresh`, or a `Kept` that remembers."""
+class Build(Protocol):
+    """How a part is made: `uncached`, or a `Memo` that remembers."""
 
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
         """``function(*given)``."""
 
 
-def afresh(function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
+def uncached(function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
     """``function(*given)``, whatever was made before."""
     return function(*given)
 
 
-class Kept:
+class Memo:
     """Remembers the last result of every function, and what it was made of.
 
     Only one result is kept for each function and place, so memory does not grow with the number of
     flights; those that share parts had better come one after another.  For what comes again later,
-    as the tables of a sample do with the next robot, there is the place `EVER`.
+    as the tables of a sample do with the next robot, there is the place `FOREVER`.
     """
 
     __slots__ = ("_ever", "_last")
@@ -46,7 +46,7 @@ class Kept:
         self._ever: dict[Any, tuple[Any, Any]] = {}
 
     def forget(self) -> None:
-        """Remember nothing any more: what is kept at `EVER` grows with the number of flights."""
+        """Remember nothing any more: what is kept at `FOREVER` grows with the number of flights."""
         self._last.clear()
         self._ever.clear()
 
@@ -56,9 +56,9 @@ class Kept:
         Args:
             function: Gives the same for the same, and changes nothing; always given as many.
             *given: Compared by identity.
-            place: Tells apart uses of one function that take turns; `EVER` keeps all results.
+            place: Tells apart uses of one function that take turns; `FOREVER` keeps all results.
         """
-        if place is EVER:
+        if place is FOREVER:
             known = self._ever.get((function, *map(id, given)))
             if known is None:  # what is kept is held, lest its id be used again
                 known = given, function(*given)

@@ -32,40 +32,40 @@ class Step(NamedTuple):
     outcome: Any  # what a claim came to; None of a formula
 
 
-class Sheet:
+class Tape:
     """Rows of numbers, and what was computed from them."""
 
     def __init__(self, rows: Column) -> None:
         """Of rows, shape (rows, columns)."""
         self._rows = rows
         self._steps: list[Step] = []
-        self.first = [Cell(self, k, value) for k, value in enumerate(rows[0].tolist())]
+        self.first = [Traced(self, k, value) for k, value in enumerate(rows[0].tolist())]
         """Cells for the numbers of the first row."""
 
-    def computed(self, many: Callable[..., Any], value: float, *operands: Any) -> Cell:
+    def computed(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
         """A new cell: an operation, and what it gives with the first row."""
         self._steps.append(Step(many, operands, None))
-        return Cell(self, self._rows.shape[1] + len(self._steps) - 1, value)
+        return Traced(self, self._rows.shape[1] + len(self._steps) - 1, value)
 
-    def claimed(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
+    def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
         """What a question came to with the first row."""
         self._steps.append(Step(many, operands, outcome))
         return outcome
 
-    def filled(self) -> Filled:
+    def filled(self) -> Evaluated:
         """All formulas, row by row."""
         columns: list[Any] = list(self._rows.T)
         holds = np.ones(len(self._rows), dtype=bool)
         with np.errstate(all="ignore"):  # rows of which the claims do not hold may do anything
             for many, operands, outcome in self._steps:
-                given = (columns[x.place] if isinstance(x, Cell) else x for x in operands)
+                given = (columns[x.place] if isinstance(x, Traced) else x for x in operands)
                 columns.append(many(*given))
                 if outcome is not None:
                     holds &= columns[-1] == outcome
-        return Filled(columns, holds)
+        return Evaluated(columns, holds)
 
 
-class Filled(NamedTuple):
+class Evaluated(NamedTuple):
     """A sheet worked out."""
 
     columns: list[Any]
@@ -74,22 +74,22 @@ class Filled(NamedTuple):
 
     def of(self, x: Any, rows: Any) -> Any:
         """What stands where a float would, in some rows: a column of a cell, or the float."""
-        return self.columns[x.place][rows] if isinstance(x, Cell) else x
+        return self.columns[x.place][rows] if isinstance(x, Traced) else x
 
 
-class Cell:
+class Traced:
     """A number on a sheet."""
 
     __slots__ = ("place", "sheet", "value")
 
-    def __init__(self, sheet: Sheet, place: int, value: float) -> None:
+    def __init__(self, sheet: Tape, place: int, value: float) -> None:
         """At a place of a sheet, with the value that it has in the first row."""
         self.sheet, self.place, self.value = sheet, place, value
 
     def _with(
         self, other: Any, many: Callable[..., Any], one: Callable[..., Any], turned: bool = False
     ) -> Any:
-        if not isinstance(other, Cell | float | int):
+        if not isinstance(other, Traced | float | int):
             return NotImplemented
         a, b = (other, self) if turned else (self, other)
         return self.sheet.computed(many, one(_value(a), _value(b)), a, b)
@@ -119,22 +119,22 @@ class Cell:
         return self._divided(other, self)
 
     def _divided(self, a: Any, b: Any) -> Any:
-        if not (isinstance(a, Cell | float | int) and isinstance(b, Cell | float | int)):
+        if not (isinstance(a, Traced | float | int) and isinstance(b, Traced | float | int)):
             return NotImplemented
         quotient = _value(a) / _value(b)
-        self.sheet.claimed(np.not_equal, True, b, 0.0)  # Python divides nothing by zero
+        self.sheet.guard(np.not_equal, True, b, 0.0)  # Python divides nothing by zero
         return self.sheet.computed(np.divide, quotient, a, b)
 
-    def __neg__(self) -> Cell:
+    def __neg__(self) -> Traced:
         return self.sheet.computed(np.negative, -self.value, self)
 
-    def __abs__(self) -> Cell:
+    def __abs__(self) -> Traced:
         return self.sheet.computed(np.absolute, abs(self.value), self)
 
     def _asked(self, other: Any, many: Callable[..., Any], one: Callable[..., Any]) -> Any:
-        if not isinstance(other, Cell | float | int):
+        if not isinstance(other, Traced | float | int):
             return NotImplemented
-        return self.sheet.claimed(many, bool(one(self.value, _value(other))), self, other)
+        return self.sheet.guard(many, bool(one(self.value, _value(other))), self, other)
 
     def __lt__(self, other: Any) -> Any:
         return self._asked(other, np.less, operator.lt)
@@ -157,11 +157,11 @@ class Cell:
     __hash__ = None  # type: ignore[assignment]  # what is looked up by a number is not computed
 
     def __bool__(self) -> bool:
-        return self.sheet.claimed(np.not_equal, self.value != 0.0, self, 0.0)
+        return self.sheet.guard(np.not_equal, self.value != 0.0, self, 0.0)
 
 
 def _value(x: Any) -> Any:
-    return x.value if isinstance(x, Cell) else x
+    return x.value if isinstance(x, Traced) else x
 
 
 def _by_one(function: Callable[[float], float]) -> Callable[[Column], Column]:
@@ -178,22 +178,22 @@ _SINES, _COSINES = _by_one(math.sin), _by_one(math.cos)
 
 def sqrt(x: Any) -> Any:
     """√x of a float or a cell."""
-    if not isinstance(x, Cell):
+    if not isinstance(x, Traced):
         return math.sqrt(x)
     root = math.sqrt(x.value)
-    x.sheet.claimed(np.greater_equal, True, x, 0.0)
+    x.sheet.guard(np.greater_equal, True, x, 0.0)
     return x.sheet.computed(np.sqrt, root, x)
 
 
 def sin(x: Any) -> Any:
     """Sine of a float or a cell [rad]."""
-    if not isinstance(x, Cell):
+    if not isinstance(x, Traced):
         return math.sin(x)
     return x.sheet.computed(_SINES, math.sin(x.value), x)
 
 
 def cos(x: Any) -> Any:
     """Cosine of a float or a cell [rad]."""
-    if not isinstance(x, Cell):
+    if not isinstance(x, Traced):
         return math.cos(x)
     return x.sheet.computed(_COSINES, math.cos(x.value), x)

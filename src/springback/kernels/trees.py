@@ -19,7 +19,7 @@ T = TypeVar("T")
 R = TypeVar("R")
 
 
-class Seldom(NamedTuple):
+class Rarely(NamedTuple):
     """A part of a memory that is mostly returned as it came.
 
     Compiled code lays it into a buffer only where it is new: copying it would often cost more than
@@ -77,26 +77,26 @@ def names(tree: Any, prefix: str = "") -> list[str]:
     ]
 
 
-def each(
+def tree_map(
     function: Callable[..., R], zipped: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> tuple[R, ...]:
-    """``function(*one of each zipped, *shared)`` for every position of the zipped tuples."""
+    """``function(*one of tree_map zipped, *shared)`` for every position of the zipped tuples."""
     return tuple(function(*some, *shared) for some in zip(*zipped, strict=True))
 
 
-def each_summed(
+def tree_map_sum(
     function: Callable[..., R], field: str, zipped: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> tuple[tuple[R, ...], Any]:
-    """`each`, and the `total` of one field of the results.
+    """`tree_map`, and the `tree_sum` of one field of the results.
 
     Compiled, every result is added as soon as it is known: what is only summed then need not be
     kept, and the vector registers hold more of the rest.
     """
-    results = each(function, zipped, shared)
-    return results, total(column(results, field))
+    results = tree_map(function, zipped, shared)
+    return results, tree_sum(field_of(results, field))
 
 
-def folded(
+def fold(
     function: Callable[..., R], start: R, values: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> R:
     """``function(so_far, value, *shared)`` from a start on through all values, one by one."""
@@ -106,12 +106,12 @@ def folded(
     return result
 
 
-def column(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
+def field_of(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
     """One field of every NamedTuple in a tuple of them."""
     return tuple(getattr(tree, field) for tree in trees)
 
 
-def total(trees: tuple[T, ...]) -> T:
+def tree_sum(trees: tuple[T, ...]) -> T:
     """Leaf-by-leaf sum of equally shaped trees."""
     first, *others = trees
     values = leaves(first)
@@ -120,7 +120,7 @@ def total(trees: tuple[T, ...]) -> T:
     return rebuilt(first, values)
 
 
-def least(values: tuple[float, ...]) -> float:
+def minimum(values: tuple[float, ...]) -> float:
     """Smallest of some floats."""
     smallest = values[0]
     for value in values[1:]:
@@ -128,7 +128,7 @@ def least(values: tuple[float, ...]) -> float:
     return smallest
 
 
-def largest(values: tuple[float, ...]) -> float:
+def maximum(values: tuple[float, ...]) -> float:
     """Largest of some floats."""
     greatest = values[0]
     for value in values[1:]:
@@ -136,15 +136,15 @@ def largest(values: tuple[float, ...]) -> float:
     return greatest
 
 
-def along(x: T, rate: T, h: float) -> T:
+def axpy(x: T, rate: T, h: float) -> T:
     """X + h · rate, leaf by leaf."""
     pairs = zip(leaves(x), leaves(rate), strict=True)
     return rebuilt(x, [a + h * b for a, b in pairs])
 
 
-def along_strictly(x: T, rate: T, h: float) -> T:
+def axpy_strictly(x: T, rate: T, h: float) -> T:
     """X + h · rate where a rate may be NaN or infinite; the result then is so too."""
-    return along(x, rate, h)
+    return axpy(x, rate, h)
 
 
 def square(tree: Any) -> float:
@@ -155,7 +155,7 @@ def square(tree: Any) -> float:
     return result
 
 
-def pick(claim: bool, a: T, b: T) -> T:
+def select(claim: bool, a: T, b: T) -> T:
     """``a`` where the claim holds, else ``b``: a selection, not a branch, in compiled code."""
     return a if claim else b
 
@@ -215,7 +215,7 @@ def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Call
     return generated
 
 
-@compiled(each)
+@compiled(tree_map)
 def _each(function: Any, zipped: Any, shared: Any) -> Any:
     calls = []
     for j in range(len(zipped[0])):
@@ -225,7 +225,7 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
     return function_of("function, zipped, shared", [f"return {_tuple(calls)}"], {})
 
 
-@compiled(each_summed, literal=True)
+@compiled(tree_map_sum, literal=True)
 def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
@@ -236,10 +236,10 @@ def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
         lines.append(f"r{j} = function({', '.join(given)})")
         lines.append(f"sum{j} = " + (f"total((sum{j - 1}, r{j}.{name}))" if j else f"r0.{name}"))
     lines.append(f"return ({', '.join(f'r{j}' for j in range(count))},), sum{count - 1}")
-    return function_of("function, field, zipped, shared", lines, {"total": total})
+    return function_of("function, field, zipped, shared", lines, {"total": tree_sum})
 
 
-@compiled(folded)
+@compiled(fold)
 def _folded(function: Any, start: Any, values: Any, shared: Any) -> Any:
     given = ", ".join(f"shared[{k}]" for k in range(len(shared)))
     lines = ["r = start"]
@@ -247,7 +247,7 @@ def _folded(function: Any, start: Any, values: Any, shared: Any) -> Any:
     return function_of("function, start, values, shared", [*lines, "return r"], {})
 
 
-@compiled(column, literal=True)
+@compiled(field_of, literal=True)
 def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
@@ -255,7 +255,7 @@ def _column(trees: Any, field: Any) -> Any:
     return function_of("trees, field", [f"return {_tuple(fields)}"], {})
 
 
-@compiled(total)
+@compiled(tree_sum)
 def _total(trees: Any) -> Any:
     if not isinstance(trees[0], types.BaseTuple):
         return function_of(
@@ -268,7 +268,7 @@ def _total(trees: Any) -> Any:
     return function_of("trees", [*lines, f"return {text}"], scope)
 
 
-@compiled(pick)
+@compiled(select)
 def _pick(claim: Any, a: Any, b: Any) -> Any:
     """Leaf by leaf: of a branch between two trees the compiler would make one between addresses."""
     if not isinstance(a, types.BaseTuple):
@@ -290,12 +290,12 @@ def _fold(sign: str) -> Callable[[Any], Any]:
     return typed
 
 
-compiled(least)(_fold("<"))
-compiled(largest)(_fold(">"))
+compiled(minimum)(_fold("<"))
+compiled(maximum)(_fold(">"))
 
 
-@compiled(along_strictly, GUARDING)
-@compiled(along)
+@compiled(axpy_strictly, GUARDING)
+@compiled(axpy)
 def _along(x: Any, rate: Any, h: Any) -> Any:
     lines: list[str] = []
     pairs = zip(reached(x, "x", lines), reached(rate, "rate", lines), strict=True)

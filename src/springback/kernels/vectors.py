@@ -45,9 +45,9 @@ class Vec(NamedTuple):
     @overload
     def __matmul__(self, other: Vec) -> float: ...
     @overload
-    def __matmul__(self, other: Mat) -> Vec: ...
-    def __matmul__(self, other: Vec | Mat) -> float | Vec:
-        return _transform_back(self, other) if isinstance(other, Mat) else _dot(self, other)
+    def __matmul__(self, other: Mat3) -> Vec: ...
+    def __matmul__(self, other: Vec | Mat3) -> float | Vec:
+        return _transform_back(self, other) if isinstance(other, Mat3) else _dot(self, other)
 
     def __xor__(self, other: Vec) -> Vec:
         return _cross(self, other)
@@ -57,31 +57,31 @@ class Vec(NamedTuple):
 ZERO = Vec(0.0, 0.0, 0.0)
 
 
-class Mat(NamedTuple):
+class Mat3(NamedTuple):
     """A 3 x 3 matrix by its rows."""
 
     x: Vec
     y: Vec
     z: Vec
 
-    def __add__(self, other: Mat) -> Mat:  # type: ignore[override]
+    def __add__(self, other: Mat3) -> Mat3:  # type: ignore[override]
         return _add_matrices(self, other)
 
-    def __sub__(self, other: Mat) -> Mat:
+    def __sub__(self, other: Mat3) -> Mat3:
         return _subtract_matrices(self, other)
 
-    def __mul__(self, factor: float) -> Mat:  # type: ignore[override]
+    def __mul__(self, factor: float) -> Mat3:  # type: ignore[override]
         return _scale_matrix(self, factor)
 
-    def __rmul__(self, factor: float) -> Mat:  # type: ignore[override]
+    def __rmul__(self, factor: float) -> Mat3:  # type: ignore[override]
         return _scale_matrix(self, factor)
 
     @overload
     def __matmul__(self, other: Vec) -> Vec: ...
     @overload
-    def __matmul__(self, other: Mat) -> Mat: ...
-    def __matmul__(self, other: Vec | Mat) -> Vec | Mat:
-        return _product(self, other) if isinstance(other, Mat) else _transform(self, other)
+    def __matmul__(self, other: Mat3) -> Mat3: ...
+    def __matmul__(self, other: Vec | Mat3) -> Vec | Mat3:
+        return _product(self, other) if isinstance(other, Mat3) else _transform(self, other)
 
 
 class Quat(NamedTuple):
@@ -121,31 +121,31 @@ def _cross(a: Vec, b: Vec) -> Vec:
     return Vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 
 
-def _add_matrices(a: Mat, b: Mat) -> Mat:
-    return Mat(a.x + b.x, a.y + b.y, a.z + b.z)
+def _add_matrices(a: Mat3, b: Mat3) -> Mat3:
+    return Mat3(a.x + b.x, a.y + b.y, a.z + b.z)
 
 
-def _subtract_matrices(a: Mat, b: Mat) -> Mat:
-    return Mat(a.x - b.x, a.y - b.y, a.z - b.z)
+def _subtract_matrices(a: Mat3, b: Mat3) -> Mat3:
+    return Mat3(a.x - b.x, a.y - b.y, a.z - b.z)
 
 
-def _scale_matrix(a: Mat, s: float) -> Mat:
-    return Mat(a.x * s, a.y * s, a.z * s)
+def _scale_matrix(a: Mat3, s: float) -> Mat3:
+    return Mat3(a.x * s, a.y * s, a.z * s)
 
 
-def _scale_matrix_from_left(s: float, a: Mat) -> Mat:
-    return Mat(a.x * s, a.y * s, a.z * s)
+def _scale_matrix_from_left(s: float, a: Mat3) -> Mat3:
+    return Mat3(a.x * s, a.y * s, a.z * s)
 
 
-def _product(a: Mat, b: Mat) -> Mat:
-    return Mat(a.x @ b, a.y @ b, a.z @ b)
+def _product(a: Mat3, b: Mat3) -> Mat3:
+    return Mat3(a.x @ b, a.y @ b, a.z @ b)
 
 
-def _transform(m: Mat, a: Vec) -> Vec:
+def _transform(m: Mat3, a: Vec) -> Vec:
     return Vec(m.x @ a, m.y @ a, m.z @ a)
 
 
-def _transform_back(a: Vec, m: Mat) -> Vec:
+def _transform_back(a: Vec, m: Mat3) -> Vec:
     return Vec(
         m.x.x * a.x + m.y.x * a.y + m.z.x * a.z,
         m.x.y * a.x + m.y.y * a.y + m.z.y * a.z,
@@ -177,25 +177,25 @@ def _teach(
     compiled(symbol)(typed)
 
 
-_teach(operator.add, [((Vec, Vec), _add), ((Mat, Mat), _add_matrices)])
-_teach(operator.sub, [((Vec, Vec), _subtract), ((Mat, Mat), _subtract_matrices)])
+_teach(operator.add, [((Vec, Vec), _add), ((Mat3, Mat3), _add_matrices)])
+_teach(operator.sub, [((Vec, Vec), _subtract), ((Mat3, Mat3), _subtract_matrices)])
 _teach(operator.neg, [((Vec,), _negate)])
 _teach(
     operator.mul,
     [
         ((Vec, float), _scale),
         ((float, Vec), _scale_from_left),
-        ((Mat, float), _scale_matrix),
-        ((float, Mat), _scale_matrix_from_left),
+        ((Mat3, float), _scale_matrix),
+        ((float, Mat3), _scale_matrix_from_left),
     ],
 )
 _teach(
     operator.matmul,
     [
         ((Vec, Vec), _dot),
-        ((Mat, Vec), _transform),
-        ((Vec, Mat), _transform_back),
-        ((Mat, Mat), _product),
+        ((Mat3, Vec), _transform),
+        ((Vec, Mat3), _transform_back),
+        ((Mat3, Mat3), _product),
     ],
 )
 _teach(operator.xor, [((Vec, Vec), _cross)])
@@ -214,10 +214,10 @@ def norm(a: Vec) -> float:
 
 
 @kernel
-def rotation(q: Quat) -> Mat:
+def rotation(q: Quat) -> Mat3:
     """Rotation matrix of a unit quaternion: columns are the body axes in the world."""
     w, x, y, z = q.w, q.x, q.y, q.z
-    return Mat(
+    return Mat3(
         Vec(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
         Vec(2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
         Vec(2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
@@ -256,39 +256,39 @@ def renormalised(q: Quat) -> Quat:
 class Adjugate(NamedTuple):
     """A symmetric matrix turned inside out: its inverse is the adjugate over the determinant."""
 
-    matrix: Mat
+    matrix: Mat3
     determinant: float
 
 
 @kernel
-def _adjugate(m: Mat) -> Adjugate:
+def _adjugate(m: Mat3) -> Adjugate:
     """Of a symmetric matrix, of which only the upper half is read."""
     a, d, f = m.x.x, m.y.y, m.z.z
     p, q, r = m.x.y, m.x.z, m.y.z
     c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
     c11, c12, c22 = a * f - q * q, p * q - a * r, a * d - p * p
-    rows = Mat(Vec(c00, c01, c02), Vec(c01, c11, c12), Vec(c02, c12, c22))
+    rows = Mat3(Vec(c00, c01, c02), Vec(c01, c11, c12), Vec(c02, c12, c22))
     return Adjugate(rows, a * c00 + p * c01 + q * c02)
 
 
 @kernel
-def solve_symmetric(m: Mat, b: Vec) -> Vec:
+def solve_symmetric(m: Mat3, b: Vec) -> Vec:
     """Solution x of m x = b for a symmetric positive definite m; only its upper half is read."""
     turned = _adjugate(m)
     return (turned.matrix @ b) * (1.0 / turned.determinant)
 
 
 @kernel
-def inverse_symmetric(m: Mat) -> Mat:
+def inverse_symmetric(m: Mat3) -> Mat3:
     """Inverse of a symmetric positive definite matrix; only its upper half is read."""
     turned = _adjugate(m)
     return turned.matrix * (1.0 / turned.determinant)
 
 
 @kernel
-def transposed(m: Mat) -> Mat:
+def transposed(m: Mat3) -> Mat3:
     """The transposed matrix."""
-    return Mat(
+    return Mat3(
         Vec(m.x.x, m.y.x, m.z.x),
         Vec(m.x.y, m.y.y, m.z.y),
         Vec(m.x.z, m.y.z, m.z.z),
@@ -296,21 +296,21 @@ def transposed(m: Mat) -> Mat:
 
 
 @kernel
-def symmetric_part(m: Mat) -> Mat:
+def symmetric_part(m: Mat3) -> Mat3:
     """½ (m + mᵀ)."""
     return 0.5 * (m + transposed(m))
 
 
 @kernel
-def isotropic(s: float) -> Mat:
+def isotropic(s: float) -> Mat3:
     """S times the identity."""
-    return Mat(Vec(s, 0.0, 0.0), Vec(0.0, s, 0.0), Vec(0.0, 0.0, s))
+    return Mat3(Vec(s, 0.0, 0.0), Vec(0.0, s, 0.0), Vec(0.0, 0.0, s))
 
 
 @kernel
-def skew(a: Vec) -> Mat:
+def skew(a: Vec) -> Mat3:
     """[a]×, the matrix with [a]× b = a × b."""
-    return Mat(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))
+    return Mat3(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))
 
 
 @kernel
@@ -378,7 +378,7 @@ def within(x: float, lowest: float, highest: float) -> float:
 
 
 @kernel
-def quaternion_of(r: Mat) -> Quat:
+def quaternion_of(r: Mat3) -> Quat:
     """Unit quaternion with w ≥ 0 of a rotation matrix.
 
     The entries of R give the rows of 4 q qᵀ; the row of the largest component of q is q up to

@@ -78,7 +78,7 @@ class Bounce(NamedTuple):
     back: float  # time until the body is back [s]
 
 
-class Variant(NamedTuple):
+class FittedLaw(NamedTuple):
     """A named law, with the number that was fitted."""
 
     name: str
@@ -90,9 +90,9 @@ class Variant(NamedTuple):
 
 
 VARIANTS = (
-    Variant("preload", "springs are pressed against a stop by", "N", "preload", (0.0, 60.0), 1.0),
-    Variant("free play", "arms move freely for", "mm", "play", (0.0, 0.015), 1e3),
-    Variant("one-sided damper", "damping on the way out is less, by a factor of", "", "rebound",
+    FittedLaw("preload", "springs are pressed against a stop by", "N", "preload", (0.0, 60.0), 1.0),
+    FittedLaw("free play", "arms move freely for", "mm", "play", (0.0, 0.015), 1e3),
+    FittedLaw("one-sided damper", "damping on the way out is less, by a factor of", "", "rebound",
             (0.0, 1.0), 1.0),
 )  # fmt: skip
 """A reading with one thing more."""
@@ -184,7 +184,7 @@ class Fit(NamedTuple):
 
     base: str
     """Reading, of `BASES`."""
-    variant: Variant
+    variant: FittedLaw
     value: float  # SI
     deviations: tuple[float, ...]  # of the eight numbers
 
@@ -193,7 +193,7 @@ class Fit(NamedTuple):
         return sum(abs(one) <= share for one in self.deviations)
 
 
-def fitted(base: str, variant: Variant) -> Fit:
+def fitted(base: str, variant: FittedLaw) -> Fit:
     """A variant with the number that makes its root mean square deviation least.
 
     Args:

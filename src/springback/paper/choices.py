@@ -32,7 +32,7 @@ GOOD = 0.8
 """Chosen: the least share that is called "fairly good", the paper's words."""
 
 
-class Choice(NamedTuple):
+class AssumptionSet(NamedTuple):
     """What a set of trials is flown with."""
 
     friction: str
@@ -63,10 +63,10 @@ class Choice(NamedTuple):
 VERTICAL, BOTH = "friction along e_Z", "friction along both tangents"
 OURS, EKF2 = "springback's estimator", "PX4 EKF2's noise"
 CHOICES = (
-    Choice(VERTICAL, OURS, PAPER_WALL, ""),
-    Choice(VERTICAL, EKF2, PAPER_WALL, "px4-ekf2"),
-    Choice(BOTH, OURS, "wall", ""),
-    Choice(BOTH, EKF2, "wall", "px4-ekf2"),
+    AssumptionSet(VERTICAL, OURS, PAPER_WALL, ""),
+    AssumptionSet(VERTICAL, EKF2, PAPER_WALL, "px4-ekf2"),
+    AssumptionSet(BOTH, OURS, "wall", ""),
+    AssumptionSet(BOTH, EKF2, "wall", "px4-ekf2"),
 )
 MEDIANS = (
     "height_loss", "excursion", "recovery_time", "lowest_height", "impact_arm_stroke",
@@ -76,10 +76,10 @@ MEDIANS = (
 
 
 @dataclass(frozen=True)
-class Cell:
+class ConditionOutcome:
     """One condition under one choice."""
 
-    choice: Choice
+    choice: AssumptionSet
     duration: float
     """Of the trials [s]."""
     robot: str
@@ -124,7 +124,7 @@ ENDS = ("recovered", "not_settled", "not_detected", "hit_ground", "not_finite")
 class Agreement(NamedTuple):
     """How much of the printed table a set of choices gives."""
 
-    choice: Choice
+    choice: AssumptionSet
     duration: float
     close: int
     """Of the printed shares, those met within five percentage points."""
@@ -149,9 +149,11 @@ class ChoiceResults:
 
     trials: int
     seed: int = 0
-    cells: list[Cell] = field(default_factory=list)
+    cells: list[ConditionOutcome] = field(default_factory=list)
 
-    def table(self, choice: Choice, duration: float) -> dict[tuple[str, float, float], Cell]:
+    def table(
+        self, choice: AssumptionSet, duration: float
+    ) -> dict[tuple[str, float, float], ConditionOutcome]:
         """Cells of a set of choices by robot, pitch [deg] and speed [m/s]."""
         return {
             (c.robot, c.pitch, c.speed): c
@@ -160,11 +162,11 @@ class ChoiceResults:
         }
 
     @property
-    def flown(self) -> list[tuple[Choice, float]]:
+    def flown(self) -> list[tuple[AssumptionSet, float]]:
         """Choices and durations that were flown, in their order."""
         return list(dict.fromkeys((c.choice, c.duration) for c in self.cells))
 
-    def agreement(self, choice: Choice, duration: float) -> Agreement:
+    def agreement(self, choice: AssumptionSet, duration: float) -> Agreement:
         """How much of the printed table a set of choices gives."""
         table = self.table(choice, duration)
         numbers = [(table[of], printed) for of, printed in SUCCESS.items() if of in table]
@@ -195,7 +197,7 @@ def is_plausible(share: float, printed: float) -> bool:
     return bool(missed**PRINTED_TRIALS >= PLAUSIBLE)
 
 
-def _holds(word: str, cell: Cell, level: Cell | None) -> bool:
+def _holds(word: str, cell: ConditionOutcome, level: ConditionOutcome | None) -> bool:
     """Whether a phrase of the paper holds for a condition.
 
     "fairly good": at least `GOOD` of the trials.  "drops": clearly fewer than the same robot
@@ -206,14 +208,14 @@ def _holds(word: str, cell: Cell, level: Cell | None) -> bool:
     return cell.share >= GOOD
 
 
-def cell_of(choice: Choice, duration: float, trials: Sequence[Trial]) -> Cell:
+def cell_of(choice: AssumptionSet, duration: float, trials: Sequence[Trial]) -> ConditionOutcome:
     """Counts and medians of the trials of one condition."""
     first = trials[0]
     found: dict[str, float | None] = {}
     for name in MEDIANS:
         known = [value for t in trials if (value := t.measures[name]) is not None]
         found[name] = float(np.median(known)) if known else None
-    return Cell(
+    return ConditionOutcome(
         choice, duration, first.robot, first.pitch, first.speed, len(trials),
         sum(t.success for t in trials), dict(Counter(t.outcome.word for t in trials)), found,
     )  # fmt: skip
@@ -222,7 +224,7 @@ def cell_of(choice: Choice, duration: float, trials: Sequence[Trial]) -> Cell:
 def fly_choices(
     trials: int = TRIALS,
     *,
-    choices: Sequence[Choice] = CHOICES,
+    choices: Sequence[AssumptionSet] = CHOICES,
     durations: Sequence[float] = DURATIONS,
     conditions: Sequence[tuple[float, float]] = CONDITIONS,
     seed: int = 0,

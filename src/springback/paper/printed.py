@@ -23,7 +23,7 @@ SWEEP_SPEEDS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
 """[m/s], figure of the sweep."""
 
 
-class Impact(NamedTuple):
+class PrintedImpact(NamedTuple):
     """One column of Table III with what the text adds."""
 
     restitution: float
@@ -35,10 +35,10 @@ class Impact(NamedTuple):
 
 
 TABLE_III = {
-    ("quad", "wall"): Impact(0.547, 0.526, 224.0, 235.0, 0.014, 0.031),
-    ("quad", "mat"): Impact(0.598, 0.603, 168.0, 177.0, 0.018, 0.037),
-    ("arq", "wall"): Impact(0.444, 0.451, 144.0, 146.0, 0.029, 0.079),
-    ("arq", "mat"): Impact(0.498, 0.504, 137.0, 142.0, 0.033, 0.083),
+    ("quad", "wall"): PrintedImpact(0.547, 0.526, 224.0, 235.0, 0.014, 0.031),
+    ("quad", "mat"): PrintedImpact(0.598, 0.603, 168.0, 177.0, 0.018, 0.037),
+    ("arq", "wall"): PrintedImpact(0.444, 0.451, 144.0, 146.0, 0.029, 0.079),
+    ("arq", "mat"): PrintedImpact(0.498, 0.504, 137.0, 142.0, 0.033, 0.083),
 }
 """Table III and the text of section IV-A: simulation and physical test."""
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.paper.choices import EKF2, VERTICAL, Cell, ChoiceResults, fly_choices
+from springback.paper.choices import EKF2, VERTICAL, ChoiceResults, ConditionOutcome, fly_choices
 from springback.paper.printed import (
     COLLISIONS_IN_A_ROW,
     RECOVERY_DISTANCE,
@@ -38,9 +38,9 @@ from springback.studies.trials import (
     DURATION,
     HOME,
     Condition,
-    Luck,
     Scatter,
     Trial,
+    TrialNoise,
     fly_trials,
     trial_tables,
 )
@@ -141,7 +141,7 @@ class Sample:
     """[deg]"""
     speed: float
     """[m/s]"""
-    luck: Luck
+    noise_stream: TrialNoise
     flight: Flight = field(repr=False)
 
 
@@ -197,7 +197,7 @@ class ResilienceResults:
         found = [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
         return [*_given_rows(), *found, *self._chosen_rows()] if self.flown else []
 
-    def chosen(self) -> dict[tuple[str, float, float], Cell]:
+    def chosen(self) -> dict[tuple[str, float, float], ConditionOutcome]:
         """Conditions with the paper's friction and EKF2's noise; empty if they were not flown."""
         if self.choices is None:
             return {}
@@ -327,7 +327,7 @@ def motion(flight: Flight) -> dict[str, Array]:
         with ``asked_`` as the reference asks for, pitch by its acceleration; ``aimed_pitch`` [rad]
         with feedback, as the position controller wants it.
     """
-    c, d = flight.columns, flight.diary
+    c, d = flight.columns, flight.telemetry
     touch = flight.measures["touch_time"] or 0.0
     gravity = float(flight.scenario.world.gravity)
     true_pitch = pitch_of(*(c[f"q{part}"] for part in "wxyz"))
@@ -344,14 +344,14 @@ def motion(flight: Flight) -> dict[str, Array]:
 
 def asked_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
     """Smallest and largest pitch asked for on the way to p_r [deg]; None if there was no way."""
-    pitch = np.degrees(motion(flight)[curve][flight.diary["leg"] == RECOVER])
+    pitch = np.degrees(motion(flight)[curve][flight.telemetry["phase"] == RECOVER])
     return (float(pitch.min()), float(pitch.max())) if len(pitch) else None
 
 
-def _began(flight: Flight, leg: float) -> Array:
+def _began(flight: Flight, phase: float) -> Array:
     """When a leg of the journey began [s]; the first of a flight did not begin."""
-    legs = flight.diary["leg"]
-    began: Array = flight.diary["t"][1:][(legs[1:] == leg) & (legs[:-1] != leg)]
+    phases = flight.telemetry["phase"]
+    began: Array = flight.telemetry["t"][1:][(phases[1:] == phase) & (phases[:-1] != phase)]
     return began
 
 
@@ -370,11 +370,11 @@ def repeated_test(
     robot: str, trial: int, scatter: Scatter, seed: int, collisions: int, *, keep: bool = False
 ) -> Repeat:
     """Fly the repeated test once."""
-    luck = scatter.drawn(robot, *REPEATED, trial, seed)
+    noise_stream = scatter.drawn(robot, *REPEATED, trial, seed)
     changes = {
         "recovery": {"runs": collisions}, "simulation": {"duration": TIME_EACH * collisions},
     }  # fmt: skip
-    flight = fly(trial_tables(robot, *REPEATED, luck, changes))
+    flight = fly(trial_tables(robot, *REPEATED, noise_stream, changes))
     runs, recovered, false_alarms = (
         int(flight.measures[name] or 0.0) for name in ("runs", "recovered_runs", "false_alarms")
     )
@@ -386,8 +386,10 @@ def repeated_test(
 
 def sampled(robot: str, pitch: float, speed: float, scatter: Scatter, seed: int) -> Sample:
     """The first trial of a condition once more, with its trajectory."""
-    luck = scatter.drawn(robot, pitch, speed, 0, seed)
-    return Sample(robot, pitch, speed, luck, fly(trial_tables(robot, pitch, speed, luck)))
+    noise_stream = scatter.drawn(robot, pitch, speed, 0, seed)
+    return Sample(
+        robot, pitch, speed, noise_stream, fly(trial_tables(robot, pitch, speed, noise_stream))
+    )
 
 
 def resilience_experiments(

@@ -24,7 +24,7 @@ from springback.paper.printed import (
     SWEEP_GAP,
     SWEEP_SPEEDS,
     TABLE_III,
-    Impact,
+    PrintedImpact,
 )
 from springback.results.flight import Flight, fly
 from springback.scenario.files import overridden
@@ -48,7 +48,7 @@ QUANTITIES = {
 
 
 @dataclass(frozen=True)
-class Reading:
+class Interpretation:
     """A way to read the printed parameters: which masses and springs, and who shares k_c."""
 
     name: str
@@ -68,24 +68,25 @@ class Reading:
         return float(vehicle.mass - vehicle.body.mass)
 
 
-QUAD = Reading("Quad", "one rigid body; k_c belongs to the whole front", "quad-slider", 2)
+QUAD = Interpretation("Quad", "one rigid body; k_c belongs to the whole front", "quad-slider", 2)
 _PAIR = ("vehicle.arms.stiffness=1250", "vehicle.arms.damping=22.5")
 READINGS = (
-    Reading("A", "one arm mass and one spring in series along X; k_c in total", "arq-lumped", 1),
-    Reading(
+    Interpretation("A", "one arm mass and one spring in series along X; k_c in total",
+    "arq-lumped", 1),
+    Interpretation(
         "B", "two arms at 45 deg touch, k_c/2 each: the paper's ten coordinates", "arq-slider", 2
     ),
-    Reading("C", "two arms at 45 deg touch, k_c each", "arq-slider", 1),
-    Reading(
+    Interpretation("C", "two arms at 45 deg touch, k_c each", "arq-slider", 1),
+    Interpretation(
         "D", "the front pair as one spring: reading B with k_l/4 and b_l/4 an arm, which along X "
         "make one k_l and one b_l, and with half of m_a, 0.1 kg, an arm", "arq-slider", 2,
         (*_PAIR, "vehicle.arms.mass=0.1"),
     ),
-    Reading(
+    Interpretation(
         "D, letter", "reading D with all of m_a, 0.2 kg, an arm: 2.682 kg in total, as Table II "
         "has it to the letter", "arq-slider", 2, (*_PAIR, "vehicle.arms.mass=0.2"),
     ),
-    Reading(
+    Interpretation(
         "D, stops", "reading D with stops at a stroke of 30 mm, fitted to the peak accelerations",
         "arq-slider", 2,
         (
@@ -103,7 +104,7 @@ COUNTED = ("restitution_at_separation", "impact_peak_acceleration", "travel", "t
 contact time until the body is back where it was at first touch."""
 
 
-def named_reading(text: str) -> Reading:
+def named_reading(text: str) -> Interpretation:
     """A user's reading, ``NAME: key=value key=value``: reading B with changes.
 
     Raises:
@@ -112,13 +113,17 @@ def named_reading(text: str) -> Reading:
     name, colon, words = text.partition(":")
     if not colon or not name.strip() or not words.split():
         raise InputError(f"{text!r} is no reading; write 'NAME: key=value key=value'")
-    return Reading(
+    return Interpretation(
         name.strip(), f"reading B with {words.strip()}", "arq-slider", 2, tuple(words.split())
     )
 
 
 def slider_tables(
-    reading: Reading, surface: str, speed: float, dissipation: float, mass: float | None = None
+    reading: Interpretation,
+    surface: str,
+    speed: float,
+    dissipation: float,
+    mass: float | None = None,
 ) -> dict[str, Any]:
     """The scenario of one slider test, as plain tables.
 
@@ -165,7 +170,7 @@ class Case:
 
     robot: str
     surface: str
-    reading: Reading
+    reading: Interpretation
     dissipation: float
     dissipation_from: str
     flight: Flight
@@ -193,7 +198,7 @@ class SliderResults:
     cases: list[Case] = field(default_factory=list)
     rows: list[Row] = field(default_factory=list)
     sweep: list[SweepPoint] = field(default_factory=list)
-    readings: tuple[Reading, ...] = READINGS
+    readings: tuple[Interpretation, ...] = READINGS
 
     def counted(self, reading: str) -> list[Row]:
         """ARQ's rows of a reading for the printed numbers of Table III, each once.
@@ -216,7 +221,7 @@ def fitted_dissipation(surface: str) -> float:
 
 
 def _fly(
-    reading: Reading, surface: str, speed: float, c_a: float, mass: float | None, keep: bool
+    reading: Interpretation, surface: str, speed: float, c_a: float, mass: float | None, keep: bool
 ) -> Flight:
     tables = slider_tables(reading, surface, speed, c_a, mass)
     return fly(tables, *reading.overrides, trajectory=keep)
@@ -229,7 +234,7 @@ def _solved(error: Callable[[float], float], low: float = 0.0, high: float = 1.5
     return float(scipy.optimize.brentq(error, low, high, xtol=1e-6))
 
 
-def _printed_of(printed: Impact, quantity: str) -> tuple[float, float | None]:
+def _printed_of(printed: PrintedImpact, quantity: str) -> tuple[float, float | None]:
     if quantity.startswith("restitution"):
         return printed.restitution, printed.restitution_test
     if quantity == "impact_peak_acceleration":
@@ -298,7 +303,7 @@ def _range_row(surface: str) -> Row:
 
 
 def slider_experiments(
-    extra_readings: Sequence[Reading] = (), progress: Callable[[float], None] | None = None
+    extra_readings: Sequence[Interpretation] = (), progress: Callable[[float], None] | None = None
 ) -> SliderResults:
     """Fly all slider tests: Quad and ARQ, wall and mat, every reading, and the sweep.
 
@@ -339,7 +344,7 @@ def slider_experiments(
     return results
 
 
-def _arq_cases(reading: Reading, surface: str) -> list[Case]:
+def _arq_cases(reading: Interpretation, surface: str) -> list[Case]:
     c_a = fitted_dissipation(surface)
     flight = _fly(reading, surface, SLIDER_SPEED, c_a, None, True)
     cases = [Case("arq", surface, reading, c_a, QUADS, flight)]
@@ -356,12 +361,12 @@ def _arq_cases(reading: Reading, surface: str) -> list[Case]:
     return cases
 
 
-def _peak(reading: Reading, robot: str, speed: float, c_a: float) -> float:
+def _peak(reading: Interpretation, robot: str, speed: float, c_a: float) -> float:
     flight = _fly(reading, "wall", speed, c_a, FREE_MASS[robot], False)
     return flight.measures["impact_peak_acceleration"] or 0.0
 
 
-def _sweep(reading: Reading, results: SliderResults, tick: Callable[[], None]) -> None:
+def _sweep(reading: Interpretation, results: SliderResults, tick: Callable[[], None]) -> None:
     """Peak accelerations from 1 to 6 m/s without the bar, and the c_a the printed gap takes."""
     c_a, fastest = fitted_dissipation("wall"), SWEEP_SPEEDS[-1]
     for speed in SWEEP_SPEEDS:

@@ -16,8 +16,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest, pick, total
-from springback.kernels.vectors import Mat, Quat, Vec, norm, rotation
+from springback.kernels.trees import maximum, select, tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Quat, Vec, norm, rotation
 from springback.recovery.detection import compressions, horizontal, jolt
 from springback.recovery.line_of_action import (
     MISSED,
@@ -57,7 +57,7 @@ class Characterisation(NamedTuple):
     limit: float  # a reading beyond this on any axis is clipped, and says no direction [m/s²]
 
 
-class Impression(NamedTuple):
+class CollisionObservation(NamedTuple):
     """What was seen of a collision while looking."""
 
     ticks: float  # so far
@@ -85,11 +85,11 @@ class Collision(NamedTuple):
 
 
 @kernel
-def no_impression(airframe: Airframe) -> Impression:
+def no_observation(airframe: Airframe) -> CollisionObservation:
     """Nothing seen yet."""
     none, upright = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
-    unpressed = each(_nothing, (airframe.arms,), ())
-    return Impression(0.0, unpressed, none, none, 0.0, upright, unpressed)
+    unpressed = tree_map(_nothing, (airframe.arms,), ())
+    return CollisionObservation(0.0, unpressed, none, none, 0.0, upright, unpressed)
 
 
 @kernel
@@ -116,36 +116,36 @@ def unclipped(limit: float, force: Vec) -> bool:
 
 
 @kernel
-def impressed(
+def observe(
     look: Characterisation,
     airframe: Airframe,
     seen: Measurement,
     at: Estimate,
     wrench: ExternalWrench,
-    so_far: Impression,
-) -> Impression:
+    so_far: CollisionObservation,
+) -> CollisionObservation:
     """What was seen, after one more tick."""
-    pressed = each(_more, (so_far.pressed, compressions(airframe.arms, seen.arm_length)), ())
+    pressed = tree_map(_more, (so_far.pressed, compressions(airframe.arms, seen.arm_length)), ())
     jolted, pushed = jolt(seen, at), wrench.force - wrench.steady
     stronger = (jolted @ jolted) > (so_far.jolted @ so_far.jolted)
     stronger &= unclipped(look.limit, seen.inertial.specific_force)
     harder = (pushed @ pushed) > (so_far.pushed @ so_far.pushed)
     within = unclipped(look.limit, seen.inertial.specific_force)
     new = so_far.ticks < 0.5
-    return Impression(
+    return CollisionObservation(
         so_far.ticks + 1.0,
         pressed,
-        pick(stronger, jolted, so_far.jolted),
-        pick(harder, pushed, so_far.pushed),
-        pick(within, so_far.clipped, so_far.ticks + 1.0),
-        pick(new, at.attitude, so_far.attitude),
-        pick(new, seen.arm_length, so_far.lengths),
+        select(stronger, jolted, so_far.jolted),
+        select(harder, pushed, so_far.pushed),
+        select(within, so_far.clipped, so_far.ticks + 1.0),
+        select(new, at.attitude, so_far.attitude),
+        select(new, seen.arm_length, so_far.lengths),
     )
 
 
 @kernel
 def looked_enough(
-    look: Characterisation, so_far: Impression, arms: tuple[float, ...], elapsed: float
+    look: Characterisation, so_far: CollisionObservation, arms: tuple[float, ...], elapsed: float
 ) -> bool:
     """Whether the window is over.
 
@@ -159,8 +159,8 @@ def looked_enough(
         arms: That took part, as far as is known, 1 or 0 each.
         elapsed: Since the alarm [s].
     """
-    alone = (so_far.clipped > 0.5) & (largest(so_far.pressed) <= FELT) & (total(arms) < 1.5)
-    since = elapsed * (1.0 - so_far.clipped / pick(so_far.ticks > 0.5, so_far.ticks, 1.0))
+    alone = (so_far.clipped > 0.5) & (maximum(so_far.pressed) <= FELT) & (tree_sum(arms) < 1.5)
+    since = elapsed * (1.0 - so_far.clipped / select(so_far.ticks > 0.5, so_far.ticks, 1.0))
     return (elapsed >= look.window) & ((not alone) | (since >= look.longer))
 
 
@@ -172,7 +172,7 @@ def _pointing(arm: Arm, compression: float) -> Vec:
 @kernel
 def _in_front(compression: float, sine: float) -> float:
     """Arms behind are pressed in by their own inertia, too."""
-    return pick(sine < MISSED, compression, 0.0)
+    return select(sine < MISSED, compression, 0.0)
 
 
 @kernel
@@ -189,8 +189,8 @@ def felt_arms(look: Characterisation, pressed: tuple[float, ...], met: Pass) -> 
         pressed: Largest compression of each arm [m].
         met: How the line of action passes the cages.
     """
-    front = each(_in_front, (pressed, met.sines), ())
-    return each(_took_part, (front,), (largest(front), look.share))
+    front = tree_map(_in_front, (pressed, met.sines), ())
+    return tree_map(_took_part, (front,), (maximum(front), look.share))
 
 
 @kernel
@@ -210,15 +210,15 @@ def touching_arms(
         met: How the line of action passes the cages.
     """
     felt = felt_arms(look, pressed, met)
-    rigid = pick(abs(met.sine) < ONE_ARM, met.one, met.two)
-    return pick(total(felt) > 0.5, felt, rigid)
+    rigid = select(abs(met.sine) < ONE_ARM, met.one, met.two)
+    return select(tree_sum(felt) > 0.5, felt, rigid)
 
 
 @kernel
 def contact_point(
     airframe: Airframe,
     position: Vec,
-    r: Mat,
+    r: Mat3,
     lengths: tuple[float, ...],
     arms: tuple[float, ...],
     direction: Vec,
@@ -235,12 +235,12 @@ def contact_point(
         arms: 1 for each arm that took part.
         direction: f_c⁰, world.
     """
-    count = total(arms)
-    share = 1.0 / pick(count > 0.5, count, 1.0)
-    tips = total(each(_tip, (airframe.arms, lengths, arms), ())) * share
+    count = tree_sum(arms)
+    share = 1.0 / select(count > 0.5, count, 1.0)
+    tips = tree_sum(tree_map(_tip, (airframe.arms, lengths, arms), ())) * share
     up = Vec(r.x.z, r.y.z, r.z.z)
     rim = direction_of(direction - up * (direction @ up), 0.0) * airframe.arms[0].cage_radius
-    return position + r @ tips + rim * pick(count > 0.5, 1.0, 0.0)
+    return position + r @ tips + rim * select(count > 0.5, 1.0, 0.0)
 
 
 class Bearing(NamedTuple):
@@ -255,7 +255,7 @@ class Bearing(NamedTuple):
 def bearing(
     look: Characterisation,
     airframe: Airframe,
-    r: Mat,
+    r: Mat3,
     lengths: tuple[float, ...],
     pressed: tuple[float, ...],
     wrench: ExternalWrench,
@@ -281,20 +281,20 @@ def bearing(
     carried = direction_of(Vec(-c.x, -c.y, 0.0), 0.0)
     met: Pass = passed(airframe, lengths, carried, lever_of(wrench.blow))
     felt = felt_arms(look, pressed, met)
-    both = (abs(met.sine) >= ONE_ARM) | (total(felt) > 1.5)
-    tangent = pick(both, across(met.span, ahead), turned_back(ahead, met.sine))
+    both = (abs(met.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
+    tangent = select(both, across(met.span, ahead), turned_back(ahead, met.sine))
     normal = level_normal(r, tangent) * look.level
     return Bearing(direction_of(-impulse, look.level), normal, met)
 
 
 @kernel
-def characterised(
+def characterise(
     look: Characterisation,
     airframe: Airframe,
     seen: Measurement,
     at: Estimate,
     wrench: ExternalWrench,
-    found: Impression,
+    found: CollisionObservation,
     position: Vec,
     velocity: Vec,
 ) -> Collision:
@@ -317,14 +317,14 @@ def characterised(
         velocity: Before the collision [m/s].
     """
     r = rotation(at.attitude)
-    tips = total(each(_pointing, (airframe.arms, found.pressed), ()))
+    tips = tree_sum(tree_map(_pointing, (airframe.arms, found.pressed), ()))
     by_arms = direction_of(r @ tips, look.level)
     by_acceleration = direction_of(horizontal(-found.jolted), look.level)
     told: Bearing = bearing(look, airframe, r, seen.arm_length, found.pressed, wrench)
     chosen = by_arms * look.arms + by_acceleration * look.acceleration
     chosen = chosen + told.force * look.wrench + told.normal * look.fused
-    other = pick(told.force @ told.force > 0.5, told.force, direction_of(velocity, look.level))
-    direction = pick(chosen @ chosen > 0.5, chosen, other)
+    other = select(told.force @ told.force > 0.5, told.force, direction_of(velocity, look.level))
+    direction = select(chosen @ chosen > 0.5, chosen, other)
     arms = touching_arms(look, found.pressed, told.met)
     first = rotation(found.attitude)
     point = contact_point(airframe, position, first, found.lengths, arms, direction)

@@ -9,14 +9,14 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest, pick
+from springback.kernels.trees import maximum, select, tree_map
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.wrench import ExternalWrench
 from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Arm
 
 #: A time that has not come.
-NEVER = -1.0
+NOT_YET = -1.0
 
 
 class Trigger(NamedTuple):
@@ -34,7 +34,7 @@ class TriggerMemory(NamedTuple):
 
     filtered: float  # the signal
     above: float  # samples in a row above the threshold
-    last: float  # time of the last alarm, `NEVER` before the first [s]
+    last: float  # time of the last alarm, `NOT_YET` before the first [s]
     first: float  # time of the first alarm [s]
     alarms: float  # so far
 
@@ -69,7 +69,7 @@ class Detected(NamedTuple):
     memory: DetectionMemory
 
 
-NOT_TRIGGERED = TriggerMemory(0.0, 0.0, NEVER, NEVER, 0.0)
+NOT_TRIGGERED = TriggerMemory(0.0, 0.0, NOT_YET, NOT_YET, 0.0)
 NOT_DETECTED = DetectionMemory(NOT_TRIGGERED, NOT_TRIGGERED, NOT_TRIGGERED)
 
 
@@ -91,13 +91,13 @@ def triggered(
     """
     filtered = memory.filtered + fresh * trigger.share * (signal - memory.filtered)
     counted = memory.above + fresh
-    above = pick(filtered > trigger.threshold, counted, 0.0)
+    above = select(filtered > trigger.threshold, counted, 0.0)
     resting = (memory.last >= 0.0) & (time - memory.last < trigger.refractory)
     reached = (above >= trigger.persistence) & (memory.above < trigger.persistence)
     goes_off = reached & (not resting)
-    last = pick(goes_off, time, memory.last)
-    first = pick(goes_off & (memory.first < 0.0), time, memory.first)
-    alarm = pick(goes_off, 1.0, 0.0)
+    last = select(goes_off, time, memory.last)
+    first = select(goes_off & (memory.first < 0.0), time, memory.first)
+    alarm = select(goes_off, 1.0, 0.0)
     return Triggered(alarm, TriggerMemory(filtered, above, last, first, memory.alarms + alarm))
 
 
@@ -109,7 +109,7 @@ def _compression(arm: Arm, length: float) -> float:
 @kernel
 def compressions(arms: tuple[Arm, ...], lengths: tuple[float, ...]) -> tuple[float, ...]:
     """L − l of every arm [m]."""
-    return each(_compression, (arms, lengths), ())
+    return tree_map(_compression, (arms, lengths), ())
 
 
 @kernel
@@ -149,7 +149,7 @@ def detected(
         wrench: What the observer says.
         memory: `NOT_DETECTED` at the start.
     """
-    pressed = largest(compressions(arms, seen.arm_length))
+    pressed = maximum(compressions(arms, seen.arm_length))
     a, b, c = detection.hall, detection.acceleration, detection.wrench
     fresh = seen.inertial.fresh
     hall = triggered(a, time, pressed, seen.arm_length_fresh, memory.hall)
@@ -157,4 +157,4 @@ def detected(
     force = triggered(c, time, norm(wrench.force - wrench.steady), fresh, memory.wrench)
     raised = a.used * hall.alarm + b.used * acceleration.alarm + c.used * force.alarm
     kept = DetectionMemory(hall.memory, acceleration.memory, force.memory)
-    return Detected(pick(raised > 0.5, 1.0, 0.0), kept)
+    return Detected(select(raised > 0.5, 1.0, 0.0), kept)

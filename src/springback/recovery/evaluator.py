@@ -12,19 +12,19 @@ from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, got, put
-from springback.kernels.trees import pick
+from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec, norm, rotation
-from springback.recovery.pilot import ResilientMemory
+from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import HOVER, LOOK, RECOVER
-from springback.simulation.onboard import Touch, witnessed
-from springback.simulation.ticks import judge, judge_lanes, touch_of
+from springback.simulation.onboard import ContactReport, evaluated
+from springback.simulation.ticks import evaluate, evaluate_lanes, touch_of
 from springback.vehicle.state import State
 
-NEVER = -1.0
+NOT_YET = -1.0
 
 
-class Referee(NamedTuple):
+class Evaluator(NamedTuple):
     """What counts as settled."""
 
     tolerance: float  # from p_r [m]
@@ -35,11 +35,11 @@ class Referee(NamedTuple):
 class Run(NamedTuple):
     """One collision and what followed, until it settled."""
 
-    touch: float  # first tick in contact [s], `NEVER` before
+    touch: float  # first tick in contact [s], `NOT_YET` before
     place: Vec  # of the main body at first touch, world [m]
-    alarm: float  # of the pilot, `NEVER` if there was none since [s]
+    alarm: float  # of the pilot, `NOT_YET` if there was none since [s]
     alarm_place: Vec  # of the main body at the last alarm, world [m]
-    settled: float  # rest began [s], `NEVER` until it has lasted
+    settled: float  # rest began [s], `NOT_YET` until it has lasted
     near: float  # rest may have begun [s]
     lowest: float  # height of the main body [m]
     nose_down: float  # largest pitch [rad]
@@ -49,7 +49,7 @@ class Run(NamedTuple):
     contacts: float  # of the vehicle on this run
 
 
-class RefereeMemory(NamedTuple):
+class EvaluatorMemory(NamedTuple):
     """What the referee has seen."""
 
     contacts: float  # of the vehicle, counted so far
@@ -63,10 +63,12 @@ class RefereeMemory(NamedTuple):
     lowest: float  # height over the whole flight [m]
 
 
-def referee_at_start(position: Vec) -> RefereeMemory:
+def evaluator_at_start(position: Vec) -> EvaluatorMemory:
     """Before the flight."""
-    run = Run(NEVER, position, NEVER, position, NEVER, NEVER, position.z, 0.0, 0.0, 0.0, 0.0, 0.0)
-    return RefereeMemory(0.0, 0.0, position, run, 0.0, 0.0, 0.0, NEVER, position.z)
+    run = Run(
+        NOT_YET, position, NOT_YET, position, NOT_YET, NOT_YET, position.z, 0.0, 0.0, 0.0, 0.0, 0.0
+    )
+    return EvaluatorMemory(0.0, 0.0, position, run, 0.0, 0.0, 0.0, NOT_YET, position.z)
 
 
 @kernel
@@ -78,47 +80,51 @@ def pitch_of(up: Vec) -> float:
 @kernel
 def _new_run(time: float, state: State, pitch: float) -> Run:
     p = state.position
-    return Run(time, p, NEVER, p, NEVER, NEVER, p.z, pitch, pitch, 0.0, 0.0, 0.0)
+    return Run(time, p, NOT_YET, p, NOT_YET, NOT_YET, p.z, pitch, pitch, 0.0, 0.0, 0.0)
 
 
 @kernel
 def _followed(
-    referee: Referee,
+    evaluator: Evaluator,
     time: float,
     state: State,
     pitch: float,
     since: Vec,
     touching: float,
-    m: ResilientMemory,
+    m: RecoveryPilotMemory,
     run: Run,
 ) -> Run:
     """A run after one more tick."""
-    p, journey = state.position, m.journey
-    gap, way = p - journey.goal, p - run.place
-    near = gap @ gap < referee.tolerance * referee.tolerance
-    near &= state.velocity @ state.velocity < referee.slow * referee.slow
-    near &= (journey.leg >= RECOVER) & (touching < 0.5)
-    began = pick(run.near < 0.0, time, run.near)
-    near_since = pick(near, began, NEVER)
-    settled = (near_since >= 0.0) & (time - near_since >= referee.dwell)
+    p, recovery_state = state.position, m.recovery_state
+    gap, way = p - recovery_state.goal, p - run.place
+    near = gap @ gap < evaluator.tolerance * evaluator.tolerance
+    near &= state.velocity @ state.velocity < evaluator.slow * evaluator.slow
+    near &= (recovery_state.phase >= RECOVER) & (touching < 0.5)
+    began = select(run.near < 0.0, time, run.near)
+    near_since = select(near, began, NOT_YET)
+    settled = (near_since >= 0.0) & (time - near_since >= evaluator.dwell)
     away = math.sqrt(way.x * way.x + way.y * way.y)
     # An alarm a touch before the tick of first touch belongs to it, too.
-    heard = (journey.log.alarm >= run.touch - EARLY) & (run.alarm < 0.0) & (journey.leg >= LOOK)
+    heard = (
+        (recovery_state.log.alarm >= run.touch - EARLY)
+        & (run.alarm < 0.0)
+        & (recovery_state.phase >= LOOK)
+    )
     return Run(
         run.touch,
         run.place,
-        pick(heard, journey.log.alarm, run.alarm),
-        pick(
-            journey.leg == LOOK,
-            pick(journey.since >= time - TINY, p, run.alarm_place),
+        select(heard, recovery_state.log.alarm, run.alarm),
+        select(
+            recovery_state.phase == LOOK,
+            select(recovery_state.since >= time - TINY, p, run.alarm_place),
             run.alarm_place,
         ),
-        pick(settled, near_since, NEVER),
+        select(settled, near_since, NOT_YET),
         near_since,
-        pick(p.z < run.lowest, p.z, run.lowest),
-        pick(pitch > run.nose_down, pitch, run.nose_down),
-        pick(pitch < run.nose_up, pitch, run.nose_up),
-        pick(away > run.excursion, away, run.excursion),
+        select(p.z < run.lowest, p.z, run.lowest),
+        select(pitch > run.nose_down, pitch, run.nose_down),
+        select(pitch < run.nose_up, pitch, run.nose_up),
+        select(away > run.excursion, away, run.excursion),
         run.path + norm(p - since),
         run.contacts,
     )
@@ -130,95 +136,106 @@ TINY = 1e-9
 EARLY = 2e-3
 
 
-@witnessed.register(Referee)
+@evaluated.register(Evaluator)
 @kernel
 def _judged(
-    referee: Referee,
+    evaluator: Evaluator,
     time: float,
     state: State,
-    touch: Touch,
-    thought: ResilientMemory,
-    memory: RefereeMemory,
-) -> RefereeMemory:
+    touch: ContactReport,
+    thought: RecoveryPilotMemory,
+    memory: EvaluatorMemory,
+) -> EvaluatorMemory:
     m, p = memory, state.position
     r = rotation(state.attitude)
     pitch = pitch_of(Vec(r.x.z, r.y.z, r.z.z))
     came = touch.contacts > m.contacts
-    leg = thought.journey.leg
+    phase = thought.recovery_state.phase
     # Touching again on the way from a collision is part of it, and undoes its rest.
-    under_way = (leg > LOOK) & (leg < HOVER) & (m.runs > 0.5)
+    under_way = (phase > LOOK) & (phase < HOVER) & (m.runs > 0.5)
     begins = came & (m.open < 0.5) & (not under_way)
     again = came & (m.open < 0.5) & under_way
     fresh = _new_run(time, state, pitch)
-    run = pick(begins, fresh, m.run)
-    open_now = pick(begins | again, 1.0, m.open)
-    watched = _followed(referee, time, state, pitch, m.position, touch.touching, thought, run)
-    judged = pick(open_now > 0.5, watched, run)
-    counted = judged.contacts + pick(came, touch.contacts - m.contacts, 0.0)
+    run = select(begins, fresh, m.run)
+    open_now = select(begins | again, 1.0, m.open)
+    watched = _followed(evaluator, time, state, pitch, m.position, touch.touching, thought, run)
+    judged = select(open_now > 0.5, watched, run)
+    counted = judged.contacts + select(came, touch.contacts - m.contacts, 0.0)
     judged = Run(
         judged.touch, judged.place, judged.alarm, judged.alarm_place, judged.settled,
         judged.near, judged.lowest, judged.nose_down, judged.nose_up, judged.excursion,
         judged.path, counted,
     )  # fmt: skip
     settles = (open_now > 0.5) & (judged.settled >= 0.0)
-    alarm = thought.journey.log.alarm
+    alarm = thought.recovery_state.log.alarm
     caused = (open_now > 0.5) | _lingers(touch, time)
-    return RefereeMemory(
+    return EvaluatorMemory(
         touch.contacts,
-        pick(settles, 0.0, open_now),
+        select(settles, 0.0, open_now),
         p,
         judged,
-        m.runs + pick(begins, 1.0, 0.0),
-        m.recovered + pick(settles, 1.0, 0.0) - pick(again, 1.0, 0.0),
+        m.runs + select(begins, 1.0, 0.0),
+        m.recovered + select(settles, 1.0, 0.0) - select(again, 1.0, 0.0),
         _counted_alarms(m, alarm, caused),
-        pick(alarm > m.alarm_seen, alarm, m.alarm_seen),
-        pick(p.z < m.lowest, p.z, m.lowest),
+        select(alarm > m.alarm_seen, alarm, m.alarm_seen),
+        select(p.z < m.lowest, p.z, m.lowest),
     )
 
 
-@judge.register(Referee)
+@evaluate.register(Evaluator)
 @kernel
 def _judge(
-    witness: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float
+    evaluator: TreeLayout,
+    shape: TreeLayout,
+    avionics: TreeLayout,
+    b: Buffer,
+    g: Buffer,
+    w: int,
+    once: int,
+    tick: float,
 ) -> None:
-    """`witnessed` for all lanes; where no run is open and none begins, little of it."""
-    memory, journey, running = cabin.aboard.witness, cabin.aboard.pilot.journey, 0
+    """`evaluated` for all lanes; where no run is open and none begins, little of it."""
+    memory, recovery_state, running = (
+        avionics.onboard.evaluator,
+        avionics.onboard.pilot.recovery_state,
+        0,
+    )
     for i in range(w * once):
         contacts = touch_of(shape, b, w, i).contacts
-        is_open = got(memory.open, g, w, i) > 0.5
-        running += 1 if is_open | (contacts > got(memory.contacts, g, w, i)) else 0
+        is_open = load(memory.open, g, w, i) > 0.5
+        running += 1 if is_open | (contacts > load(memory.contacts, g, w, i)) else 0
     for i in range(w * once if running == 0 else 0):
-        time, m = tick * got(cabin.guidance.period, g, w, i), got(memory, g, w, i)
-        position = got(shape.motion.state.position, b, w, i)
-        alarm, touch = got(journey.log.alarm, g, w, i), touch_of(shape, b, w, i)
+        time, m = tick * load(avionics.systems.period, g, w, i), load(memory, g, w, i)
+        position = load(shape.motion.state.position, b, w, i)
+        alarm, touch = load(recovery_state.log.alarm, g, w, i), touch_of(shape, b, w, i)
         kept = between_runs(time, position, alarm, touch, m)
-        put(kept, memory, g, w, i)
+        store(kept, memory, g, w, i)
     if running > 0:
-        judge_lanes(witness, shape, cabin, b, g, w, once, tick)
+        evaluate_lanes(evaluator, shape, avionics, b, g, w, once, tick)
 
 
 @kernel
-def _counted_alarms(m: RefereeMemory, alarm: float, caused: bool) -> float:
+def _counted_alarms(m: EvaluatorMemory, alarm: float, caused: bool) -> float:
     """False alarms, this one included."""
-    return m.false_alarms + pick((alarm > m.alarm_seen) & (not caused), 1.0, 0.0)
+    return m.false_alarms + select((alarm > m.alarm_seen) & (not caused), 1.0, 0.0)
 
 
 @kernel
-def _lingers(touch: Touch, time: float) -> bool:
+def _lingers(touch: ContactReport, time: float) -> bool:
     """Whether the last contact answers for an alarm: just over, or still under way."""
     return (touch.last >= 0.0) & (time - touch.last < LINGERING)
 
 
 @kernel
 def between_runs(
-    time: float, position: Vec, alarm: float, touch: Touch, m: RefereeMemory
-) -> RefereeMemory:
+    time: float, position: Vec, alarm: float, touch: ContactReport, m: EvaluatorMemory
+) -> EvaluatorMemory:
     """What the referee has seen after a tick without a run."""
-    return RefereeMemory(
+    return EvaluatorMemory(
         m.contacts, m.open, position, m.run, m.runs, m.recovered,
         _counted_alarms(m, alarm, _lingers(touch, time)),
-        pick(alarm > m.alarm_seen, alarm, m.alarm_seen),
-        pick(position.z < m.lowest, position.z, m.lowest),
+        select(alarm > m.alarm_seen, alarm, m.alarm_seen),
+        select(position.z < m.lowest, position.z, m.lowest),
     )  # fmt: skip
 
 

@@ -11,8 +11,8 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest, least, pick, total
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.trees import maximum, minimum, select, tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Vec
 from springback.recovery.wrench import Blow
 from springback.vehicle.state import Airframe, Arm, arm_direction
 
@@ -40,7 +40,7 @@ def direction_of(a: Vec, level: float) -> Vec:
     kept = Vec(a.x, a.y, a.z * (1.0 - level))
     square = kept @ kept
     there = square > NO_DIRECTION
-    return kept * pick(there, 1.0 / math.sqrt(pick(there, square, 1.0)), 0.0)
+    return kept * select(there, 1.0 / math.sqrt(select(there, square, 1.0)), 0.0)
 
 
 @kernel
@@ -53,7 +53,7 @@ def lever_of(blow: Blow) -> float:
     p = blow.carried
     square = p.x * p.x + p.y * p.y
     there = square > NO_DIRECTION
-    return -blow.turning.z * pick(there, 1.0 / math.sqrt(pick(there, square, 1.0)), 0.0)
+    return -blow.turning.z * select(there, 1.0 / math.sqrt(select(there, square, 1.0)), 0.0)
 
 
 @kernel
@@ -62,7 +62,7 @@ def _sine(arm: Arm, length: float, ahead: Vec, lever: float) -> float:
     e = arm_direction(arm)
     across = e.x * ahead.y - e.y * ahead.x
     sine = (lever - length * across) / arm.cage_radius
-    return pick(e @ ahead > IN_FRONT, sine, MISSED)
+    return select(e @ ahead > IN_FRONT, sine, MISSED)
 
 
 @kernel
@@ -72,7 +72,7 @@ def _size(x: float) -> float:
 
 @kernel
 def _least_of(size: float, smallest: float) -> float:
-    return pick(size <= smallest, 1.0, 0.0)
+    return select(size <= smallest, 1.0, 0.0)
 
 
 @kernel
@@ -86,12 +86,12 @@ def _reach(arm: Arm, length: float, ahead: Vec, side: float) -> float:
     e = arm_direction(arm)
     turned = (ahead.x * e.y - ahead.y * e.x) * side
     reach = length * (e @ ahead)
-    return pick((turned >= 0.0) & (reach > 0.0), reach, 0.0)
+    return select((turned >= 0.0) & (reach > 0.0), reach, 0.0)
 
 
 @kernel
 def _foremost(reach: float, most: float) -> float:
-    return pick((reach > 0.0) & (reach >= most), 1.0, 0.0)
+    return select((reach > 0.0) & (reach >= most), 1.0, 0.0)
 
 
 @kernel
@@ -101,7 +101,7 @@ def _tip(arm: Arm, length: float, chosen: float) -> Vec:
 
 @kernel
 def _either(a: float, b: float) -> float:
-    return pick(a + b > 0.5, 1.0, 0.0)
+    return select(a + b > 0.5, 1.0, 0.0)
 
 
 @kernel
@@ -115,23 +115,23 @@ def passed(airframe: Airframe, lengths: tuple[float, ...], ahead: Vec, lever: fl
         lever: Of that line about the main body [m].
     """
     arms = airframe.arms
-    sines = each(_sine, (arms, lengths), (ahead, lever))
-    sizes = each(_size, (sines,), ())
-    one = each(_least_of, (sizes,), (least(sizes),))
-    sine = total(each(_counted, (sines, one), ())) / total(one)
-    left = each(_reach, (arms, lengths), (ahead, 1.0))
-    right = each(_reach, (arms, lengths), (ahead, -1.0))
+    sines = tree_map(_sine, (arms, lengths), (ahead, lever))
+    sizes = tree_map(_size, (sines,), ())
+    one = tree_map(_least_of, (sizes,), (minimum(sizes),))
+    sine = tree_sum(tree_map(_counted, (sines, one), ())) / tree_sum(one)
+    left = tree_map(_reach, (arms, lengths), (ahead, 1.0))
+    right = tree_map(_reach, (arms, lengths), (ahead, -1.0))
     at_left, at_right = (
-        each(_foremost, (left,), (largest(left),)),
-        each(_foremost, (right,), (largest(right),)),
+        tree_map(_foremost, (left,), (maximum(left),)),
+        tree_map(_foremost, (right,), (maximum(right),)),
     )
-    span = total(each(_tip, (arms, lengths, at_left), ()))
-    span = span - total(each(_tip, (arms, lengths, at_right), ()))
-    return Pass(sines, sine, one, each(_either, (at_left, at_right), ()), span)
+    span = tree_sum(tree_map(_tip, (arms, lengths, at_left), ()))
+    span = span - tree_sum(tree_map(_tip, (arms, lengths, at_right), ()))
+    return Pass(sines, sine, one, tree_map(_either, (at_left, at_right), ()), span)
 
 
 @kernel
-def level_normal(r: Mat, tangent_normal: Vec) -> Vec:
+def level_normal(r: Mat3, tangent_normal: Vec) -> Vec:
     """Horizontal n, world, whose part in the plane of the cages lies along a direction in it.
 
     A cage touches an upright face where n − (n·b) b points, with b the body's z axis; so in body
@@ -142,14 +142,14 @@ def level_normal(r: Mat, tangent_normal: Vec) -> Vec:
         tangent_normal: t, in the plane of the cages, body axes.
     """
     t, up = tangent_normal, r.z
-    steep = pick(up.z * up.z > NO_DIRECTION, up.z, 1.0)
+    steep = select(up.z * up.z > NO_DIRECTION, up.z, 1.0)
     return direction_of(r @ Vec(t.x, t.y, -(t.x * up.x + t.y * up.y) / steep), 1.0)
 
 
 @kernel
 def turned_back(ahead: Vec, sine: float) -> Vec:
     """The normal from which a direction in the plane of the cages is turned by asin sine."""
-    bounded = pick(sine > 1.0, 1.0, pick(sine < -1.0, -1.0, sine))
+    bounded = select(sine > 1.0, 1.0, select(sine < -1.0, -1.0, sine))
     cosine = math.sqrt(1.0 - bounded * bounded)
     return Vec(ahead.x * cosine + ahead.y * bounded, ahead.y * cosine - ahead.x * bounded, 0.0)
 
@@ -158,4 +158,4 @@ def turned_back(ahead: Vec, sine: float) -> Vec:
 def across(span: Vec, ahead: Vec) -> Vec:
     """Unit normal of the common tangent of two equal cages, on the side of a direction."""
     n = direction_of(Vec(span.y, -span.x, 0.0), 0.0)
-    return n * pick(n @ ahead >= 0.0, 1.0, -1.0)
+    return n * select(n @ ahead >= 0.0, 1.0, -1.0)

@@ -15,7 +15,7 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Length, Speed, quantity, triple
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection, Trigger
-from springback.recovery.evaluator import Referee
+from springback.recovery.evaluator import Evaluator
 from springback.recovery.response import Quintic, Staged, TimeOptimal
 from springback.recovery.state_machine import Route
 from springback.recovery.wrench import Observer
@@ -306,7 +306,7 @@ class RecoverySettings(Settings):
             runs=float(self.runs),
         )
 
-    def referee(self) -> Referee:
+    def evaluator(self) -> Evaluator:
         """Who judges by the same bounds, but sees the truth."""
         s = self.settling
-        return Referee(s.tolerance, s.speed, s.dwell)
+        return Evaluator(s.tolerance, s.speed, s.dwell)

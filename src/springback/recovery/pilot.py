@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from springback.control.cascade import (
     Cascade,
     CascadeMemory,
-    CascadeWords,
+    CascadeTelemetry,
     Offboard,
     fly_on,
     hear,
@@ -20,19 +20,19 @@ from springback.control.cascade import (
 )
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put
-from springback.kernels.memo import Make, afresh
-from springback.kernels.trees import pick
+from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.memo import Build, uncached
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
     Characterisation,
     Collision,
-    Impression,
-    characterised,
-    impressed,
+    CollisionObservation,
+    characterise,
     looked_enough,
     no_collision,
-    no_impression,
+    no_observation,
+    observe,
 )
 from springback.recovery.detection import (
     NOT_DETECTED,
@@ -46,15 +46,15 @@ from springback.recovery.state_machine import (
     LOOK,
     RECOVER,
     STAGES,
-    Calm,
     Departed,
-    Journey,
+    RecoveryState,
     Route,
-    journey_at_start,
-    leaving,
-    passes,
-    struck,
-    turned,
+    SmoothReturn,
+    on_alarm,
+    on_characterised,
+    on_phase_end,
+    phase_end,
+    recovery_at_start,
 )
 from springback.recovery.wrench import (
     ExternalWrench,
@@ -64,11 +64,11 @@ from springback.recovery.wrench import (
     renewed_wrench,
 )
 from springback.sensing.measurement import Estimate, Measurement, any_due, believe, due
-from springback.simulation.onboard import told
+from springback.simulation.onboard import telemetry_of
 from springback.simulation.ticks import decide
 
 
-class Resilient(NamedTuple):
+class RecoveryPilot(NamedTuple):
     """Settings of the pilot."""
 
     cascade: Cascade  # its reference is the run-up
@@ -88,39 +88,39 @@ class History(NamedTuple):
     older: Vec
 
 
-class ResilientMemory(NamedTuple):
+class RecoveryPilotMemory(NamedTuple):
     """What the pilot remembers."""
 
     flight: CascadeMemory
     wrench: ExternalWrench
     detection: DetectionMemory
-    impression: Impression
+    observation: CollisionObservation
     collision: Collision  # the last
     history: History
-    journey: Journey
+    recovery_state: RecoveryState
     alarm: float  # 1 while a flight has something to consider at this tick, else 0
 
 
-def resilient_memory(
-    pilot: Resilient, flight: CascadeMemory, make: Make = afresh
-) -> ResilientMemory:
+def recovery_pilot_memory(
+    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = uncached
+) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 
     Args:
         pilot: Settings.
         flight: Memory of the cascade, from `springback.control.cascade.cascade_memory`.
-        make: How parts are made.
+        build: How parts are made.
     """
     start, airframe = flight.estimate, pilot.cascade.airframe
-    nothing = make(no_collision, airframe)
-    return ResilientMemory(
+    nothing = build(no_collision, airframe)
+    return RecoveryPilotMemory(
         flight,
-        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust, make),
+        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust, build),
         NOT_DETECTED,
-        make(no_impression, airframe),
+        build(no_observation, airframe),
         nothing,
         History(start.velocity, start.velocity),
-        journey_at_start(pilot.route, nothing, make),
+        recovery_at_start(pilot.route, nothing, build),
         0.0,
     )
 
@@ -134,278 +134,314 @@ class Worded(NamedTuple):
 
 @kernel
 def _followed(
-    pilot: Resilient, tick: float, time: float, at: Estimate, journey: Journey, before: Offboard
+    pilot: RecoveryPilot,
+    tick: float,
+    time: float,
+    at: Estimate,
+    recovery_state: RecoveryState,
+    before: Offboard,
 ) -> Offboard:
     """The way of the leg."""
-    c, leg = pilot.cascade, journey.leg
-    if leg <= LOOK:
-        return steered(c, Departed(c.reference, journey.away), tick, time, at, before)
-    if leg <= RECOVER:
-        return steered(c, Calm(journey.recovery), tick, time, at, before)
-    return steered(c, Calm(journey.homeward), tick, time, at, before)
+    c, phase = pilot.cascade, recovery_state.phase
+    if phase <= LOOK:
+        return steered(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
+    if phase <= RECOVER:
+        return steered(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
+    return steered(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
 
 
 @kernel
 def _worded_in_stages(
     response: Staged,
-    pilot: Resilient,
+    pilot: RecoveryPilot,
     tick: float,
     time: float,
     at: Estimate,
     hit: Collision,
-    journey: Journey,
+    recovery_state: RecoveryState,
     before: Offboard,
 ) -> Worded:
     c = pilot.cascade
-    if journey.leg == STAGES:
-        now = staged(response, c.position, hit, at, before.wanted.yaw, journey.stage)
+    if recovery_state.phase == STAGES:
+        now = staged(response, c.position, hit, at, before.wanted.yaw, recovery_state.stage)
         arrival = tick + c.schedule.delay
         return Worded(Offboard(before.position, before.wanted, now.word, arrival), now.stage)
-    return Worded(_followed(pilot, tick, time, at, journey, before), journey.stage)
+    return Worded(_followed(pilot, tick, time, at, recovery_state, before), recovery_state.stage)
 
 
 @generic
 def steer(
-    response: Like, pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float
+    response: TreeLayout,
+    pilot: TreeLayout,
+    avionics: TreeLayout,
+    g: Buffer,
+    w: int,
+    once: int,
+    tick: float,
 ) -> None:
     """The position loops of all lanes follow the ways of their legs.
 
     Args:
         response: Like its settings, by whose type it is chosen.
         pilot: Where the settings of the pilot lie.
-        cabin: What lies in ``g``.
+        avionics: What lies in ``g``.
         g: Buffer of what is aboard.
         w: Lanes.
         once: As for `springback.simulation.ticks.look`.
         tick: Number of the tick.
     """
-    memory, flight, cascade = cabin.aboard.pilot, cabin.aboard.pilot.flight, pilot.cascade
-    journey, cruising, recovering, returning = memory.journey, 0, 0, 0
+    memory, flight, cascade = avionics.onboard.pilot, avionics.onboard.pilot.flight, pilot.cascade
+    recovery_state, cruising, recovering, returning = memory.recovery_state, 0, 0, 0
     for i in range(w * once):
-        leg = got(journey.leg, g, w, i)
-        cruising += 1 if leg <= LOOK else 0
-        recovering += 1 if (leg > LOOK) & (leg <= RECOVER) else 0
-        returning += 1 if leg > RECOVER else 0
+        phase = load(recovery_state.phase, g, w, i)
+        cruising += 1 if phase <= LOOK else 0
+        recovering += 1 if (phase > LOOK) & (phase <= RECOVER) else 0
+        returning += 1 if phase > RECOVER else 0
     # Ways are long to follow, and all lanes are nearly always on the same: so one way at a time.
     for i in range(w * once if cruising > 0 else 0):
-        way = Departed(got(cascade.reference, g, w, i), got(journey.away, g, w, i))
-        now = _steered(pilot, cabin, way, g, w, i, tick)
-        mine, before = got(journey.leg, g, w, i) <= LOOK, got(flight.offboard, g, w, i)
-        put(pick(mine, now, before), flight.offboard, g, w, i)
+        way = Departed(load(cascade.reference, g, w, i), load(recovery_state.away, g, w, i))
+        now = _steered(pilot, avionics, way, g, w, i, tick)
+        mine, before = load(recovery_state.phase, g, w, i) <= LOOK, load(flight.offboard, g, w, i)
+        store(select(mine, now, before), flight.offboard, g, w, i)
     for i in range(w * once if recovering > 0 else 0):
-        now = _steered(pilot, cabin, Calm(got(journey.recovery, g, w, i)), g, w, i, tick)
-        leg, before = got(journey.leg, g, w, i), got(flight.offboard, g, w, i)
-        put(pick((leg > LOOK) & (leg <= RECOVER), now, before), flight.offboard, g, w, i)
+        now = _steered(
+            pilot, avionics, SmoothReturn(load(recovery_state.recovery, g, w, i)), g, w, i, tick
+        )
+        phase, before = load(recovery_state.phase, g, w, i), load(flight.offboard, g, w, i)
+        store(select((phase > LOOK) & (phase <= RECOVER), now, before), flight.offboard, g, w, i)
     for i in range(w * once if returning > 0 else 0):
-        now = _steered(pilot, cabin, Calm(got(journey.homeward, g, w, i)), g, w, i, tick)
-        mine, before = got(journey.leg, g, w, i) > RECOVER, got(flight.offboard, g, w, i)
-        put(pick(mine, now, before), flight.offboard, g, w, i)
+        now = _steered(
+            pilot, avionics, SmoothReturn(load(recovery_state.homeward, g, w, i)), g, w, i, tick
+        )
+        mine, before = load(recovery_state.phase, g, w, i) > RECOVER, load(flight.offboard, g, w, i)
+        store(select(mine, now, before), flight.offboard, g, w, i)
 
 
 @kernel
 def _steered(
-    pilot: Like, cabin: Like, way: Any, g: Buffer, w: int, i: int, tick: float
+    pilot: TreeLayout, avionics: TreeLayout, way: Any, g: Buffer, w: int, i: int, tick: float
 ) -> Offboard:
     """The position loop of one lane on some way."""
-    flight, time = cabin.aboard.pilot.flight, tick * got(cabin.guidance.period, g, w, i)
-    at, before = got(flight.estimate, g, w, i), got(flight.offboard, g, w, i)
-    return steered(got(pilot.cascade, g, w, i), way, tick, time, at, before)
+    flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
+    at, before = load(flight.estimate, g, w, i), load(flight.offboard, g, w, i)
+    return steered(load(pilot.cascade, g, w, i), way, tick, time, at, before)
 
 
 @steer.register(Staged)
 @kernel
 def _steer_in_stages(
-    response: Like, pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float
+    response: TreeLayout,
+    pilot: TreeLayout,
+    avionics: TreeLayout,
+    g: Buffer,
+    w: int,
+    once: int,
+    tick: float,
 ) -> None:
-    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    memory, flight = avionics.onboard.pilot, avionics.onboard.pilot.flight
     for i in range(w):
-        settings, time = got(pilot, g, w, i), tick * got(cabin.guidance.period, g, w, i)
-        at, hit = got(flight.estimate, g, w, i), got(memory.collision, g, w, i)
-        journey, before = got(memory.journey, g, w, i), got(flight.offboard, g, w, i)
+        settings, time = load(pilot, g, w, i), tick * load(avionics.systems.period, g, w, i)
+        at, hit = load(flight.estimate, g, w, i), load(memory.collision, g, w, i)
+        recovery_state, before = (
+            load(memory.recovery_state, g, w, i),
+            load(flight.offboard, g, w, i),
+        )
         if due(tick, settings.cascade.schedule.position):
             plan = settings.route.response
-            said = _worded_in_stages(plan, settings, tick, time, at, hit, journey, before)
-            put(said.offboard, flight.offboard, g, w, i)
-            put(said.stage, memory.journey.stage, g, w, i)
+            said = _worded_in_stages(plan, settings, tick, time, at, hit, recovery_state, before)
+            store(said.offboard, flight.offboard, g, w, i)
+            store(said.stage, memory.recovery_state.stage, g, w, i)
 
 
 @kernel
-def _remembered(pilot: Resilient, tick: float, at: Estimate, before: History) -> History:
+def _remembered(pilot: RecoveryPilot, tick: float, at: Estimate, before: History) -> History:
     now = History(at.velocity, before.newer)
-    return pick(due(tick, pilot.cascade.schedule.position), now, before)
+    return select(due(tick, pilot.cascade.schedule.position), now, before)
 
 
 @kernel
-def _begun(journey: Journey, alarm: float, time: float) -> Journey:
+def _begun(recovery_state: RecoveryState, alarm: float, time: float) -> RecoveryState:
     """An alarm while the robot looks is of the same collision."""
-    if (alarm > 0.5) & (journey.leg != LOOK):
-        return struck(journey, time)
-    return journey
+    if (alarm > 0.5) & (recovery_state.phase != LOOK):
+        return on_alarm(recovery_state, time)
+    return recovery_state
 
 
 @kernel
 def _made_out(
-    pilot: Resilient,
+    pilot: RecoveryPilot,
     time: float,
     seen: Measurement,
     at: Estimate,
-    impression: Impression,
+    observation: CollisionObservation,
     wrench: ExternalWrench,
-    before: Journey,
-    journey: Journey,
-    m: ResilientMemory,
+    before: RecoveryState,
+    recovery_state: RecoveryState,
+    m: RecoveryPilotMemory,
 ) -> Collision:
     """The last collision: where it was noticed, and once the window is over what it was."""
-    new = before.leg != LOOK
-    position = pick(new, at.position, m.collision.position)
-    velocity = pick(new, m.history.older, m.collision.velocity)
-    return characterised(
-        pilot.look, pilot.cascade.airframe, seen, at, wrench, impression, position, velocity
+    new = before.phase != LOOK
+    position = select(new, at.position, m.collision.position)
+    velocity = select(new, m.history.older, m.collision.velocity)
+    return characterise(
+        pilot.look, pilot.cascade.airframe, seen, at, wrench, observation, position, velocity
     )
 
 
 @kernel
 def _gone(
-    pilot: Resilient,
+    pilot: RecoveryPilot,
     time: float,
     at: Estimate,
-    impression: Impression,
+    observation: CollisionObservation,
     hit: Collision,
-    journey: Journey,
+    recovery_state: RecoveryState,
     wanted: Target,
-) -> Journey:
-    if looked_enough(pilot.look, impression, hit.arms, time - journey.since):
-        return leaving(pilot.route, journey, hit, at, time, wanted.yaw)
-    return journey
+) -> RecoveryState:
+    if looked_enough(pilot.look, observation, hit.arms, time - recovery_state.since):
+        return on_characterised(pilot.route, recovery_state, hit, at, time, wanted.yaw)
+    return recovery_state
 
 
 class Considered(NamedTuple):
     """What a pilot that looks at a collision makes of it."""
 
-    impression: Impression
+    observation: CollisionObservation
     collision: Collision
-    journey: Journey
+    recovery_state: RecoveryState
 
 
 @kernel
 def _considered(
-    pilot: Resilient,
+    pilot: RecoveryPilot,
     time: float,
     seen: Measurement,
     at: Estimate,
     wrench: ExternalWrench,
-    m: ResilientMemory,
+    m: RecoveryPilotMemory,
 ) -> Considered:
     airframe = pilot.cascade.airframe
-    journey = _begun(m.journey, m.alarm, time)
-    fresh = pick((journey.leg == LOOK) & (m.journey.leg == LOOK), 1.0, 0.0)
-    so_far = pick(fresh > 0.5, m.impression, no_impression(airframe))
-    impression = impressed(pilot.look, airframe, seen, at, wrench, so_far)
-    hit = _made_out(pilot, time, seen, at, impression, wrench, m.journey, journey, m)
-    gone = _gone(pilot, time, at, impression, hit, journey, m.flight.offboard.wanted)
-    return Considered(impression, hit, gone)
+    recovery_state = _begun(m.recovery_state, m.alarm, time)
+    fresh = select((recovery_state.phase == LOOK) & (m.recovery_state.phase == LOOK), 1.0, 0.0)
+    so_far = select(fresh > 0.5, m.observation, no_observation(airframe))
+    observation = observe(pilot.look, airframe, seen, at, wrench, so_far)
+    hit = _made_out(pilot, time, seen, at, observation, wrench, m.recovery_state, recovery_state, m)
+    gone = _gone(pilot, time, at, observation, hit, recovery_state, m.flight.offboard.wanted)
+    return Considered(observation, hit, gone)
 
 
 @kernel
-def _observing(pilot: Like, cabin: Like, g: Buffer, w: int, i: int) -> Any:
+def _observing(pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, i: int) -> Any:
     """What the observer of one lane goes by: arguments of `observed_wrench`."""
-    memory, flight = cabin.aboard.pilot, cabin.aboard.pilot.flight
+    memory, flight = avionics.onboard.pilot, avionics.onboard.pilot.flight
     return (
-        got(pilot.observer, g, w, i),
-        got(pilot.cascade.airframe, g, w, i),
-        got(flight.autopilot.built.tree.inertia, g, w, i),
-        got(cabin.aboard.measurement, g, w, i),
-        got(flight.estimate, g, w, i),
-        got(flight.autopilot.thrust, g, w, i),
-        got(memory.wrench, g, w, i),
+        load(pilot.observer, g, w, i),
+        load(pilot.cascade.airframe, g, w, i),
+        load(flight.autopilot.built.tree.inertia, g, w, i),
+        load(avionics.onboard.measurement, g, w, i),
+        load(flight.estimate, g, w, i),
+        load(flight.autopilot.thrust, g, w, i),
+        load(memory.wrench, g, w, i),
     )
 
 
 @kernel
-def _watch(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> int:
+def _watch(
+    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
+) -> int:
     """The observers and triggers of all lanes; how many lanes have something to consider."""
-    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+    memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
     waiting, stirred = 0, 0
     for i in range(w * once):
-        waiting += 0 if got(seen.inertial.fresh, g, w, i) > 0.5 else 1
+        waiting += 0 if load(seen.inertial.fresh, g, w, i) > 0.5 else 1
     for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
-        x = _observing(pilot, cabin, g, w, i)
-        put(renewed_wrench(*x), memory.wrench, g, w, i)
+        x = _observing(pilot, avionics, g, w, i)
+        store(renewed_wrench(*x), memory.wrench, g, w, i)
     for i in range(w * once if waiting > 0 else 0):
-        x = _observing(pilot, cabin, g, w, i)
-        put(observed_wrench(*x), memory.wrench, g, w, i)
+        x = _observing(pilot, avionics, g, w, i)
+        store(observed_wrench(*x), memory.wrench, g, w, i)
     for i in range(w * once):
-        airframe, said = got(pilot.cascade.airframe, g, w, i), got(seen, g, w, i)
-        at, wrench = got(memory.flight.estimate, g, w, i), got(memory.wrench, g, w, i)
-        time = tick * got(cabin.guidance.period, g, w, i)
-        triggers, so_far = got(pilot.detection, g, w, i), got(memory.detection, g, w, i)
+        airframe, said = load(pilot.cascade.airframe, g, w, i), load(seen, g, w, i)
+        at, wrench = load(memory.flight.estimate, g, w, i), load(memory.wrench, g, w, i)
+        time = tick * load(avionics.systems.period, g, w, i)
+        triggers, so_far = load(pilot.detection, g, w, i), load(memory.detection, g, w, i)
         noticed = detected(triggers, airframe.arms, time, said, at, wrench, so_far)
-        put(noticed.memory, memory.detection, g, w, i)
-        put(noticed.alarm, memory.alarm, g, w, i)
-        looks = (noticed.alarm > 0.5) | (got(memory.journey.leg, g, w, i) == LOOK)
+        store(noticed.memory, memory.detection, g, w, i)
+        store(noticed.alarm, memory.alarm, g, w, i)
+        looks = (noticed.alarm > 0.5) | (load(memory.recovery_state.phase, g, w, i) == LOOK)
         stirred += 1 if looks else 0
     return stirred
 
 
 @kernel
-def _travel(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
+def _travel(
+    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
+) -> None:
     """The journeys of all lanes that have nothing to consider: mostly, time goes by."""
-    memory, arrived = cabin.aboard.pilot, 0
+    memory, arrived = avionics.onboard.pilot, 0
     for i in range(w * once):
-        time = tick * got(cabin.guidance.period, g, w, i)
-        alarm, journey = got(memory.alarm, g, w, i), got(memory.journey, g, w, i)
-        calm = (alarm < 0.5) & (journey.leg != LOOK)
-        route, at = got(pilot.route, g, w, i), got(memory.flight.estimate, g, w, i)
-        passed = passes(route, journey, at, time)
-        put(pick(calm, passed.near, journey.near), memory.journey.near, g, w, i)
-        put(pick(calm, passed.turns, 0.0), memory.alarm, g, w, i)
+        time = tick * load(avionics.systems.period, g, w, i)
+        alarm, recovery_state = load(memory.alarm, g, w, i), load(memory.recovery_state, g, w, i)
+        calm = (alarm < 0.5) & (recovery_state.phase != LOOK)
+        route, at = load(pilot.route, g, w, i), load(memory.flight.estimate, g, w, i)
+        passed = phase_end(route, recovery_state, at, time)
+        store(select(calm, passed.near, recovery_state.near), memory.recovery_state.near, g, w, i)
+        store(select(calm, passed.turns, 0.0), memory.alarm, g, w, i)
         arrived += 1 if calm & (passed.turns > 0.5) else 0
     for i in range(w if arrived > 0 else 0):
-        if got(memory.alarm, g, w, i) > 0.5:
-            time = tick * got(cabin.guidance.period, g, w, i)
-            route, journey = got(pilot.route, g, w, i), got(memory.journey, g, w, i)
-            at, hit = got(memory.flight.estimate, g, w, i), got(memory.collision, g, w, i)
-            yaw = got(memory.flight.offboard.wanted.yaw, g, w, i)
-            put(turned(route, journey, hit, at, time, yaw), memory.journey, g, w, i)
+        if load(memory.alarm, g, w, i) > 0.5:
+            time = tick * load(avionics.systems.period, g, w, i)
+            route, recovery_state = load(pilot.route, g, w, i), load(memory.recovery_state, g, w, i)
+            at, hit = load(memory.flight.estimate, g, w, i), load(memory.collision, g, w, i)
+            yaw = load(memory.flight.offboard.wanted.yaw, g, w, i)
+            store(
+                on_phase_end(route, recovery_state, hit, at, time, yaw),
+                memory.recovery_state,
+                g,
+                w,
+                i,
+            )
 
 
-@decide.register(Resilient)
+@decide.register(RecoveryPilot)
 @kernel
-def _decide(pilot: Like, cabin: Like, g: Buffer, w: int, once: int, tick: float) -> None:
-    """`piloted`, step by step for all lanes; collisions are considered one by one."""
-    memory, seen = cabin.aboard.pilot, cabin.aboard.measurement
+def _decide(
+    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
+) -> None:
+    """`pilot_step`, step by step for all lanes; collisions are considered one by one."""
+    memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
     flight, cascade = memory.flight, pilot.cascade
     believe(cascade.estimator, seen, flight.estimator, flight.estimate, flight.tick, g, w, once)
-    stirred = _watch(pilot, cabin, g, w, once, tick)
+    stirred = _watch(pilot, avionics, g, w, once, tick)
     for i in range(w if stirred > 0 else 0):
-        m = got(memory, g, w, i)
-        if m.alarm > 0.5 or m.journey.leg == LOOK:
-            settings, said = got(pilot, g, w, i), got(seen, g, w, i)
-            time = tick * got(cabin.guidance.period, g, w, i)
+        m = load(memory, g, w, i)
+        if m.alarm > 0.5 or m.recovery_state.phase == LOOK:
+            settings, said = load(pilot, g, w, i), load(seen, g, w, i)
+            time = tick * load(avionics.systems.period, g, w, i)
             now = _considered(settings, time, said, m.flight.estimate, m.wrench, m)
-            put(now.impression, memory.impression, g, w, i)
-            put(now.collision, memory.collision, g, w, i)
-            put(now.journey, memory.journey, g, w, i)
-            put(1.0, memory.alarm, g, w, i)  # it has travelled
-    _travel(pilot, cabin, g, w, once, tick)
+            store(now.observation, memory.observation, g, w, i)
+            store(now.collision, memory.collision, g, w, i)
+            store(now.recovery_state, memory.recovery_state, g, w, i)
+            store(1.0, memory.alarm, g, w, i)  # it has travelled
+    _travel(pilot, avionics, g, w, once, tick)
     if any_due(cascade.schedule.position, g, w, once, tick):
         hear(flight, g, w, once)  # before it is overtaken by the next word
-        steer(pilot.route.response, pilot, cabin, g, w, once, tick)
+        steer(pilot.route.response, pilot, avionics, g, w, once, tick)
         for i in range(w * once):
-            settings, at = got(pilot, g, w, i), got(flight.estimate, g, w, i)
-            past = _remembered(settings, tick, at, got(memory.history, g, w, i))
-            put(past, memory.history, g, w, i)
-    fly_on(cascade, flight, seen.arm_length, cabin.aboard.command, g, w, once, tick)
+            settings, at = load(pilot, g, w, i), load(flight.estimate, g, w, i)
+            past = _remembered(settings, tick, at, load(memory.history, g, w, i))
+            store(past, memory.history, g, w, i)
+    fly_on(cascade, flight, seen.arm_length, avionics.onboard.command, g, w, once, tick)
 
 
-class ResilientWords(NamedTuple):
-    """What the pilot tells the diary."""
+class RecoveryTelemetry(NamedTuple):
+    """What the pilot tells the telemetry."""
 
     estimate: Estimate
     wanted: Target
     aim: Any
     setpoint: Vec
-    leg: float
+    phase: float
     goal: Vec  # p_r, or where the leg leads [m]
     pressed: float  # the Hall sensors' signal [m]
     jolt: float  # the accelerometer's [m/s²]
@@ -416,14 +452,14 @@ class ResilientWords(NamedTuple):
     direction: Vec  # f_c⁰ of the last collision
 
 
-@told.register(Resilient)
+@telemetry_of.register(RecoveryPilot)
 @kernel
-def _tells(pilot: Resilient, memory: ResilientMemory) -> ResilientWords:
+def _tells(pilot: RecoveryPilot, memory: RecoveryPilotMemory) -> RecoveryTelemetry:
     m, w, d = memory.flight, memory.wrench, memory.detection
-    words = CascadeWords(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)
-    return ResilientWords(
+    words = CascadeTelemetry(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)
+    return RecoveryTelemetry(
         words.estimate, words.wanted, words.aim, words.setpoint,
-        memory.journey.leg, memory.journey.goal,
+        memory.recovery_state.phase, memory.recovery_state.goal,
         d.hall.filtered, d.acceleration.filtered, d.wrench.filtered,
         (d.hall.alarms, d.acceleration.alarms, d.wrench.alarms),
         w.force, w.moment, memory.collision.direction,

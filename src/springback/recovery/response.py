@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.control.polynomials import Motion, quintic
+from springback.control.polynomials import BoundaryCondition, quintic
 from springback.control.references import Polynomials
 from springback.control.target import Target, target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import pick
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec, norm
 from springback.recovery.characterisation import Collision
 from springback.sensing.measurement import Estimate
@@ -76,7 +76,7 @@ class Dash(NamedTuple):
     yaw: float  # [rad]
 
 
-class Progress(NamedTuple):
+class DashCoordinate(NamedTuple):
     """One coordinate at one time."""
 
     value: float
@@ -97,31 +97,33 @@ def rush(start: float, speed: float, goal: float, most: float) -> Rush:
     """
     a = most
     missing = goal - start - speed * math.fabs(speed) / (2.0 * a)
-    sign = pick(missing > 0.0, 1.0, -1.0)
+    sign = select(missing > 0.0, 1.0, -1.0)
     square = sign * a * (goal - start) + 0.5 * speed * speed
-    top = sign * math.sqrt(pick(square > 0.0, square, 0.0))
+    top = sign * math.sqrt(select(square > 0.0, square, 0.0))
     raw = (top - speed) / (sign * a)
-    return Rush(start, speed, sign * a, pick(raw > 0.0, raw, 0.0), math.fabs(top) / a, goal)
+    return Rush(start, speed, sign * a, select(raw > 0.0, raw, 0.0), math.fabs(top) / a, goal)
 
 
 @kernel
-def _rushed(way: Rush, elapsed: float) -> Progress:
-    first = pick(elapsed < way.switch, elapsed, way.switch)
+def _rushed(way: Rush, elapsed: float) -> DashCoordinate:
+    first = select(elapsed < way.switch, elapsed, way.switch)
     p = way.start + first * (way.speed + 0.5 * way.push * first)
     v = way.speed + way.push * first
-    second = pick(elapsed > way.switch, elapsed - way.switch, 0.0)
+    second = select(elapsed > way.switch, elapsed - way.switch, 0.0)
     over = second >= way.brake
-    ends = Progress(way.goal, 0.0, 0.0)
-    braking = pick(elapsed > way.switch, -way.push, way.push)
-    under_way = Progress(p + second * (v - 0.5 * way.push * second), v - way.push * second, braking)
-    return pick(over, ends, under_way)
+    ends = DashCoordinate(way.goal, 0.0, 0.0)
+    braking = select(elapsed > way.switch, -way.push, way.push)
+    under_way = DashCoordinate(
+        p + second * (v - 0.5 * way.push * second), v - way.push * second, braking
+    )
+    return select(over, ends, under_way)
 
 
 @target.register(Dash)
 @kernel
 def _dash(reference: Dash, time: float) -> Target:
     since = time - reference.begins
-    elapsed = pick(since > 0.0, since, 0.0)
+    elapsed = select(since > 0.0, since, 0.0)
     x, y = _rushed(reference.x, elapsed), _rushed(reference.y, elapsed)
     z = _rushed(reference.z, elapsed)
     return Target(
@@ -142,7 +144,7 @@ def _length(way: Rush) -> float:
 # -- plans ----------------------------------------------------------------------------------------
 
 
-class Plan(NamedTuple):
+class RecoveryPlan(NamedTuple):
     """A way, and when it is over."""
 
     reference: Any
@@ -152,7 +154,7 @@ class Plan(NamedTuple):
 @generic
 def planned(
     response: Any, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
-) -> Plan:
+) -> RecoveryPlan:
     """A way from a collision to a goal.
 
     Args:
@@ -170,39 +172,41 @@ def planned(
 @kernel
 def _quintic(
     response: Quintic, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
-) -> Plan:
+) -> RecoveryPlan:
     still = Vec(0.0, 0.0, 0.0)
     late = response.after > 0.5
     velocity = hit.velocity * response.before + at.velocity * response.after
-    start = Motion(pick(late, at.position, hit.position), velocity, still)
+    start = BoundaryCondition(select(late, at.position, hit.position), velocity, still)
     wanted = response.pace * norm(hit.velocity)
-    duration = pick(wanted > response.shortest, wanted, response.shortest)
-    return Plan(quintic(start, Motion(goal, still, still), duration, time, yaw), time + duration)
+    duration = select(wanted > response.shortest, wanted, response.shortest)
+    return RecoveryPlan(
+        quintic(start, BoundaryCondition(goal, still, still), duration, time, yaw), time + duration
+    )
 
 
 @planned.register(TimeOptimal)
 @kernel
 def _time_optimal(
     response: TimeOptimal, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
-) -> Plan:
+) -> RecoveryPlan:
     p, v = at.position, at.velocity
     x = rush(p.x, v.x, goal.x, response.across)
     y = rush(p.y, v.y, goal.y, response.across)
     z = rush(p.z, v.z, goal.z, response.upwards)
-    last = pick(_length(x) > _length(y), _length(x), _length(y))
-    last = pick(_length(z) > last, _length(z), last)
-    return Plan(Dash(x, y, z, time, yaw), time + last)
+    last = select(_length(x) > _length(y), _length(x), _length(y))
+    last = select(_length(z) > last, _length(z), last)
+    return RecoveryPlan(Dash(x, y, z, time, yaw), time + last)
 
 
 @planned.register(Staged)
 @kernel
 def _staged(
     response: Staged, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
-) -> Plan:
+) -> RecoveryPlan:
     """Once the stages are over the robot holds the place where it then is (see the pilot)."""
     still = Vec(0.0, 0.0, 0.0)
-    here = Motion(at.position, still, still)
-    return Plan(quintic(here, here, SHORTEST, time, yaw), time)
+    here = BoundaryCondition(at.position, still, still)
+    return RecoveryPlan(quintic(here, here, SHORTEST, time, yaw), time)
 
 
 #: Duration of a way that is none [s], chosen: one tick.
@@ -210,7 +214,7 @@ SHORTEST = 1e-3
 
 
 @kernel
-def homeward(here: Vec, home: Vec, speed: float, time: float, yaw: float) -> Plan:
+def homeward(here: Vec, home: Vec, speed: float, time: float, yaw: float) -> RecoveryPlan:
     """A quintic from rest to rest whose largest speed, 15/8 of the mean, is a given one.
 
     Args:
@@ -222,8 +226,12 @@ def homeward(here: Vec, home: Vec, speed: float, time: float, yaw: float) -> Pla
     """
     still = Vec(0.0, 0.0, 0.0)
     wanted = 1.875 * norm(home - here) / speed
-    duration = pick(wanted > SHORTEST, wanted, SHORTEST)
+    duration = select(wanted > SHORTEST, wanted, SHORTEST)
     way: Polynomials = quintic(
-        Motion(here, still, still), Motion(home, still, still), duration, time, yaw
+        BoundaryCondition(here, still, still),
+        BoundaryCondition(home, still, still),
+        duration,
+        time,
+        yaw,
     )
-    return Plan(way, time + duration)
+    return RecoveryPlan(way, time + duration)

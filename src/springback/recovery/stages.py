@@ -9,7 +9,7 @@ from springback.control.position import PositionLaw, heading
 from springback.control.target import AttitudeTarget
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import pick
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec, norm, positive_part, quaternion_of, rotation
 from springback.recovery.characterisation import Collision
 from springback.recovery.response import Staged
@@ -58,12 +58,12 @@ def staged(
     level = calm & (_angle(b, up) < response.level)
     still = math.fabs(at.velocity.z) < response.climb
 
-    first = pick((stage == TILTING) & tilted, LEVELLING, stage)
-    second = pick((first == LEVELLING) & level, DAMPING, first)
-    now = pick((second == DAMPING) & still, OVER, second)
+    first = select((stage == TILTING) & tilted, LEVELLING, stage)
+    second = select((first == LEVELLING) & level, DAMPING, first)
+    now = select((second == DAMPING) & still, OVER, second)
 
-    damped = pick(now >= DAMPING, response.damping, 0.0) * at.velocity.z
-    wanted = up * (law.gravity - damped) + away * pick(now == TILTING, 1.0, 0.0)
+    damped = select(now >= DAMPING, response.damping, 0.0) * at.velocity.z
+    wanted = up * (law.gravity - damped) + away * select(now == TILTING, 1.0, 0.0)
     size = norm(wanted)
     axes = heading(wanted * (1.0 / size), yaw).axes
     thrust = law.mass * positive_part(wanted @ b)

@@ -12,17 +12,17 @@ from typing import Any, NamedTuple
 from springback.control.references import Polynomials
 from springback.control.target import Target, target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.memo import Make, afresh
-from springback.kernels.trees import pick
+from springback.kernels.memo import Build, uncached
+from springback.kernels.trees import select
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
-from springback.recovery.response import Plan, Staged, homeward, planned
+from springback.recovery.response import RecoveryPlan, Staged, homeward, planned
 from springback.recovery.stages import OVER, TILTING
 from springback.sensing.measurement import Estimate
 
 CRUISE, LOOK, STAGES, RECOVER, RETURN, HOVER = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
-LEGS = ("cruise", "look", "stages", "recover", "return", "hover")
-NEVER = -1.0
+PHASES = ("cruise", "look", "stages", "recover", "return", "hover")
+NOT_YET = -1.0
 
 
 class Route(NamedTuple):
@@ -41,7 +41,7 @@ class Route(NamedTuple):
 
 
 class Log(NamedTuple):
-    """When things happened on the last run, by the robot's own belief [s]; `NEVER` if not yet."""
+    """When things happened on the last run, by the robot's own belief [s]; `NOT_YET` if not yet."""
 
     alarm: float
     planned: float
@@ -50,10 +50,10 @@ class Log(NamedTuple):
     runs: float  # that have come home, all in all
 
 
-class Journey(NamedTuple):
+class RecoveryState(NamedTuple):
     """Where the robot stands."""
 
-    leg: float
+    phase: float
     since: float  # [s]
     stage: float  # of a staged response
     away: float  # the run-up began then [s]
@@ -61,7 +61,7 @@ class Journey(NamedTuple):
     homeward: Polynomials
     ends: float  # of the way of this leg [s]
     goal: Vec  # of this leg [m]
-    near: float  # the goal is near since then [s], `NEVER` if it is not
+    near: float  # the goal is near since then [s], `NOT_YET` if it is not
     log: Log
 
 
@@ -72,7 +72,7 @@ class Departed(NamedTuple):
     away: float  # [s]
 
 
-class Calm(NamedTuple):
+class SmoothReturn(NamedTuple):
     """A way after a collision, without jerk.
 
     The paper's controller is given p, v, a and yaw, and the robot is then too far from its way for
@@ -88,24 +88,24 @@ def _departed(reference: Departed, time: float) -> Target:
     return target(reference.cruise, time - reference.away)
 
 
-@target.register(Calm)
+@target.register(SmoothReturn)
 @kernel
-def _calm(reference: Calm, time: float) -> Target:
+def _calm(reference: SmoothReturn, time: float) -> Target:
     now, still = target(reference.way, time), Vec(0.0, 0.0, 0.0)
     return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
 
-def journey_at_start(route: Route, nothing: Collision, make: Make = afresh) -> Journey:
+def recovery_at_start(route: Route, nothing: Collision, build: Build = uncached) -> RecoveryState:
     """Before the first run-up.
 
     Args:
         route: Settings.
         nothing: A collision that has not happened.
-        make: How parts are made.
+        build: How parts are made.
     """
-    away, homewards = make(_no_ways, route.response, route.speed, nothing)
-    log = Log(NEVER, NEVER, NEVER, NEVER, 0.0)
-    return Journey(CRUISE, 0.0, TILTING, 0.0, away, homewards, 0.0, route.home, NEVER, log)
+    away, homewards = build(_no_ways, route.response, route.speed, nothing)
+    log = Log(NOT_YET, NOT_YET, NOT_YET, NOT_YET, 0.0)
+    return RecoveryState(CRUISE, 0.0, TILTING, 0.0, away, homewards, 0.0, route.home, NOT_YET, log)
 
 
 def _no_ways(response: Any, speed: float, nothing: Collision) -> tuple[Any, Polynomials]:
@@ -135,98 +135,119 @@ def _stages_first(response: Staged) -> float:
 
 
 @kernel
-def struck(journey: Journey, time: float) -> Journey:
+def on_alarm(recovery_state: RecoveryState, time: float) -> RecoveryState:
     """The alarm: look."""
-    j = journey
-    log = Log(time, NEVER, NEVER, NEVER, j.log.runs)
-    return Journey(LOOK, time, TILTING, j.away, j.recovery, j.homeward, time, j.goal, NEVER, log)
+    j = recovery_state
+    log = Log(time, NOT_YET, NOT_YET, NOT_YET, j.log.runs)
+    return RecoveryState(
+        LOOK, time, TILTING, j.away, j.recovery, j.homeward, time, j.goal, NOT_YET, log
+    )
 
 
 @kernel
-def leaving(
-    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
-) -> Journey:
+def on_characterised(
+    route: Route,
+    recovery_state: RecoveryState,
+    hit: Collision,
+    at: Estimate,
+    time: float,
+    yaw: float,
+) -> RecoveryState:
     """The collision is made out: p_r = p_c − δ f_c⁰, and a way there."""
-    j = journey
+    j = recovery_state
     goal = hit.position - hit.direction * route.distance
-    plan: Plan = planned(route.response, hit, goal, at, time, yaw)
-    log = Log(j.log.alarm, time, NEVER, NEVER, j.log.runs)
-    leg = _first_leg(route.response)
-    return Journey(
-        leg, time, TILTING, j.away, plan.reference, j.homeward, plan.ends, goal, NEVER, log
+    plan: RecoveryPlan = planned(route.response, hit, goal, at, time, yaw)
+    log = Log(j.log.alarm, time, NOT_YET, NOT_YET, j.log.runs)
+    phase = _first_leg(route.response)
+    return RecoveryState(
+        phase, time, TILTING, j.away, plan.reference, j.homeward, plan.ends, goal, NOT_YET, log
     )
 
 
 @kernel
 def _levelled(
-    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
-) -> Journey:
+    route: Route,
+    recovery_state: RecoveryState,
+    hit: Collision,
+    at: Estimate,
+    time: float,
+    yaw: float,
+) -> RecoveryState:
     """The stages are over: stay here."""
-    j = journey
-    plan: Plan = planned(route.response, hit, at.position, at, time, yaw)
-    return Journey(
-        RECOVER, time, OVER, j.away, plan.reference, j.homeward, time, at.position, NEVER, j.log
+    j = recovery_state
+    plan: RecoveryPlan = planned(route.response, hit, at.position, at, time, yaw)
+    return RecoveryState(
+        RECOVER, time, OVER, j.away, plan.reference, j.homeward, time, at.position, NOT_YET, j.log
     )
 
 
 @kernel
-def _homewards(route: Route, journey: Journey, time: float, yaw: float) -> Journey:
+def _homewards(
+    route: Route, recovery_state: RecoveryState, time: float, yaw: float
+) -> RecoveryState:
     """Settled at p_r: fly home, or stay."""
-    j = journey
-    goal = pick(route.returns > 0.5, route.home, j.goal)
+    j = recovery_state
+    goal = select(route.returns > 0.5, route.home, j.goal)
     plan = homeward(j.goal, goal, route.speed, time, yaw)
-    log = Log(j.log.alarm, j.log.planned, time, NEVER, j.log.runs)
-    return Journey(
-        RETURN, time, j.stage, j.away, j.recovery, plan.reference, plan.ends, goal, NEVER, log
+    log = Log(j.log.alarm, j.log.planned, time, NOT_YET, j.log.runs)
+    return RecoveryState(
+        RETURN, time, j.stage, j.away, j.recovery, plan.reference, plan.ends, goal, NOT_YET, log
     )
 
 
 @kernel
-def _at_home(route: Route, journey: Journey, time: float) -> Journey:
+def _at_home(route: Route, recovery_state: RecoveryState, time: float) -> RecoveryState:
     """Settled at home: hover, or set out again."""
-    j = journey
+    j = recovery_state
     runs = j.log.runs + 1.0
     again = runs < route.runs
     log = Log(j.log.alarm, j.log.planned, j.log.settled, time, runs)
-    leg, away = pick(again, CRUISE, HOVER), pick(again, time, j.away)
-    return Journey(leg, time, j.stage, away, j.recovery, j.homeward, j.ends, j.goal, NEVER, log)
+    phase, away = select(again, CRUISE, HOVER), select(again, time, j.away)
+    return RecoveryState(
+        phase, time, j.stage, away, j.recovery, j.homeward, j.ends, j.goal, NOT_YET, log
+    )
 
 
 @kernel
-def _near_since(route: Route, journey: Journey, at: Estimate, time: float) -> float:
+def _near_since(route: Route, recovery_state: RecoveryState, at: Estimate, time: float) -> float:
     """Since when the robot has been near its goal, and slow."""
-    gap = at.position - journey.goal
+    gap = at.position - recovery_state.goal
     near = gap @ gap < route.tolerance * route.tolerance
     near &= at.velocity @ at.velocity < route.slow * route.slow
-    began = pick(journey.near < 0.0, time, journey.near)
-    return pick(near & (time >= journey.ends), began, NEVER)
+    began = select(recovery_state.near < 0.0, time, recovery_state.near)
+    return select(near & (time >= recovery_state.ends), began, NOT_YET)
 
 
-class Passed(NamedTuple):
+class PhaseEnd(NamedTuple):
     """What a tick without an alarm does to a journey."""
 
-    near: float  # the goal is near since then [s], `NEVER` if it is not
+    near: float  # the goal is near since then [s], `NOT_YET` if it is not
     turns: float  # 1 where the leg is over
 
 
 @kernel
-def passes(route: Route, journey: Journey, at: Estimate, time: float) -> Passed:
+def phase_end(route: Route, recovery_state: RecoveryState, at: Estimate, time: float) -> PhaseEnd:
     """A tick without an alarm: is the robot near its goal, and is the leg over?"""
-    j, since = journey, _near_since(route, journey, at, time)
+    j, since = recovery_state, _near_since(route, recovery_state, at, time)
     rested = (since >= 0.0) & (time - since >= route.dwell)
     weary = time - j.ends > route.patience
-    levelled = (j.leg == STAGES) & (j.stage >= OVER)
-    arrives = ((j.leg == RECOVER) | (j.leg == RETURN)) & (rested | weary)
-    return Passed(since, pick(levelled | arrives, 1.0, 0.0))
+    levelled = (j.phase == STAGES) & (j.stage >= OVER)
+    arrives = ((j.phase == RECOVER) | (j.phase == RETURN)) & (rested | weary)
+    return PhaseEnd(since, select(levelled | arrives, 1.0, 0.0))
 
 
 @kernel
-def turned(
-    route: Route, journey: Journey, hit: Collision, at: Estimate, time: float, yaw: float
-) -> Journey:
-    """The journey where a leg is over (`passes`)."""
-    if journey.leg == STAGES:
-        return _levelled(route, journey, hit, at, time, yaw)
-    if journey.leg == RECOVER:
-        return _homewards(route, journey, time, yaw)
-    return _at_home(route, journey, time)
+def on_phase_end(
+    route: Route,
+    recovery_state: RecoveryState,
+    hit: Collision,
+    at: Estimate,
+    time: float,
+    yaw: float,
+) -> RecoveryState:
+    """The journey where a leg is over (`phase_end`)."""
+    if recovery_state.phase == STAGES:
+        return _levelled(route, recovery_state, hit, at, time, yaw)
+    if recovery_state.phase == RECOVER:
+        return _homewards(route, recovery_state, time, yaw)
+    return _at_home(route, recovery_state, time)

@@ -20,9 +20,9 @@ from springback.control.mixing import wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.memo import Make, afresh
-from springback.kernels.trees import each, pick
-from springback.kernels.vectors import ZERO, Mat, Vec, rotation
+from springback.kernels.memo import Build, uncached
+from springback.kernels.trees import select, tree_map
+from springback.kernels.vectors import ZERO, Mat3, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Airframe
 
@@ -70,16 +70,16 @@ def no_wrench(
     airframe: Airframe,
     start: Estimate,
     thrust: tuple[float, ...],
-    make: Make = afresh,
+    build: Build = uncached,
 ) -> ExternalWrench:
     """Memory of an observer that starts with a motion and nothing pushing."""
-    none, inertia = ZERO, make(_whole_inertia, airframe)
+    none, inertia = ZERO, build(_whole_inertia, airframe)
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
     blow = Blow(none, none, none, start.velocity, spin, none, none)
     return ExternalWrench(none, none, none, thrust, momentum, spin, blow)
 
 
-def _whole_inertia(airframe: Airframe) -> Mat:
+def _whole_inertia(airframe: Airframe) -> Mat3:
     return inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
 
 
@@ -89,7 +89,7 @@ def _lagged(thrust: float, command: float, share: float) -> float:
 
 
 @kernel
-def _felt(observer: Observer, by_rotors: Vec, r: Mat, specific_force: Vec, old: Vec) -> Vec:
+def _felt(observer: Observer, by_rotors: Vec, r: Mat3, specific_force: Vec, old: Vec) -> Vec:
     """Force from the accelerometer: f̂' = K_f (m R a − f_T R e_z − f̂)."""
     now = (r @ specific_force) * observer.mass - by_rotors
     return old + (now - old) * (observer.force_gain * observer.interval)
@@ -97,7 +97,7 @@ def _felt(observer: Observer, by_rotors: Vec, r: Mat, specific_force: Vec, old: 
 
 @kernel
 def struck_by(
-    observer: Observer, r: Mat, at: Estimate, known: Vec, moment: Vec, spin: Vec, blow: Blow
+    observer: Observer, r: Mat3, at: Estimate, known: Vec, moment: Vec, spin: Vec, blow: Blow
 ) -> Blow:
     """The impulses after one more sample: Δ(m v) − known force · h, and Δ(J ω) − moment · h.
 
@@ -131,7 +131,7 @@ def struck_by(
 def renewed_wrench(
     observer: Observer,
     airframe: Airframe,
-    inertia: Mat,
+    inertia: Mat3,
     seen: Measurement,
     at: Estimate,
     command: tuple[float, ...],
@@ -152,7 +152,7 @@ def renewed_wrench(
     known = by_rotors - Vec(0.0, 0.0, observer.mass * observer.gravity)
     force_sum = memory.force_sum + (known + memory.force) * h
     from_momentum = (at.velocity * observer.mass - force_sum) * k
-    force = pick(observer.momentum > 0.5, from_momentum, felt)
+    force = select(observer.momentum > 0.5, from_momentum, felt)
 
     omega = at.angular_velocity
     spin = inertia @ omega
@@ -168,14 +168,14 @@ def renewed_wrench(
 def _believed_thrust(
     observer: Observer, command: tuple[float, ...], memory: ExternalWrench
 ) -> tuple[float, ...]:
-    return each(_lagged, (memory.thrust, command), (observer.rotor_share,))
+    return tree_map(_lagged, (memory.thrust, command), (observer.rotor_share,))
 
 
 @kernel
 def observed_wrench(
     observer: Observer,
     airframe: Airframe,
-    inertia: Mat,
+    inertia: Mat3,
     seen: Measurement,
     at: Estimate,
     command: tuple[float, ...],
@@ -195,4 +195,4 @@ def observed_wrench(
     m, thrust = memory, _believed_thrust(observer, command, memory)
     kept = ExternalWrench(m.force, m.moment, m.steady, thrust, m.force_sum, m.moment_sum, m.blow)
     now = renewed_wrench(observer, airframe, inertia, seen, at, command, memory)
-    return pick(seen.inertial.fresh > 0.5, now, kept)
+    return select(seen.inertial.fresh > 0.5, now, kept)

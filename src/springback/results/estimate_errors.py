@@ -25,8 +25,8 @@ def _ticks(flight: Flight) -> Array:
     """Instants of the ticks [s]; those that there would be where no pilot was aboard."""
     if not flight.columns:
         raise InputError("the flight kept no trajectory")
-    if "t" in flight.diary:
-        return flight.diary["t"]
+    if "t" in flight.telemetry:
+        return flight.telemetry["t"]
     clock = float(flight.scenario.clock)
     return np.arange(int(flight.columns["t"][-1] * clock) + 1) / clock
 
@@ -43,18 +43,18 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
     Raises:
         InputError: If the flight kept no trajectory, or no estimate was made.
     """
-    if "est_x" not in flight.diary:
+    if "est_x" not in flight.telemetry:
         raise InputError("the flight kept no trajectory, or no estimate was made")
     names = ("x", "y", "z"), ("vx", "vy", "vz"), ("qw", "qx", "qy", "qz")
     truth = [_at_ticks(flight, group) for group in names]
     believed = [
-        np.stack([flight.diary[f"est_{name}"] for name in group], axis=1) for group in names
+        np.stack([flight.telemetry[f"est_{name}"] for name in group], axis=1) for group in names
     ]
     q = truth[2] / np.linalg.norm(truth[2], axis=1)[:, None]
     s = np.where((q * believed[2]).sum(axis=1) < 0.0, -1.0, 1.0)[:, None]
     apart = np.linalg.norm(q - s * believed[2], axis=1)
     return EstimateErrors(
-        time=flight.diary["t"],
+        time=flight.telemetry["t"],
         position=np.linalg.norm(believed[0] - truth[0], axis=1),
         velocity=np.linalg.norm(believed[1] - truth[1], axis=1),
         attitude=4.0 * np.arcsin(np.clip(0.5 * apart, 0.0, 1.0)),

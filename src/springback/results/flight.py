@@ -17,20 +17,20 @@ from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
 from springback.kernels.vectors import Vec
-from springback.results.meshes import Surface, surfaces_of
+from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
-    judged,
+    is_evaluated,
     recovery_measures,
     recovery_outcome,
 )
 from springback.scenario.arguments import check_executor, chosen_pilot
-from springback.scenario.avionics import OwnPilot, board_of
+from springback.scenario.avionics import CompiledPilot, build_avionics
 from springback.scenario.files import checked_scenario, overridden, read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user_obstacles import check_own_obstacles
-from springback.scenario.user_pilots import as_written, careful, in_words, tried
-from springback.simulation.flight import Executor, Flown, Trace, check_instants, fly_one
+from springback.scenario.user_pilots import as_written, guarded, in_words, validated
+from springback.simulation.flight import Executor, FlightRecord, Trace, check_instants, fly_one
 from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
 from springback.simulation.measures import (
     FAILURES,
@@ -60,15 +60,15 @@ class Flight:
     columns: dict[str, Array]
     """Trajectory by column, each of shape (instants,); empty if none was kept."""
     units: dict[str, str]
-    """Unit of each column, of the diary too."""
-    diary: dict[str, Array] = field(default_factory=dict)
+    """Unit of each column, of the telemetry too."""
+    telemetry: dict[str, Array] = field(default_factory=dict)
     """What was measured, believed, wanted and commanded, tick by tick; empty without a pilot."""
     work: dict[str, Array] = field(default_factory=dict)
     """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
     `springback.results.energy_history` needs beside the columns.  No file keeps it."""
     own: tuple[Own, ...] = ()
     """Obstacles of the user's own that it was flown with; none of a flight that was read back."""
-    own_surfaces: tuple[Surface, ...] = ()
+    own_surfaces: tuple[Mesh, ...] = ()
     """Of a flight that was read back, the surfaces of those obstacles, to be drawn."""
 
     def __getattr__(self, name: str) -> float | None:
@@ -103,15 +103,15 @@ class Flight:
                 f"the energy ledger leaves {share} of the energy: the "
                 "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
             )
-        commands = [values for name, values in self.diary.items() if name.startswith("command")]
+        commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
         lowest = np.min(commands, axis=0, initial=0.0)
         below = np.flatnonzero(lowest < 0.0)
         propulsion = self.scenario.vehicle.propulsion
         if len(below) and propulsion is not None:
             found[CommandWarning] = (
                 f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
-                f"at {self.diary['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do not "
-                f"turn backwards and give their least, {propulsion.least_thrust:g} N"
+                f"at {self.telemetry['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do "
+                f"not turn backwards and give their least, {propulsion.min_thrust:g} N"
             )
         return found
 
@@ -215,7 +215,7 @@ class Flight:
         return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
 
 
-def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
+def _columns(flown: FlightRecord) -> tuple[dict[str, Array], dict[str, str]]:
     """Trajectory columns under their file names, with units."""
     trace = flown.trace
     if trace is None:
@@ -242,7 +242,7 @@ def _columns(flown: Flown) -> tuple[dict[str, Array], dict[str, str]]:
     return columns, units
 
 
-def _work(flown: Flown) -> dict[str, Array]:
+def _work(flown: FlightRecord) -> dict[str, Array]:
     """Works of the trace by name, and whether any arm's cage touches."""
     trace, stem = flown.trace, "work."
     if trace is None:
@@ -256,7 +256,7 @@ def _work(flown: Flown) -> dict[str, Array]:
     return work | {"touching": touching}
 
 
-#: Columns of a diary: name, where it comes from, unit.  An `n` stands for the number of an arm.
+#: Columns of a telemetry: name, where it comes from, unit.  An `n` stands for the number of an arm.
 _DIARY = (
     ("t", "time", "s"),
     ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
@@ -275,7 +275,7 @@ _DIARY = (
     ("ref_a{a}", "told.wanted.acceleration.{a}", "m/s^2"), ("ref_yaw", "told.wanted.yaw", "rad"),
     ("aim_q{q}", "told.aim.attitude.{q}", ""), ("aim_thrust", "told.aim.thrust", "N"),
     ("aim_w{a}", "told.setpoint.{a}", "rad/s"),
-    ("leg", "told.leg", ""), ("goal_{a}", "told.goal.{a}", "m"),
+    ("phase", "told.phase", ""), ("goal_{a}", "told.goal.{a}", "m"),
     ("pressed", "told.pressed", "m"), ("jolt", "told.jolt", "m/s^2"), ("push", "told.push", "N"),
     ("alarms_hall", "told.alarms.1", ""), ("alarms_acceleration", "told.alarms.2", ""),
     ("alarms_wrench", "told.alarms.3", ""),
@@ -285,7 +285,7 @@ _DIARY = (
 
 
 def _diary(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
-    """Columns of the diary under their file names, with units; those that the pilot told."""
+    """Columns of the telemetry under their file names, with units; those that the pilot told."""
     columns: dict[str, Array] = {}
     units: dict[str, str] = {}
     if trace is None:
@@ -306,7 +306,7 @@ def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,
     own: Sequence[Own] = (),
-    pilot: PlainPilot | OwnPilot | str | None = None,
+    pilot: PlainPilot | CompiledPilot | str | None = None,
     trajectory: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -320,14 +320,14 @@ def fly(
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
         pilot: A pilot of one's own in place of the scenario's: a plain function
             ``(time, measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or
-            an `OwnPilot`, which is compiled, or ``"file.py:name"`` of either.
+            an `CompiledPilot`, which is compiled, or ``"file.py:name"`` of either.
         trajectory: Keep the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called now and then with the simulated time [s].
 
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
-        CommandWarning: If a pilot commands less than 0 N of a rotor and the diary is kept.
+        CommandWarning: If a pilot commands less than 0 N of a rotor and the telemetry is kept.
 
     Raises:
         InputError: If the scenario cannot be flown; one line for each problem.  If the distance or
@@ -366,35 +366,35 @@ def _guided(
     ready: Scenario,
     model: Model,
     start: State,
-    pilot: PlainPilot | OwnPilot | None,
+    pilot: PlainPilot | CompiledPilot | None,
     trajectory: bool,
     executor: Executor,
     progress: Callable[[float], None] | None,
 ) -> Flight:
     """Fly with a pilot aboard."""
-    own = pilot if isinstance(pilot, OwnPilot) else None
+    own = pilot if isinstance(pilot, CompiledPilot) else None
     rotors = len(start.arm_length)
-    plain = careful(pilot, rotors) if callable(pilot) else None
+    plain = guarded(pilot, rotors) if callable(pilot) else None
     if pilot is not None and ready.reference is None and not any(model.thrust):
         model = model._replace(thrust=ready.hover_thrusts())
     with _as_input():  # of a scenario that was not meant to have a pilot
-        board = board_of(ready, model, start, pilot=own, relay=plain is not None)
+        built_avionics = build_avionics(ready, model, start, pilot=own, relay=plain is not None)
     if own is not None:
-        tried(own, board.cabin.aboard.measurement, rotors)
-    ticks = ticks_of(model.timing.until, board.cabin.guidance.period)
-    noise = noise_table(ready.seed, 0, ticks, board.noise)
+        validated(own, built_avionics.avionics.onboard.measurement, rotors)
+    ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
+    noise = noise_table(ready.seed, 0, ticks, built_avionics.noise)
     with in_words(own):
         guided = fly_guided(
-            model, start, board.cabin, noise,
+            model, start, built_avionics.avionics, noise,
             pilot=plain, trace=trajectory, executor=executor, progress=progress,
         )  # fmt: skip
     columns, units = _columns(guided.flown)
-    diary, diary_units = _diary(guided.diary, len(start.arm_length))
+    telemetry, diary_units = _diary(guided.telemetry, len(start.arm_length))
     outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
-    if judged(guided):
+    if is_evaluated(guided):
         outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
     return Flight(
-        ready, outcome, measures, columns, units | diary_units, diary, _work(guided.flown)
+        ready, outcome, measures, columns, units | diary_units, telemetry, _work(guided.flown)
     )
 
 

@@ -29,7 +29,7 @@ _CORNERS = np.array([[(k >> a) & 1 for a in range(3)] for k in range(8)])
 _NO_CELLS: Cells = np.zeros((0, 3), dtype=np.intp)
 
 
-class Surface(NamedTuple):
+class Mesh(NamedTuple):
     """The surface of a shape as triangles, counted anticlockwise from outside."""
 
     name: str  # of the shape's type
@@ -47,7 +47,7 @@ class Surface(NamedTuple):
         }
 
 
-def surfaces_of(own: Sequence[Own], near: Array) -> tuple[Surface, ...]:
+def surfaces_of(own: Sequence[Own], near: Array) -> tuple[Mesh, ...]:
     """Surfaces of shapes around some places.
 
     Args:
@@ -58,11 +58,11 @@ def surfaces_of(own: Sequence[Own], near: Array) -> tuple[Surface, ...]:
     return tuple(surface_of(shape, low, high) for shape, _ in own)
 
 
-def read_surfaces(given: Any, where: str) -> tuple[Surface, ...]:
+def read_surfaces(given: Any, where: str) -> tuple[Mesh, ...]:
     """Surfaces from plain data.
 
     Args:
-        given: A list of what `Surface.as_dict` gives.
+        given: A list of what `Mesh.as_dict` gives.
         where: For errors.
 
     Raises:
@@ -74,7 +74,7 @@ def read_surfaces(given: Any, where: str) -> tuple[Surface, ...]:
         raise InputError(f"{where}: must be a list of surfaces as springback writes them") from None
 
 
-def _read(entry: Mapping[str, Any]) -> Surface:
+def _read(entry: Mapping[str, Any]) -> Mesh:
     vertices, normals = (
         np.array(entry[key], dtype=float).reshape(-1, 3) for key in ("vertices", "normals")
     )
@@ -82,10 +82,10 @@ def _read(entry: Mapping[str, Any]) -> Surface:
     inside = not triangles.size or (triangles.min() >= 0 and triangles.max() < len(vertices))
     if not inside or len(normals) != len(vertices) or not np.isfinite(vertices).all():
         raise ValueError
-    return Surface(str(entry["name"])[:60], vertices, triangles, normals)
+    return Mesh(str(entry["name"])[:60], vertices, triangles, normals)
 
 
-def surface_of(shape: Any, low: Array, high: Array) -> Surface:
+def surface_of(shape: Any, low: Array, high: Array) -> Mesh:
     """A shape's surface inside a box, as triangles; without any if there is none.
 
     Cells that the surface cannot reach, by their distance, are dropped before those that are left
@@ -108,7 +108,7 @@ def surface_of(shape: Any, low: Array, high: Array) -> Surface:
             cells = (2 * cells[:, None, :] + _CORNERS).reshape(-1, 3)
             size *= 0.5
     found = _netted(shape, low, size, cells) if len(cells) else None
-    nothing = Surface(type(shape).__name__, np.zeros((0, 3)), _NO_CELLS, np.zeros((0, 3)))
+    nothing = Mesh(type(shape).__name__, np.zeros((0, 3)), _NO_CELLS, np.zeros((0, 3)))
     return found or nothing
 
 
@@ -116,7 +116,7 @@ def _distances(shape: Any, points: Array) -> Array:
     return np.array([signed_distance(shape, Vec(*p)) for p in points.tolist()], dtype=float)
 
 
-def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Surface | None:
+def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Mesh | None:
     corners = (cells[:, None, :] + _CORNERS).reshape(-1, 3)
     unique, back = np.unique(corners, axis=0, return_inverse=True)
     inside = (_distances(shape, low + size * unique) < 0.0)[back.reshape(-1, 8)]
@@ -126,7 +126,7 @@ def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Surface | None
     if not len(triangles):
         return None
     vertices, normals = _laid(shape, low + size * (cells + 0.5))
-    return Surface(type(shape).__name__, vertices, triangles, normals)
+    return Mesh(type(shape).__name__, vertices, triangles, normals)
 
 
 def _laid(shape: Any, points: Array) -> tuple[Array, Array]:

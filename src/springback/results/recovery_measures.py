@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.recovery.evaluator import RefereeMemory
+from springback.recovery.evaluator import EvaluatorMemory
 from springback.simulation.columns import Array, as_columns
 from springback.simulation.guided import GuidedFlown
 from springback.simulation.measures import Outcome, first_claimed, outcomes_of, told_of, where
@@ -44,9 +44,9 @@ RECOVERY_MEASURES = {
 }  # fmt: skip
 
 
-def judged(guided: GuidedFlown) -> bool:
+def is_evaluated(guided: GuidedFlown) -> bool:
     """Whether a flight had a referee."""
-    return isinstance(guided.aboard.witness, RefereeMemory)
+    return isinstance(guided.onboard.evaluator, EvaluatorMemory)
 
 
 def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
@@ -54,7 +54,7 @@ def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
 
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
-        seen: `RefereeMemory` of columns.
+        seen: `EvaluatorMemory` of columns.
     """
     plain = outcomes_of(record)
     final = np.array([one in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) for one in plain])
@@ -69,7 +69,7 @@ def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
 
 def recovery_outcome(guided: GuidedFlown) -> Outcome:
     """The outcome of a flight that a referee has judged."""
-    record, seen = as_columns(guided.flown.record), as_columns(guided.aboard.witness)
+    record, seen = as_columns(guided.flown.record), as_columns(guided.onboard.evaluator)
     return recovery_outcomes(record, seen)[0]
 
 
@@ -95,11 +95,11 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
 
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
-        seen: `RefereeMemory` of columns.
-        memory: `ResilientMemory` of columns; only collision, detection and journey are read.
+        seen: `EvaluatorMemory` of columns.
+        memory: `RecoveryPilotMemory` of columns; only collision, detection and journey are read.
     """
     run, hit, d = seen.run, memory.collision, memory.detection
-    first, log = record.touch_time, memory.journey.log
+    first, log = record.touch_time, memory.recovery_state.log
     # The record knows first touch exactly; the referee, of later runs, to a tick.
     touch = np.where(seen.runs == 1.0, first, run.touch)
     happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
@@ -134,6 +134,6 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
 
 def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
     """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
-    aboard = guided.aboard
-    trees = guided.flown.record, aboard.witness, aboard.pilot
+    onboard = guided.onboard
+    trees = guided.flown.record, onboard.evaluator, onboard.pilot
     return told_of(recovery_columns(*(as_columns(tree) for tree in trees)))

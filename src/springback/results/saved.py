@@ -24,11 +24,11 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def read_result(folder: str | Path) -> Flight:
-    """A flight as it was written, with its scenario, measures, trajectory and diary.
+    """A flight as it was written, with its scenario, measures, trajectory and telemetry.
 
     Args:
         folder: With ``summary.json``, ``trajectory.parquet`` and, of a flight with a pilot,
-            ``diary.parquet``.
+            ``telemetry.parquet``.
 
     Raises:
         InputError: In one line, if the folder is no result, or what is in it is torn or foreign.
@@ -42,21 +42,21 @@ def read_result(folder: str | Path) -> Flight:
     path = folder / "trajectory.parquet"
     if path.name not in summary["files"]:
         raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
-    for name in ("trajectory.parquet", "diary.parquet"):
+    for name in ("trajectory.parquet", "telemetry.parquet"):
         _check_file(folder / name, summary["files"])
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
     _check(path, columns, _wanted(scenario.vehicle))
-    diary: dict[str, Array] = {}
-    path = folder / "diary.parquet"
+    telemetry: dict[str, Array] = {}
+    path = folder / "telemetry.parquet"
     if path.name in summary["files"]:
-        diary, more = _table(path)
-        _check(path, diary, ["t"])
+        telemetry, more = _table(path)
+        _check(path, telemetry, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
     told = f"{folder / 'summary.json'}: own_obstacles"
     surfaces = read_surfaces(summary.get("own_obstacles", ()), told)
-    return Flight(scenario, outcome, measures, columns, units, diary, own_surfaces=surfaces)
+    return Flight(scenario, outcome, measures, columns, units, telemetry, own_surfaces=surfaces)
 
 
 def _summary(path: Path) -> Mapping[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, get_args
 
 from springback.errors import InputError
-from springback.scenario.avionics import OwnPilot
+from springback.scenario.avionics import CompiledPilot
 from springback.scenario.user_pilots import as_written, read_pilot
 from springback.simulation.flight import Executor
 from springback.simulation.guided import PlainPilot
@@ -23,7 +23,7 @@ def check_executor(executor: str) -> None:
         raise InputError(f"executor must be {names} (got {as_written(executor)})")
 
 
-def chosen_pilot(pilot: Any) -> PlainPilot | OwnPilot | None:
+def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
     """The pilot that was asked for, read from its file if it is in one.
 
     Raises:
@@ -31,7 +31,7 @@ def chosen_pilot(pilot: Any) -> PlainPilot | OwnPilot | None:
     """
     if isinstance(pilot, str):
         return read_pilot(pilot)
-    if pilot is None or isinstance(pilot, OwnPilot):
+    if pilot is None or isinstance(pilot, CompiledPilot):
         return pilot
     if isinstance(pilot, type) or not callable(pilot):
         raise InputError(

@@ -18,15 +18,15 @@ from springback.control.parameters import ControlSettings, Schedule
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
-from springback.dynamics.gusts import Calm
+from springback.dynamics.gusts import NoGusts
 from springback.errors import InputError
-from springback.kernels.memo import EVER, Make, afresh
+from springback.kernels.memo import FOREVER, Build, uncached
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
-from springback.recovery.evaluator import referee_at_start
+from springback.recovery.evaluator import evaluator_at_start
 from springback.recovery.parameters import RecoverySettings
-from springback.recovery.pilot import Resilient, resilient_memory
+from springback.recovery.pilot import RecoveryPilot, recovery_pilot_memory
 from springback.recovery.state_machine import Route
 from springback.recovery.wrench import Observer
 from springback.scenario.model import true_airframe
@@ -37,8 +37,8 @@ from springback.sensing.measurement import Estimate
 from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.guided import NOBODY, cabin_of
-from springback.simulation.onboard import Cabin, Draw, Guidance, NoWitness, Relay
+from springback.simulation.guided import NO_EVALUATION, avionics_at_start
+from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems, Relay
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
@@ -51,17 +51,17 @@ TURN_ON = 2
 UNCLIPPED = 1e6
 
 
-class OwnPilot(NamedTuple):
-    """A pilot of the user's own that is compiled: its type is registered with `piloted`."""
+class CompiledPilot(NamedTuple):
+    """A pilot of the user's own that is compiled: its type is registered with `pilot_step`."""
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats
 
 
-class Board(NamedTuple):
+class BuiltAvionics(NamedTuple):
     """What is aboard, and the normal numbers that it takes."""
 
-    cabin: Cabin
+    avionics: Avionics
     noise: tuple[Draw, ...]
 
 
@@ -85,13 +85,13 @@ def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) ->
     propulsion = scenario.vehicle.propulsion
     if propulsion is None:
         raise problem(
-            "is missing: a vehicle that is flown by a pilot needs most_thrust at least",
+            "is missing: a vehicle that is flown by a pilot needs max_thrust at least",
             "vehicle.propulsion",
         )
     s = scenario
     true = airframe or true_airframe(s.vehicle, s.model_error, s.payload)
     share = true.mass * scenario.world.gravity / len(true.arms)
-    sides = {"most_thrust": "more", "least_thrust": "less"} if share > 0.0 else {}
+    sides = {"max_thrust": "more", "min_thrust": "less"} if share > 0.0 else {}
     for name, side in sides.items():
         given = getattr(propulsion, name)
         if (given <= share) if side == "more" else (given >= share):
@@ -111,39 +111,39 @@ class Devices(NamedTuple):
     noise: tuple[Draw, ...]
 
 
-class Believed(NamedTuple):
+class NominalVehicle(NamedTuple):
     """What its pilot believes of a vehicle."""
 
     airframe: Airframe
     mass: float  # [kg]
     rotors: Rotors
-    most_thrust: float  # collective [N]
+    max_thrust: float  # collective [N]
     gravity: float  # g [m/s²]
 
 
-def believed_of(vehicle: Vehicle, propulsion: Propulsion, gravity: float) -> Believed:
+def nominal_vehicle(vehicle: Vehicle, propulsion: Propulsion, gravity: float) -> NominalVehicle:
     """What the pilot of a vehicle believes."""
     rotors, count = propulsion.rotors(), vehicle.arm_count
-    return Believed(vehicle.airframe(), vehicle.mass, rotors, count * rotors.most, gravity)
+    return NominalVehicle(vehicle.airframe(), vehicle.mass, rotors, count * rotors.most, gravity)
 
 
-def limits_of(believed: Believed, rate_limit: float) -> Limits:
+def limits_of(believed: NominalVehicle, rate_limit: float) -> Limits:
     """What the vehicle can do, as its pilot believes; the limit of its rate is in rad/s."""
     return Limits(
         mass=believed.mass,
         gravity=believed.gravity,
-        most_thrust=believed.most_thrust,
-        least_thrust=len(believed.airframe.arms) * believed.rotors.least,
-        most_body_rate=rate_limit,
+        max_thrust=believed.max_thrust,
+        min_thrust=len(believed.airframe.arms) * believed.rotors.least,
+        max_body_rate=rate_limit,
     )
 
 
 def reference_of(
     settings: Any,
-    believed: Believed,
+    believed: NominalVehicle,
     rate_limit: float,
     point: Any,
-    make: Make = afresh,
+    build: Build = uncached,
     advises: bool = True,
 ) -> Any:
     """Numbers of a reference.
@@ -153,14 +153,14 @@ def reference_of(
         believed: What the pilot believes of the vehicle.
         rate_limit: Of roll and pitch [rad/s].
         point: Where a cage touches.
-        make: How parts are made.
+        build: How parts are made.
         advises: Say what would do where a run-up cannot be flown; it takes long.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
-    limits = make(limits_of, believed, rate_limit)
-    made = make(_made_reference, settings, limits, believed.airframe, point, advises)
+    limits = build(limits_of, believed, rate_limit)
+    made = build(_made_reference, settings, limits, believed.airframe, point, advises)
     if isinstance(made, InputError):
         with _in_table("reference"):
             raise made
@@ -218,8 +218,8 @@ def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
     """
     drawn = []
     for seed in seeds:
-        luck = np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON)))
-        drawn.append(np.random.Generator(luck).standard_normal(BIASES).tolist())
+        noise_stream = np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON)))
+        drawn.append(np.random.Generator(noise_stream).standard_normal(BIASES).tolist())
     return drawn
 
 
@@ -276,37 +276,41 @@ def estimate_at(state: State) -> Estimate:
 
 
 def cascade_of(
-    scenario: ScenarioTables, model: Model, start: State, make: Make = afresh, advises: bool = True
-) -> OwnPilot:
+    scenario: ScenarioTables,
+    model: Model,
+    start: State,
+    build: Build = uncached,
+    advises: bool = True,
+) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
-    s, gravity, tick = scenario, scenario.world.gravity, make(_tick, scenario.clock)
+    s, gravity, tick = scenario, scenario.world.gravity, build(_tick, scenario.clock)
     propulsion = propulsion_of(s, model.airframe)
-    believed = make(believed_of, s.vehicle, propulsion, gravity)
-    settings, estimator = make(_estimator, s.estimator, s.sensors, tick, gravity)
-    control = make(_control_settings, s.control, s.reference, place=EVER)
-    schedule = make(_schedule, control, s.clock)
-    point, most = model.contact_point, believed.most_thrust
+    believed = build(nominal_vehicle, s.vehicle, propulsion, gravity)
+    settings, estimator = build(_estimator, s.estimator, s.sensors, tick, gravity)
+    control = build(_control_settings, s.control, s.reference, place=FOREVER)
+    schedule = build(_schedule, control, s.clock)
+    point, most = model.contact_point, believed.max_thrust
     pilot = Cascade(
         airframe=believed.airframe,
         lowest=believed.rotors.least,
         highest=believed.rotors.most,
         lift=control.lift_share * most,
         estimator=estimator,
-        reference=reference_of(s.reference, believed, control.rate_limit, point, make, advises),
-        position=make(ControlSettings.position_law, control, believed.mass, gravity, most),
-        attitude=make(ControlSettings.attitude_law, control),
-        rate=make(ControlSettings.rate_law, control),
+        reference=reference_of(s.reference, believed, control.rate_limit, point, build, advises),
+        position=build(ControlSettings.position_law, control, believed.mass, gravity, most),
+        attitude=build(ControlSettings.attitude_law, control),
+        rate=build(ControlSettings.rate_law, control),
         schedule=schedule,
     )
     at = estimate_at(start)
-    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust, make)
+    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust, build)
     if s.recovery is None:
-        return OwnPilot(pilot, memory)
-    resilient = resilient_of(s, pilot, believed, make)
-    return OwnPilot(resilient, resilient_memory(resilient, memory, make))
+        return CompiledPilot(pilot, memory)
+    resilient = recovery_pilot(s, pilot, believed, build)
+    return CompiledPilot(resilient, recovery_pilot_memory(resilient, memory, build))
 
 
-class Eyes(NamedTuple):
+class CollisionSensing(NamedTuple):
     """By what a collision is noticed and made out."""
 
     observer: Observer
@@ -314,9 +318,9 @@ class Eyes(NamedTuple):
     look: Characterisation
 
 
-def eyes_of(
+def collision_sensing(
     told: RecoverySettings, vehicle: Vehicle, sensors: SensorSettings, gravity: float, tick: float
-) -> Eyes:
+) -> CollisionSensing:
     """Numbers of what notices and makes out a collision."""
     propulsion, imu = vehicle.propulsion, sensors.imu
     lag = propulsion.time_constant if propulsion else 0.0
@@ -325,38 +329,38 @@ def eyes_of(
     is_compliant = vehicle.fastest_arm_rate() > 0.0
     full_scale = UNCLIPPED if imu.perfect else imu.accelerometer.full_scale
     with _in_table("recovery"):
-        return Eyes(
+        return CollisionSensing(
             told.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
             told.triggers(is_compliant, inertial, hall),
             told.looks(full_scale),
         )
 
 
-def resilient_of(
-    scenario: ScenarioTables, cascade: Cascade, believed: Believed, make: Make = afresh
-) -> Resilient:
+def recovery_pilot(
+    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = uncached
+) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
-    s, told, tick = scenario, scenario.recovery, make(_tick, scenario.clock)
+    s, told, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
     assert told is not None  # asked only of scenarios that recover
-    eyes = make(eyes_of, told, s.vehicle, s.sensors, believed.gravity, tick)
-    route: Route = make(RecoverySettings.route, told, ZERO)
+    eyes = build(collision_sensing, told, s.vehicle, s.sensors, believed.gravity, tick)
+    route: Route = build(RecoverySettings.route, told, ZERO)
     if told.home is None:
         route = route._replace(home=Vec(*s.start.position))
-    return Resilient(cascade, *eyes, route)
+    return RecoveryPilot(cascade, *eyes, route)
 
 
-def board_of(
+def build_avionics(
     scenario: ScenarioTables,
     model: Model,
     start: State,
     *,
     flight: int = 0,
-    pilot: OwnPilot | None = None,
+    pilot: CompiledPilot | None = None,
     relay: bool = False,
     biases: Sequence[float] | None = None,
-    make: Make = afresh,
+    build: Build = uncached,
     advises: bool = True,
-) -> Board:
+) -> BuiltAvionics:
     """What is aboard before the first tick.
 
     Args:
@@ -367,36 +371,36 @@ def board_of(
         pilot: In place of the paper's.
         relay: The pilot is in plain Python, and sits outside.
         biases: `turn_on_normals` of the seed and the number, if they are known already.
-        make: How parts are made.
+        build: How parts are made.
         advises: Say what would do where a run-up cannot be flown; it takes long.
     """
-    s, arms, period = scenario, len(model.airframe.arms), make(_tick, scenario.clock)
-    devices = make(devices_of, s.sensors, s.estimator, period, s.vehicle)
+    s, arms, period = scenario, len(model.airframe.arms), build(_tick, scenario.clock)
+    devices = build(devices_of, s.sensors, s.estimator, period, s.vehicle)
     drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
     sensors = devices.told.switched_on(devices.sensors, drawn)
     if relay:
-        pilot = OwnPilot(Relay(0.0), model.thrust)
-    flown_by = pilot or cascade_of(s, model, start, make, advises)
-    air = make(_air_of, s.air, period)
-    judged = isinstance(flown_by.settings, Resilient) and s.recovery is not None
-    witness: Any = make(RecoverySettings.referee, s.recovery) if judged else NoWitness(0.0)
-    seen: Any = referee_at_start(start.position) if judged else NOBODY
-    rotors = make(Propulsion.rotors, propulsion_of(s, model.airframe))
-    guidance = Guidance(
+        pilot = CompiledPilot(Relay(0.0), model.thrust)
+    flown_by = pilot or cascade_of(s, model, start, build, advises)
+    air = build(_air_of, s.air, period)
+    judged = isinstance(flown_by.settings, RecoveryPilot) and s.recovery is not None
+    evaluator: Any = build(RecoverySettings.evaluator, s.recovery) if judged else NoEvaluator(0.0)
+    seen: Any = evaluator_at_start(start.position) if judged else NO_EVALUATION
+    rotors = build(Propulsion.rotors, propulsion_of(s, model.airframe))
+    systems = OnboardSystems(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=rotors,
-        lag=make(lag_over, rotors.time_constant, period),
-        witness=witness,
+        lag=build(lag_over, rotors.time_constant, period),
+        evaluator=evaluator,
         weather=air.weather,
         mean_wind=air.mean_wind,
         period=period,
     )
-    remembered = sensors_at_start(sensors, start, s.world.gravity, make)
-    cabin = cabin_of(
-        guidance, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
+    remembered = sensors_at_start(sensors, start, s.world.gravity, build)
+    avionics = avionics_at_start(
+        systems, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
     )
-    return Board(cabin, (*devices.noise, air.noise))
+    return BuiltAvionics(avionics, (*devices.noise, air.noise))
 
 
 class Blowing(NamedTuple):
@@ -410,7 +414,7 @@ class Blowing(NamedTuple):
 def _air_of(air: AirSettings, tick: float) -> Blowing:
     with _in_table("air"):
         weather = air.turbulence(tick)
-    noise = Draw(GUST_NOISE, 0 if isinstance(weather, Calm) else 1)
+    noise = Draw(GUST_NOISE, 0 if isinstance(weather, NoGusts) else 1)
     return Blowing(weather, Vec(*air.wind), noise)
 
 
@@ -419,7 +423,7 @@ _PAPERS = ("reference", "control", "estimator", "recovery")
 _PILOTS = ("sensors", "clock", "seed")
 
 
-def uneasy(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
+def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
     """What a user had better know before the flight: one sentence each.
 
     Args:
@@ -450,7 +454,7 @@ def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
     circle = scenario.reference
     if not isinstance(circle, CircleSettings):
         return []
-    believed = believed_of(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
+    believed = nominal_vehicle(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
     limits = limits_of(believed, scenario.control.rate_limit)
     rate = 2.0 * math.pi / circle.period
     inwards = circle.radius * rate**2

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import meeting
+from springback.contact.cage import cage_contact
 from springback.contact.hull import hull_apart
-from springback.contact.obstacles import Plane, obstacle_seen, signed_distance
+from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
-from springback.kernels.memo import Make, afresh
+from springback.kernels.memo import Build, uncached
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
     flight_model,
@@ -40,14 +40,14 @@ MOST_TICKS = 5e6
 AMPLE = 1.01
 
 
-def check_tables(scenario: ScenarioTables, make: Make = afresh) -> None:
+def check_tables(scenario: ScenarioTables, build: Build = uncached) -> None:
     """Refuse what cannot be flown, whoever flies it; `check_start` is the last of these checks."""
     s = scenario
     check_reference(s)
-    thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
+    thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
-    body = make(true_body, s.vehicle, s.model_error, s.payload, make)
-    make(check_steps, s.simulation, s.vehicle)
+    body = build(true_body, s.vehicle, s.model_error, s.payload, build)
+    build(check_steps, s.simulation, s.vehicle)
     check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
 
 
@@ -73,16 +73,16 @@ def check_without_pilot(scenario: ScenarioTables) -> None:
         )
 
 
-def check_aboard(scenario: ScenarioTables, own: bool) -> None:
+def check_avionics(scenario: ScenarioTables, own: bool) -> None:
     """Refuse what a pilot cannot fly with; ``own`` is one of the user's."""
-    from springback.scenario.avionics import board_of
+    from springback.scenario.avionics import build_avionics
 
     if own and scenario.model.slider is not None:
         raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
     check_clock(scenario)
     with _blaming_the_clock(scenario):
         model, start = flight_model(scenario), start_state(scenario.start, scenario.vehicle)
-        board_of(scenario, model, start, relay=own)
+        build_avionics(scenario, model, start, relay=own)
 
 
 def check_clock(scenario: ScenarioTables) -> None:
@@ -183,10 +183,10 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     vertical, given = Vec(0.0, 0.0, 1.0) @ r, scenario.world.obstacles
     owners = [k for k, entry in enumerate(given) for _ in faces(entry)]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-        there, gaps = obstacle_seen(obstacle, state.position, r), []
+        there, gaps = obstacle_in_body_frame(obstacle, state.position, r), []
         for j, arm in enumerate(model.airframe.arms):
             pose = arm_pose(arm, arm.length, 0.0, still)
-            met = meeting(there, model.contact_point, arm.cage_radius, pose, still, vertical)
+            met = cage_contact(there, model.contact_point, arm.cage_radius, pose, still, vertical)
             gaps.append((f"cage of arm {j + 1}", met.gap))
         gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
         for part, gap in gaps:

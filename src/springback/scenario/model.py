@@ -17,9 +17,9 @@ from springback.contact.parameters import Own, obstacles
 from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
-from springback.kernels.memo import EVER, Make, afresh
+from springback.kernels.memo import FOREVER, Build, uncached
 from springback.kernels.tracing import sqrt
-from springback.kernels.vectors import Mat, Quat, Vec
+from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.quantities import checked
 from springback.scenario.tables import (
     ModelError,
@@ -99,16 +99,16 @@ def masses_of(vehicle: Vehicle) -> Masses:
 
 
 def true_body(
-    vehicle: Vehicle, error: ModelError, load: Payload, make: Make = afresh
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
 ) -> TrueBody | None:
     """The main body with the errors of what is believed, and the payload; None where it is that.
 
     Raises:
         The problem of an error that leaves nothing to the main body beside the arms.
     """
-    if error.mass == 1.0 and error.inertia == 1.0 and make(_is_empty, load):
+    if error.mass == 1.0 and error.inertia == 1.0 and build(_is_empty, load):
         return None
-    believed = make(masses_of, vehicle)
+    believed = build(masses_of, vehicle)
     mass = believed.body + (error.mass - 1.0) * believed.whole
     inertia = believed.body_inertia + (error.inertia - 1.0) * believed.whole_inertia
     if not mass > 0.0:
@@ -122,7 +122,7 @@ def true_body(
             f"must leave the main body an inertia beside the arms' (got {error.inertia:g})",
             "model_error.inertia",
         )
-    rows = (inertia + make(_own_inertia, load)).tolist()
+    rows = (inertia + build(_own_inertia, load)).tolist()
     return TrueBody(mass + load.mass, tuple(tuple(row) for row in rows))
 
 
@@ -152,25 +152,25 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
 
 
 def true_airframe(
-    vehicle: Vehicle, error: ModelError, load: Payload, make: Make = afresh
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
 ) -> Airframe:
     """The numbers of the vehicle as it is, for the equations of motion."""
-    airframe = make(Vehicle.airframe, vehicle)
-    body = make(true_body, vehicle, error, load, make)
+    airframe = build(Vehicle.airframe, vehicle)
+    body = build(true_body, vehicle, error, load, build)
     if body is None:
         return airframe
-    inertia = Mat(*(Vec(*row) for row in body.inertia))
+    inertia = Mat3(*(Vec(*row) for row in body.inertia))
     return Airframe(
-        body.mass + make(masses_of, vehicle).arms, inertia, airframe.arms, airframe.hull
+        body.mass + build(masses_of, vehicle).arms, inertia, airframe.arms, airframe.hull
     )
 
 
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(world: WorldSettings, own: Sequence[Own] = (), make: Make = afresh) -> World:
+def world_numbers(world: WorldSettings, own: Sequence[Own] = (), build: Build = uncached) -> World:
     """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
-    built = obstacles(world.obstacles, own, make)
+    built = obstacles(world.obstacles, own, build)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 
@@ -217,14 +217,16 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
     return Ring(RING_ROUNDING) if model.contact_point == "ring" else ArmTip(0.0)
 
 
-def flight_model(scenario: ScenarioTables, own: Sequence[Own] = (), make: Make = afresh) -> Model:
+def flight_model(
+    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = uncached
+) -> Model:
     """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
     s = scenario
-    airframe = true_airframe(s.vehicle, s.model_error, s.payload, make)
-    world = make(world_numbers, s.world, own, make, place=EVER)
-    thrust = make(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
-    point, guide, timing = make(_chosen, s.model, s.simulation, s.vehicle)
-    return Model(airframe, world, point, guide, make(AirSettings.air, s.air), thrust, timing)
+    airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
+    world = build(world_numbers, s.world, own, build, place=FOREVER)
+    thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
+    point, guide, timing = build(_chosen, s.model, s.simulation, s.vehicle)
+    return Model(airframe, world, point, guide, build(AirSettings.air, s.air), thrust, timing)
 
 
 def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
@@ -232,11 +234,11 @@ def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehic
     return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
 
 
-def start_state(start: Start, vehicle: Vehicle, make: Make = afresh) -> State:
+def start_state(start: Start, vehicle: Vehicle, build: Build = uncached) -> State:
     """State at time 0, arms at their free length."""
-    s, arms = start, make(_unpressed, vehicle)
+    s, arms = start, build(_unpressed, vehicle)
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
-    spin = make(_vector, s.angular_velocity)
+    spin = build(_vector, s.angular_velocity)
     return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
 
 

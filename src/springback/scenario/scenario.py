@@ -11,7 +11,7 @@ from springback.contact.parameters import Own
 from springback.errors import InputError
 from springback.problems import dotted
 from springback.scenario.checks import (
-    check_aboard,
+    check_avionics,
     check_start,
     check_tables,
     check_without_pilot,
@@ -42,7 +42,7 @@ class Scenario(ScenarioTables):
         check_start(self, self.flight_model(), self.start_state())
         given = (info.context or {}).get("pilot")
         if self.reference is not None or given:
-            check_aboard(self, own=bool(given))
+            check_avionics(self, own=bool(given))
         elif given is False:
             check_without_pilot(self)
         return self

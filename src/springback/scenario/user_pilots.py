@@ -21,9 +21,9 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.kernels.compiler import CompilerError
-from springback.scenario.avionics import OwnPilot
+from springback.scenario.avionics import CompiledPilot
 from springback.simulation.guided import Command, PlainPilot
-from springback.simulation.onboard import Piloted, piloted
+from springback.simulation.onboard import PilotOutput, pilot_step
 
 #: Folder of the package: its frames are not the user's.
 PACKAGE = str(Path(__file__).parents[1]) + os.sep
@@ -32,7 +32,7 @@ PACKAGE = str(Path(__file__).parents[1]) + os.sep
 # -- from a file ----------------------------------------------------------------------------------
 
 
-def read_pilot(word: str) -> PlainPilot | OwnPilot:
+def read_pilot(word: str) -> PlainPilot | CompiledPilot:
     """A pilot from a file of Python.
 
     Args:
@@ -54,12 +54,12 @@ def read_pilot(word: str) -> PlainPilot | OwnPilot:
         known = f"; there are: {', '.join(mine)}" if mine else ""
         raise InputError(f"{file}: has no {name!r}{known}")
     pilot = getattr(module, name)
-    if not isinstance(pilot, OwnPilot) and not callable(pilot):
+    if not isinstance(pilot, CompiledPilot) and not callable(pilot):
         raise InputError(
             f"{file}: {name} must be a function (time, measurement, memory) -> (thrusts, memory), "
             f"or an OwnPilot (got {pilot!r})"
         )
-    chosen: PlainPilot | OwnPilot = pilot
+    chosen: PlainPilot | CompiledPilot = pilot
     return chosen
 
 
@@ -67,7 +67,7 @@ def _is_pilot(value: Any, module: ModuleType) -> bool:
     written = getattr(value, "__module__", None) == module.__name__
     a_function = callable(value) and getattr(value, "__name__", "_") != "_"
     a_function = a_function and not isinstance(value, type)
-    return isinstance(value, OwnPilot) or (written and a_function)
+    return isinstance(value, CompiledPilot) or (written and a_function)
 
 
 def _imported(path: Path, shown: str) -> ModuleType:
@@ -137,7 +137,7 @@ def _home(pilot: Any) -> tuple[str, int]:
 # -- in plain Python ------------------------------------------------------------------------------
 
 
-def careful(pilot: PlainPilot, rotors: int) -> PlainPilot:
+def guarded(pilot: PlainPilot, rotors: int) -> PlainPilot:
     """A plain pilot whose slips are told in one line, with its file and line and the time.
 
     Args:
@@ -196,7 +196,7 @@ def as_written(value: Any) -> str:
 # -- compiled -------------------------------------------------------------------------------------
 
 
-def tried(pilot: OwnPilot, measurement: Any, rotors: int) -> None:
+def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
     """Ask a pilot that is to be compiled once, as plain Python.
 
     What it returns must be laid out as the flight keeps it: compiled code does not look twice.
@@ -206,18 +206,18 @@ def tried(pilot: OwnPilot, measurement: Any, rotors: int) -> None:
     """
     _check_floats(pilot.settings, "settings")
     _check_floats(pilot.memory, "memory")
-    law: Callable[..., Any] = piloted.dispatch(type(pilot.settings))
+    law: Callable[..., Any] = pilot_step.dispatch(type(pilot.settings))
     file, line = _home(law)
     if file.startswith(PACKAGE) and not type(pilot.settings).__module__.startswith("springback."):
         raise InputError(
-            f"{type(pilot.settings).__name__} is no pilot yet: register piloted for it"
+            f"{type(pilot.settings).__name__} is no pilot yet: register pilot_step for it"
         )
     try:
         said = law(pilot.settings, 0.0, measurement, pilot.memory)
     except (Exception, SystemExit) as error:
         raise InputError(f"{_place(error, file, line)}: {_words(error)}, at 0 s") from error
     where = f"{file}:{line}: the pilot"
-    if not isinstance(said, Piloted):
+    if not isinstance(said, PilotOutput):
         raise InputError(f"{where} must return Piloted(thrusts, memory) (got {as_written(said)})")
     if problem := wrong(said, rotors):
         raise InputError(f"{where} {problem}")
@@ -252,7 +252,7 @@ def _layout(tree: Any) -> str:
 
 
 @contextmanager
-def in_words(pilot: OwnPilot | None) -> Iterator[None]:
+def in_words(pilot: CompiledPilot | None) -> Iterator[None]:
     """Tell in one line, with the place in the user's file, what the compiler could not do."""
     try:
         yield
@@ -260,7 +260,7 @@ def in_words(pilot: OwnPilot | None) -> Iterator[None]:
         if pilot is None:
             raise
         text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
-        file, line = _home(piloted.dispatch(type(pilot.settings)))
+        file, line = _home(pilot_step.dispatch(type(pilot.settings)))
         # The compiler tells the innermost place and reason first.
         places = re.findall(rf"at {re.escape(file)} \((\d+)\)", text)
         told = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()

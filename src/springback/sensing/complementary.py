@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, got, put
-from springback.kernels.trees import pick
+from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.trees import select
 from springback.kernels.vectors import (
     ZERO,
     Quat,
@@ -35,8 +35,8 @@ from springback.kernels.vectors import (
     turned_by,
 )
 from springback.sensing.measurement import (
-    Believed,
     Estimate,
+    EstimatorStep,
     Inertial,
     Measurement,
     Pose,
@@ -99,39 +99,40 @@ def complementary_memory(complementary: Complementary, estimate: Estimate) -> Co
 @kernel
 def _complementary(
     weights: Complementary, tick: float, seen: Measurement, memory: ComplementaryMemory
-) -> Believed:
+) -> EstimatorStep:
     memory = _moved_on(weights, seen.inertial, memory)
-    memory = pick(seen.pose.fresh > 0.5, _informed(weights, seen.pose, memory), memory)
-    return Believed(_at_tick(memory), memory)
+    memory = select(seen.pose.fresh > 0.5, _informed(weights, seen.pose, memory), memory)
+    return EstimatorStep(_at_tick(memory), memory)
 
 
 @believe.register(Complementary)
 @kernel
 def _believe(
-    estimator: Like, seen: Like, memory: Like, estimate: Like, ticks: Like, g: Buffer, w: int,
+    estimator: TreeLayout, seen: TreeLayout, memory: TreeLayout, estimate: TreeLayout,
+    ticks: TreeLayout, g: Buffer, w: int,
     once: int,
 ) -> None:  # fmt: skip
     """The same, step by step for all lanes; poses are looked at where one is fresh."""
     posed, waiting = 0, 0
     for i in range(w * once):
-        posed += 1 if got(seen.pose.fresh, g, w, i) > 0.5 else 0
-        waiting += 0 if got(seen.inertial.fresh, g, w, i) > 0.5 else 1
+        posed += 1 if load(seen.pose.fresh, g, w, i) > 0.5 else 0
+        waiting += 0 if load(seen.inertial.fresh, g, w, i) > 0.5 else 1
     for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
-        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
-        sample = got(seen.inertial, g, w, i)
-        put(_followed(weights, sample, _older(weights, m)), memory, g, w, i)
+        weights, m = load(estimator, g, w, i), load(memory, g, w, i)
+        sample = load(seen.inertial, g, w, i)
+        store(_followed(weights, sample, _older(weights, m)), memory, g, w, i)
     for i in range(w * once if waiting > 0 else 0):
-        weights, m = got(estimator, g, w, i), got(memory, g, w, i)
-        put(_moved_on(weights, got(seen.inertial, g, w, i), m), memory, g, w, i)
+        weights, m = load(estimator, g, w, i), load(memory, g, w, i)
+        store(_moved_on(weights, load(seen.inertial, g, w, i), m), memory, g, w, i)
     for i in range(w * once if posed > 0 else 0):
-        weights, m, pose = got(estimator, g, w, i), got(memory, g, w, i), got(seen.pose, g, w, i)
-        put(pick(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
+        weights, m, pose = load(estimator, g, w, i), load(memory, g, w, i), load(seen.pose, g, w, i)
+        store(select(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
     for i in range(w * once if waiting == 0 else 0):  # the same, without turning by nothing
-        m = got(memory, g, w, i)
+        m = load(memory, g, w, i)
         now = Estimate(m.position, m.attitude, m.velocity, m.angular_velocity)
-        put(now, estimate, g, w, i)
+        store(now, estimate, g, w, i)
     for i in range(w * once if waiting > 0 else 0):
-        put(_at_tick(got(memory, g, w, i)), estimate, g, w, i)
+        store(_at_tick(load(memory, g, w, i)), estimate, g, w, i)
 
 
 @kernel
@@ -140,7 +141,7 @@ def _moved_on(
 ) -> ComplementaryMemory:
     """A tick later, and an inertial sample wiser where there is one."""
     older = _older(weights, m)
-    return pick(inertial.fresh > 0.5, _followed(weights, inertial, older), older)
+    return select(inertial.fresh > 0.5, _followed(weights, inertial, older), older)
 
 
 @kernel
@@ -177,7 +178,7 @@ def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMem
     magnitude = norm(force)
     g = weights.gravity
     near_g = (LEAST_FORCE * g < magnitude) & (magnitude < MOST_FORCE * g)
-    trust = weights.accelerometer_weight / pick(near_g, magnitude, 1.0) * pick(near_g, 1.0, 0.0)
+    trust = weights.accelerometer_weight / select(near_g, magnitude, 1.0) * select(near_g, 1.0, 0.0)
     recent = m.unposed < HEADING_TIMEOUT
     turn = weights.heading_weight * m.heading_error if recent else 0.0
     return turn * up + (trust * force ^ up)
@@ -236,7 +237,7 @@ def _heading_error(measured: Quat, believed: Quat) -> float:
 def _missing_turn(believed: Quat, measured: Quat) -> Vec:
     """2 sgn(w) (x, y, z) of q⁻¹ ⊗ q_m: the turn that is missing, for small ones [rad]."""
     e = quaternion_product(conjugate(believed), measured)
-    twice = pick(e.w < 0.0, -2.0, 2.0)
+    twice = select(e.w < 0.0, -2.0, 2.0)
     return Vec(twice * e.x, twice * e.y, twice * e.z)
 
 

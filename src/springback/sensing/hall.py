@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put, read
-from springback.kernels.trees import Seldom, column, each, largest, pick
+from springback.kernels.layout import Buffer, TreeLayout, load, read, store
+from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
 from springback.kernels.vectors import within
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Truth, due
@@ -228,7 +228,7 @@ def _entered(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
 @kernel
 def _moved(m: ArmMemory, length: float) -> float:
     """1 where an arm has another length than at its last sample."""
-    return pick(m.sampled == length, 0.0, 1.0)
+    return select(m.sampled == length, 0.0, 1.0)
 
 
 @kernel
@@ -243,7 +243,7 @@ def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
 @kernel
 def _renewed(m: ArmMemory, sensors: HallSensors) -> float:
     """1 where another word arrives than stands."""
-    return pick(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
+    return select(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
 
 
 @kernel
@@ -264,29 +264,30 @@ def _arms_read(
     tick: float,
     truth: Truth,
     noise: tuple[float, ...],
-    memory: Seldom,
+    memory: Rarely,
 ) -> ArmsRead:
     arms, sampling, fresh = memory.tree.arms, _sampling(sensors, tick), _delivering(sensors, tick)
     if sampling:
-        arms = each(_sensed, (sensors.spans, arms, truth.now.arm_length), (sensors,))
-        arms = each(_entered, (arms, noise), (sensors,))
+        arms = tree_map(_sensed, (sensors.spans, arms, truth.now.arm_length), (sensors,))
+        arms = tree_map(_entered, (arms, noise), (sensors,))
     if fresh:
-        arms = each(_delivered, (sensors.spans, arms), (sensors,))
+        arms = tree_map(_delivered, (sensors.spans, arms), (sensors,))
     flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
-    return ArmsRead(column(arms, "length"), flag, Seldom(new, HallMemory(arms)))
+    return ArmsRead(field_of(arms, "length"), flag, Rarely(new, HallMemory(arms)))
 
 
 @generic
 def read_arms(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer, first: int,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
     """The arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`.
 
     Args:
         device: Like its settings.
         shape: What lies in ``b``.
-        cabin: What lies in ``g``.
+        avionics: What lies in ``g``.
         b: Buffer of the motion.
         g: Buffer of what is aboard.
         w: Lanes.
@@ -296,63 +297,65 @@ def read_arms(
         noise: Of all lanes.
         first: Channel with which that of the arms begins.
     """
-    _read_arms_one_by_one(device, shape, cabin, b, g, w, once, tick, channels, noise, first)
+    _read_arms_one_by_one(device, shape, avionics, b, g, w, once, tick, channels, noise, first)
 
 
 @kernel
 def _read_arms_one_by_one(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer, first: int,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
-    memory, seen = cabin.aboard.sensors.arm_length, cabin.aboard.measurement
+    memory, seen = avionics.onboard.sensors.arm_length, avionics.onboard.measurement
     for i in range(w):
-        truth, drawn = truth_of(shape, cabin, b, g, w, i), read(channels, noise, first, w, i)
-        read_now = arms_read(got(device, g, w, i), tick, truth, drawn, got(memory, g, w, i))
-        put(read_now.length, seen.arm_length, g, w, i)
-        put(read_now.fresh, seen.arm_length_fresh, g, w, i)
-        put(read_now.memory, memory, g, w, i)
+        truth, drawn = truth_of(shape, avionics, b, g, w, i), read(channels, noise, first, w, i)
+        read_now = arms_read(load(device, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        store(read_now.length, seen.arm_length, g, w, i)
+        store(read_now.fresh, seen.arm_length_fresh, g, w, i)
+        store(read_now.memory, memory, g, w, i)
 
 
 @read_arms.register(HallSensors)
 @kernel
 def _read_hall_sensors(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer, first: int,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
     """`arms_read`, step by step; the calibration is searched only where a word has changed."""
-    memory, seen = cabin.aboard.sensors.arm_length.tree.arms, cabin.aboard.measurement
+    memory, seen = avionics.onboard.sensors.arm_length.tree.arms, avionics.onboard.measurement
     sampling, moved, delivering, renewed = 0, 0, 0, 0
     for i in range(w * once):
-        sensors = got(device, g, w, i)
+        sensors = load(device, g, w, i)
         fresh = _delivering(sensors, tick)
         sampling += 1 if _sampling(sensors, tick) else 0
         delivering += 1 if fresh else 0
-        put(pick(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
+        store(select(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
-        arms, lengths = got(memory, g, w, i), motion_of(shape, b, w, i).arm_length
-        moved += 1 if largest(each(_moved, (arms, lengths), ())) > 0.5 else 0
+        arms, lengths = load(memory, g, w, i), motion_of(shape, b, w, i).arm_length
+        moved += 1 if maximum(tree_map(_moved, (arms, lengths), ())) > 0.5 else 0
     for i in range(w * once if moved > 0 else 0):  # its roots take long, and arms seldom move
-        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
+        sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         lengths = motion_of(shape, b, w, i).arm_length
-        now = each(_sensed, (sensors.spans, arms, lengths), (sensors,))
-        put(pick(_sampling(sensors, tick), now, arms), memory, g, w, i)
+        now = tree_map(_sensed, (sensors.spans, arms, lengths), (sensors,))
+        store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
-        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
-        now = each(_entered, (arms, read(channels, noise, first, w, i)), (sensors,))
-        put(pick(_sampling(sensors, tick), now, arms), memory, g, w, i)
+        sensors, arms = load(device, g, w, i), load(memory, g, w, i)
+        now = tree_map(_entered, (arms, read(channels, noise, first, w, i)), (sensors,))
+        store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
-        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
-        changed = largest(each(_renewed, (arms,), (sensors,)))
+        sensors, arms = load(device, g, w, i), load(memory, g, w, i)
+        changed = maximum(tree_map(_renewed, (arms,), (sensors,)))
         renewed += 1 if _delivering(sensors, tick) & (changed > 0.5) else 0
     for i in range(w * once if tick < 0.5 else 0):
-        put(column(got(memory, g, w, i), "length"), seen.arm_length, g, w, i)
+        store(field_of(load(memory, g, w, i), "length"), seen.arm_length, g, w, i)
     for i in range(w if renewed > 0 else 0):
-        sensors, arms = got(device, g, w, i), got(memory, g, w, i)
-        changed = largest(each(_renewed, (arms,), (sensors,)))
+        sensors, arms = load(device, g, w, i), load(memory, g, w, i)
+        changed = maximum(tree_map(_renewed, (arms,), (sensors,)))
         if _delivering(sensors, tick) and changed > 0.5:
-            arms = each(_delivered, (sensors.spans, arms), (sensors,))
-            put(arms, memory, g, w, i)
-            put(column(arms, "length"), seen.arm_length, g, w, i)
+            arms = tree_map(_delivered, (sensors.spans, arms), (sensors,))
+            store(arms, memory, g, w, i)
+            store(field_of(arms, "length"), seen.arm_length, g, w, i)
 
 
 @draws.register
@@ -379,11 +382,11 @@ def arms_at_start(device: Any, start: State) -> Any:
 
 
 @arms_at_start.register
-def _(device: HallSensors, start: State) -> Seldom:
+def _(device: HallSensors, start: State) -> Rarely:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
         voltage = output(device, span.free - length)
         word = counted(device, voltage)
         known = calibrated(device, span, word)
         arms.append(ArmMemory(filled(word), word, known, length, voltage))
-    return Seldom(0.0, HallMemory(tuple(arms)))
+    return Rarely(0.0, HallMemory(tuple(arms)))

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put
+from springback.kernels.layout import Buffer, TreeLayout, load, store
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.onboard import Sensed as Sensed
 from springback.simulation.onboard import Truth as Truth
@@ -76,7 +76,7 @@ def due(tick: float, pace: Pace) -> bool:
 
 
 @kernel
-def how_many_due(pace: Like, g: Buffer, w: int, once: int, tick: float) -> int:
+def how_many_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> int:
     """In how many lanes a device speaks at a tick.
 
     Args:
@@ -88,17 +88,17 @@ def how_many_due(pace: Like, g: Buffer, w: int, once: int, tick: float) -> int:
     """
     count = 0
     for i in range(w * once):
-        count += 1 if due(tick, got(pace, g, w, i)) else 0
+        count += 1 if due(tick, load(pace, g, w, i)) else 0
     return count
 
 
 @kernel
-def any_due(pace: Like, g: Buffer, w: int, once: int, tick: float) -> bool:
+def any_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> bool:
     """Whether a device of any lane speaks at a tick; arguments as for `how_many_due`."""
     return how_many_due(pace, g, w, once, tick) > 0
 
 
-class Believed(NamedTuple):
+class EstimatorStep(NamedTuple):
     """An estimate, and what the estimator remembers."""
 
     estimate: Estimate
@@ -106,7 +106,7 @@ class Believed(NamedTuple):
 
 
 @generic
-def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Believed:
+def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
     """What an estimator makes of a measurement.
 
     Args:
@@ -120,7 +120,8 @@ def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Be
 
 @generic
 def believe(
-    estimator: Like, seen: Like, memory: Like, estimate: Like, ticks: Like, g: Buffer, w: int,
+    estimator: TreeLayout, seen: TreeLayout, memory: TreeLayout, estimate: TreeLayout,
+    ticks: TreeLayout, g: Buffer, w: int,
     once: int,
 ) -> None:  # fmt: skip
     """The estimators of all lanes make what they can of a measurement.
@@ -136,7 +137,7 @@ def believe(
         once: As for `springback.simulation.ticks.look`.
     """
     for i in range(w):
-        said, remembered = got(seen, g, w, i), got(memory, g, w, i)
-        known = estimated(got(estimator, g, w, i), got(ticks, g, w, i), said, remembered)
-        put(known.estimate, estimate, g, w, i)
-        put(known.memory, memory, g, w, i)
+        said, remembered = load(seen, g, w, i), load(memory, g, w, i)
+        known = estimated(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)
+        store(known.estimate, estimate, g, w, i)
+        store(known.memory, memory, g, w, i)

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import pick
+from springback.kernels.trees import select
 
 #: A sample can be under way for this many sampling periods.
 MOST_PERIODS = 4
@@ -49,6 +49,6 @@ def arriving(line: Line, delay: float, every: float) -> Any:
         every: Sampling period, whole ticks.
     """
     back = rounded_down(delay / every + 0.5 / every)
-    late = pick(back < 3.5, line.fourth, line.fifth)
-    middle = pick(back < 2.5, line.third, late)
-    return pick(back < 0.5, line.newest, pick(back < 1.5, line.second, middle))
+    late = select(back < 3.5, line.fourth, line.fifth)
+    middle = select(back < 2.5, line.third, late)
+    return select(back < 0.5, line.newest, select(back < 1.5, line.second, middle))

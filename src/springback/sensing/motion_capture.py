@@ -6,8 +6,8 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, Like, got, put
-from springback.kernels.trees import Seldom, pick
+from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.trees import Rarely, select
 from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
@@ -145,9 +145,9 @@ def _delivered(
 ) -> Captured:
     """The pose at a tick, after its exposure: perhaps one arrives."""
     arrived = arriving(m.line, device.delay, device.every.ticks)
-    fresh = pick(_delivering(device, tick), arrived.seen, 0.0)
-    last = pick(fresh > 0.5, arrived, m.last)
-    taken_at = pick(fresh > 0.5, tick - device.delay, m.taken_at)
+    fresh = select(_delivering(device, tick), arrived.seen, 0.0)
+    last = select(fresh > 0.5, arrived, m.last)
+    taken_at = select(fresh > 0.5, tick - device.delay, m.taken_at)
     pose = Pose(last.position, last.attitude, fresh, (tick - taken_at) * period)
     return Captured(pose, MotionCaptureMemory(m.line, m.lost, last, taken_at))
 
@@ -159,25 +159,26 @@ def _captured(
     tick: float,
     truth: Truth,
     noise: MotionCaptureNoise,
-    memory: Seldom,
+    memory: Rarely,
 ) -> Captured:
     m, exposing = memory.tree, _exposing(device, tick)
     sample = _exposed(device, truth.now, noise, m.lost)
-    line = pick(exposing, entered(m.line, sample), m.line)
-    lost = pick(exposing, 1.0 - sample.seen, m.lost)
+    line = select(exposing, entered(m.line, sample), m.line)
+    lost = select(exposing, 1.0 - sample.seen, m.lost)
     after = MotionCaptureMemory(line, lost, m.last, m.taken_at)
     got_now = _delivered(device, tick, truth.duration, after)
-    new = pick(exposing | _delivering(device, tick), 1.0, 0.0)
-    return Captured(got_now.pose, Seldom(new, got_now.memory))
+    new = select(exposing | _delivering(device, tick), 1.0, 0.0)
+    return Captured(got_now.pose, Rarely(new, got_now.memory))
 
 
 @generic
 def capture(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
     """Motion capture of all lanes; arguments as for `springback.simulation.ticks.look`."""
-    _capture_lanes(device, shape, cabin, b, g, w, once, tick, channels, noise)
+    _capture_lanes(device, shape, avionics, b, g, w, once, tick, channels, noise)
 
 
 @kernel
@@ -189,50 +190,52 @@ def noise_of(drawn: tuple[float, ...]) -> MotionCaptureNoise:
 
 @kernel
 def _capture_lanes(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
-    memory, pose = cabin.aboard.sensors.motion_capture, cabin.aboard.measurement.pose
+    memory, pose = avionics.onboard.sensors.motion_capture, avionics.onboard.measurement.pose
     for i in range(w * once):
-        truth, drawn = truth_of(shape, cabin, b, g, w, i), noise_of(got(channels, noise, w, i))
-        posed = captured(got(device, g, w, i), tick, truth, drawn, got(memory, g, w, i))
-        put(posed.pose, pose, g, w, i)
-        put(posed.memory, memory, g, w, i)
+        truth, drawn = truth_of(shape, avionics, b, g, w, i), noise_of(load(channels, noise, w, i))
+        posed = captured(load(device, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        store(posed.pose, pose, g, w, i)
+        store(posed.memory, memory, g, w, i)
 
 
 @capture.register(MotionCapture)
 @kernel
 def _capture_at_times(
-    device: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer,
+    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
     """`captured`, step by step; between exposures and arrivals the last pose but grows older."""
-    memory, pose = cabin.aboard.sensors.motion_capture.tree, cabin.aboard.measurement.pose
+    memory, pose = avionics.onboard.sensors.motion_capture.tree, avionics.onboard.measurement.pose
     exposing, delivering, line = 0, 0, memory.line
     for i in range(w * once):
-        camera, period = got(device, g, w, i), got(cabin.guidance.period, g, w, i)
+        camera, period = load(device, g, w, i), load(avionics.systems.period, g, w, i)
         exposing += 1 if _exposing(camera, tick) else 0
         delivering += 1 if _delivering(camera, tick) | (tick < 0.5) else 0
-        put(0.0, pose.fresh, g, w, i)
-        put((tick - got(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
+        store(0.0, pose.fresh, g, w, i)
+        store((tick - load(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
-        now, before = _exposing(got(device, g, w, i), tick), got(line, g, w, i)
-        put(pick(now, entered(before, before.newest), before), line, g, w, i)
+        now, before = _exposing(load(device, g, w, i), tick), load(line, g, w, i)
+        store(select(now, entered(before, before.newest), before), line, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
-        camera, drawn = got(device, g, w, i), noise_of(got(channels, noise, w, i))
-        lost, before = got(memory.lost, g, w, i), got(line.newest, g, w, i)
+        camera, drawn = load(device, g, w, i), noise_of(load(channels, noise, w, i))
+        lost, before = load(memory.lost, g, w, i), load(line.newest, g, w, i)
         sample, now = (
             _exposed(camera, motion_of(shape, b, w, i), drawn, lost),
             _exposing(camera, tick),
         )
-        put(pick(now, sample, before), line.newest, g, w, i)
-        put(pick(now, 1.0 - sample.seen, lost), memory.lost, g, w, i)
+        store(select(now, sample, before), line.newest, g, w, i)
+        store(select(now, 1.0 - sample.seen, lost), memory.lost, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
-        m, period = got(memory, g, w, i), got(cabin.guidance.period, g, w, i)
-        arrived = _delivered(got(device, g, w, i), tick, period, m)
-        put(arrived.pose, pose, g, w, i)
-        put(arrived.memory.last, memory.last, g, w, i)
-        put(arrived.memory.taken_at, memory.taken_at, g, w, i)
+        m, period = load(memory, g, w, i), load(avionics.systems.period, g, w, i)
+        arrived = _delivered(load(device, g, w, i), tick, period, m)
+        store(arrived.pose, pose, g, w, i)
+        store(arrived.memory.last, memory.last, g, w, i)
+        store(arrived.memory.taken_at, memory.taken_at, g, w, i)
 
 
 @draws.register
@@ -259,6 +262,6 @@ def motion_capture_at_start(device: Any, start: State) -> Any:
 
 
 @motion_capture_at_start.register
-def _(device: MotionCapture, start: State) -> Seldom:
+def _(device: MotionCapture, start: State) -> Rarely:
     exposure = Exposure(start.position, start.attitude, 1.0)
-    return Seldom(0.0, MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0))
+    return Rarely(0.0, MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0))

@@ -31,7 +31,7 @@ from springback.vehicle.parameters import Vehicle
 #: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
 STANDARD_GRAVITY = 9.80665
 #: Quantile of a probability of zero or one, in place of infinity: chance 1e-350.
-NEVER = -40.0
+IMPOSSIBLE = -40.0
 #: Normal numbers by which a flight's sensors are biased: three axes of accelerometer and gyroscope.
 BIASES = 6
 
@@ -42,8 +42,8 @@ Delay = quantity("s", least=0.0)
 def _quantile(probability: float) -> float:
     """Φ⁻¹ of a probability, finite."""
     if not 0.0 < probability < 1.0:
-        return NEVER if probability <= 0.0 else -NEVER
-    return min(max(NormalDist().inv_cdf(probability), NEVER), -NEVER)
+        return IMPOSSIBLE if probability <= 0.0 else -IMPOSSIBLE
+    return min(max(NormalDist().inv_cdf(probability), IMPOSSIBLE), -IMPOSSIBLE)
 
 
 class MotionCaptureSettings(Settings):

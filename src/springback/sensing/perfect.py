@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.sensing.measurement import Believed, Measurement, estimated
+from springback.sensing.measurement import EstimatorStep, Measurement, estimated
 
 
 class PerfectState(NamedTuple):
@@ -24,5 +24,5 @@ class PerfectMemory(NamedTuple):
 @kernel
 def _perfect(
     estimator: PerfectState, tick: float, seen: Measurement, memory: PerfectMemory
-) -> Believed:
-    return Believed(seen.exact, memory)
+) -> EstimatorStep:
+    return EstimatorStep(seen.exact, memory)

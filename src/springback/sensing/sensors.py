@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, got, put, rows
-from springback.kernels.memo import Make, afresh
+from springback.kernels.layout import Buffer, TreeLayout, load, rows, store
+from springback.kernels.memo import Build, uncached
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
@@ -66,7 +66,7 @@ def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
 
 
 def sensors_at_start(
-    sensors: Sensors, start: State, gravity: float, make: Make = afresh
+    sensors: Sensors, start: State, gravity: float, build: Build = uncached
 ) -> SensorsMemory:
     """Memory of all sensors before tick 0; plain Python.
 
@@ -74,12 +74,12 @@ def sensors_at_start(
         sensors: Settings.
         start: State at tick 0.
         gravity: g along −Z [m/s²].
-        make: How parts are made.
+        build: How parts are made.
     """
     return SensorsMemory(
         motion_capture_at_start(sensors.motion_capture, start),
         inertial_at_start(sensors.inertial, start, gravity),
-        make(_arms_at_start, sensors.arm_length, start.arm_length),
+        build(_arms_at_start, sensors.arm_length, start.arm_length),
     )
 
 
@@ -122,27 +122,28 @@ def _sensed(
 @look.register(Sensors)
 @kernel
 def _look(
-    sensors: Like, shape: Like, cabin: Like, b: Buffer, g: Buffer, w: int, once: int, tick: float,
-    channels: Like, noise: Buffer,
+    sensors: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
+    once: int, tick: float,
+    channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
     """`sensed`, one device after the other over all lanes."""
-    capture(sensors.motion_capture, shape, cabin, b, g, w, once, tick, channels, noise)
-    memory, seen, revealing = cabin.aboard.sensors.inertial, cabin.aboard.measurement, 0
+    capture(sensors.motion_capture, shape, avionics, b, g, w, once, tick, channels, noise)
+    memory, seen, revealing = avionics.onboard.sensors.inertial, avionics.onboard.measurement, 0
     for i in range(w * once):
-        truth = truth_of(shape, cabin, b, g, w, i)
-        drawn = _inertial_noise(got(channels, noise, w, i))
-        moved = felt(got(sensors.inertial, g, w, i), tick, truth, drawn, got(memory, g, w, i))
-        put(moved.inertial, seen.inertial, g, w, i)
-        put(moved.memory, memory, g, w, i)
-        revealing += 1 if got(sensors.reveal, g, w, i) > 0.0 else 0
+        truth = truth_of(shape, avionics, b, g, w, i)
+        drawn = _inertial_noise(load(channels, noise, w, i))
+        moved = felt(load(sensors.inertial, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        store(moved.inertial, seen.inertial, g, w, i)
+        store(moved.memory, memory, g, w, i)
+        revealing += 1 if load(sensors.reveal, g, w, i) > 0.0 else 0
     for i in range(w * once if revealing > 0 else 0):  # else zeros stand there
-        state, reveal = motion_of(shape, b, w, i), got(sensors.reveal, g, w, i)
-        put(revealed(state, reveal), seen.exact, g, w, i)
+        state, reveal = motion_of(shape, b, w, i), load(sensors.reveal, g, w, i)
+        store(revealed(state, reveal), seen.exact, g, w, i)
     arms = seen.arm_length
     read_arms(
         sensors.arm_length,
         shape,
-        cabin,
+        avionics,
         b,
         g,
         w,

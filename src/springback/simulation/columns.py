@@ -8,7 +8,7 @@ import numpy as np
 
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor
-from springback.kernels.layout import Buffer, Like, read, rows, write
+from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import leaves
 from springback.simulation.lanes import Shape
 
@@ -50,7 +50,7 @@ def columns_of(like: Any, buffers: Buffer, row: int, width: int, count: int) -> 
 
 
 @executor(nogil=True)
-def stored(shape: Like, buffers: Buffer, lanes: tuple[int, ...], out: Buffer) -> None:
+def stored(shape: TreeLayout, buffers: Buffer, lanes: tuple[int, ...], out: Buffer) -> None:
     """Energies of all flights in some buffers.
 
     Args:
@@ -72,5 +72,5 @@ def energies(shape: Shape, buffers: Buffer, width: int, count: int) -> Any:
     """`Energy` of many flights, in columns."""
     like = Energy(0.0, 0.0, 0.0, 0.0, 0.0)
     out = np.zeros((len(buffers), rows(like) * width))
-    stored(Like(shape), buffers, (0,) * width, out)
+    stored(TreeLayout(shape), buffers, (0,) * width, out)
     return columns_of(like, out, 0, width, count)

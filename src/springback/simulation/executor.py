@@ -13,9 +13,9 @@ import math
 from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses, Obstacle, World
-from springback.dynamics.crossing import NEVER, Crossing
+from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.energy import energy, locked
-from springback.dynamics.impulse import struck
+from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import (
     ArmView,
     Engaged,
@@ -27,22 +27,22 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
-from springback.dynamics.rigid import Flight, FlightRates, as_one_body, flown_on
+from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
-from springback.kernels.layout import Buffer, Like, read, rows, write
-from springback.kernels.trees import along, along_strictly, each, pick, square
+from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
+from springback.kernels.trees import axpy, axpy_strictly, select, square, tree_map
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.lanes import (
     CRUISES,
     LOOKS,
     STEERS,
-    brought_home,
-    filled,
-    marked,
-    numbered,
+    classify,
+    number_lanes,
     places,
-    put_aside,
-    put_back,
+    refill,
+    restore_order,
+    stash,
+    unstash,
 )
 from springback.simulation.record import (
     APPLY_IMPULSE,
@@ -89,7 +89,7 @@ def answered(laws: Forces | Impulses, model: Model, motion: Motion, request: flo
 @rare_kernel
 def _answered_with_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
     if request == APPLY_IMPULSE:
-        return struck(model.airframe, model.world, model.contact_point, motion)
+        return apply_impulses(model.airframe, model.world, model.contact_point, motion)
     return settled(model, motion)
 
 
@@ -127,7 +127,7 @@ def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> 
 
 
 @kernel
-def begun(shape: Like, b: Buffer, w: int) -> None:
+def first_stage(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Begin a step: every lane is measured, its step chosen, its rates known."""
     at = places(shape, w)
     for i in range(w):
@@ -143,7 +143,7 @@ def begun(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
-def hull_touches(shape: Like, b: Buffer, w: int) -> bool:
+def hull_touches(shape: TreeLayout, b: Buffer, w: int) -> bool:
     """Whether the hull of any lane touches something in this step."""
     at, found = places(shape, w), 0.0
     first = at.engaged + rows(shape.record.engaged.arms)
@@ -162,7 +162,7 @@ def _without_hull(model: Model) -> Model:
 
 
 @kernel
-def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
+def next_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
     """One more Runge–Kutta stage of every lane."""
     at = places(shape, w)
     # A hull mostly touches nothing in any lane: its forces, all zero, are then left out.
@@ -183,32 +183,32 @@ def staged(shape: Like, b: Buffer, w: int, reach: float, weight: float) -> None:
 
 
 @kernel
-def _reached(shape: Like, b: Buffer, w: int, i: int, reach: float) -> State:
+def _reached(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
     """Where the stage before leads one lane."""
     at = places(shape, w)
     state = read(shape.motion.state, b, at.motion, w, i)
     rate = read(shape.motion.state, b, at.rate, w, i)
-    reached: State = along(state, rate, reach * b[at.step * w + i])
+    reached: State = axpy(state, rate, reach * b[at.step * w + i])
     return reached
 
 
 @kernel
-def _weighed(shape: Like, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
+def _weighed(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
     """Keep the rates of a stage, and add them with their weight."""
     at = places(shape, w)
     so_far = read(shape.motion, b, at.total, w, i)
     write(rate.state, b, at.rate, w, i)
-    write(along(so_far, rate, weight), b, at.total, w, i)
+    write(axpy(so_far, rate, weight), b, at.total, w, i)
 
 
 @guard
-def is_finite(x: Flight) -> bool:
+def is_finite(x: RigidState) -> bool:
     """Whether a motion is finite, and within reason."""
     return square(x) < DIVERGED
 
 
 @kernel
-def landed(motion: Motion, x: Flight) -> Motion:
+def landed(motion: Motion, x: RigidState) -> Motion:
     """The motion of a vehicle that flew as one body."""
     s, w = motion.state, motion.work
     state = State(x.position, x.attitude, x.velocity, x.angular_velocity, s.arm_length, s.arm_rate)
@@ -225,17 +225,17 @@ def _apart(obstacle: Obstacle) -> float:
 
 @kernel
 def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]) -> ArmView:
-    none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
+    none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
     pressed = arm.length - length
     return ArmView(
-        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NEVER, 1.0), apart, 0.0, 0.0, 0.0, none
+        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0, none
     )
 
 
 @kernel
 def _far_hull(hull: Sphere, room: float, obstacles: tuple[Obstacle, ...]) -> HullView:
-    none, apart = Vec(0.0, 0.0, 0.0), each(_apart, (obstacles,), ())
-    return HullView(room, 0.0, 0.0, none, Crossing(NEVER, 1.0), apart, 0.0, none)
+    none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
+    return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0, none)
 
 
 @kernel
@@ -243,24 +243,24 @@ def cruise_view(
     airframe: Airframe,
     world: World,
     lengths: tuple[float, ...],
-    known: FlightRates,
+    known: RigidRates,
     room: float,
 ) -> View:
     """The view of a flight that cruises: nothing touches, no arm moves."""
-    arms = each(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
-    hull = each(_far_hull, (airframe.hull,), (room, world.obstacles))
+    arms = tree_map(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
+    hull = tree_map(_far_hull, (airframe.hull,), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
     return View(a, known.specific_force, centre, none, arms, hull, 0.0, 0.0, 0.0, 0.0)
 
 
 @guard
-def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
+def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     """Take the step of one lane where it leads to finite numbers; else its last state stays."""
     at = places(shape, w)
     h = b[at.step * w + i]
     old = read(shape.motion, b, at.motion, w, i)
     rate = read(shape.motion, b, at.total, w, i)
-    new = along_strictly(old, rate, h / 6.0)
+    new = axpy_strictly(old, rate, h / 6.0)
     good = square(new) < DIVERGED
     q = new.state.attitude
     scale = 1.0 / math.sqrt(square(q))
@@ -268,13 +268,13 @@ def taken(shape: Like, b: Buffer, w: int, i: int) -> None:
     s = new.state
     state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
     # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
-    write(pick(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
+    write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0
     b[at.status * w + i] = b[at.status * w + i] if good else NOT_FINITE
 
 
 @kernel
-def cruised(shape: Like, b: Buffer, w: int) -> None:
+def rigid_step(shape: TreeLayout, b: Buffer, w: int) -> None:
     """One step of every lane that is marked as one that cruises."""
     at = places(shape, w)
     for i in range(w):
@@ -283,7 +283,9 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         record = read(shape.record, b, at.record, w, i)
         s, work = motion.state, motion.work
         body = as_one_body(model.airframe, s.arm_length, model.thrust)
-        x = Flight(s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air)
+        x = RigidState(
+            s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air
+        )
         guide, air, gravity = model.guide, model.air, model.world.gravity
         left = model.timing.until - record.time
         h = left if left < model.timing.free_step else model.timing.free_step
@@ -291,9 +293,9 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
         known, new = flown.known, flown.flight
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES
-        write(pick(goes & good, landed(motion, new), motion), b, at.motion, w, i)
+        write(select(goes & good, landed(motion, new), motion), b, at.motion, w, i)
         write(
-            pick(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
+            select(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
         )
         if w == 1:
             view = cruise_view(model.airframe, model.world, s.arm_length, known, record.room)
@@ -301,7 +303,7 @@ def cruised(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
-def look_about(shape: Like, b: Buffer, w: int) -> None:
+def check_clearance(shape: TreeLayout, b: Buffer, w: int) -> None:
     """The lanes that are to look see whether they have room to cruise."""
     at = places(shape, w)
     for i in range(w):
@@ -315,7 +317,7 @@ def look_about(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
-def log_motion(shape: Like, b: Buffer, line: Buffer) -> None:
+def log_motion(shape: TreeLayout, b: Buffer, line: Buffer) -> None:
     """Time and motion of a single flight, into its line of the log."""
     at = places(shape, 1)
     line[0] = b[at.record]
@@ -324,7 +326,7 @@ def log_motion(shape: Like, b: Buffer, line: Buffer) -> None:
 
 
 @kernel
-def log_view(shape: Like, b: Buffer, line: Buffer) -> None:
+def log_view(shape: TreeLayout, b: Buffer, line: Buffer) -> None:
     """The view of a single flight, into its line of the log."""
     at, moving = places(shape, 1), rows(shape.motion)
     for k in range(rows(shape.seen)):
@@ -332,19 +334,19 @@ def log_view(shape: Like, b: Buffer, line: Buffer) -> None:
 
 
 @kernel
-def cruised_on(shape: Like, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
+def cruised_on(shape: TreeLayout, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
     """One step of the lanes that cruise; of a single flight, a line of the log."""
     logs = (w == 1) & (log.shape[0] > 0)
     if logs:
         log_motion(shape, b, log[logged[0]])
-    cruised(shape, b, w)
+    rigid_step(shape, b, w)
     if logs:
         log_view(shape, b, log[logged[0]])
         logged[0] += 1
 
 
 @kernel
-def log_steered(shape: Like, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
+def log_steered(shape: TreeLayout, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
     """Of a single flight that is steered, a line of the log."""
     at = places(shape, w)
     if (w == 1) & (log.shape[0] > 0) and (b[at.step] > 0.0 or b[at.status] != FLYING):
@@ -354,7 +356,7 @@ def log_steered(shape: Like, b: Buffer, w: int, log: Buffer, logged: Any) -> Non
 
 
 @kernel
-def attended(shape: Like, b: Buffer, w: int) -> None:
+def handle_events(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Answer the requests of all lanes."""
     at = places(shape, w)
     asked = 0
@@ -372,7 +374,7 @@ def attended(shape: Like, b: Buffer, w: int) -> None:
 
 @executor(nogil=True)
 def advance(
-    shape: Like,
+    shape: TreeLayout,
     buffers: Buffer,
     first: int,
     last: int,
@@ -409,7 +411,7 @@ def advance(
     # It is 1, which the compiler does not know: loops of known length it would unroll, not pack.
     once = logged.shape[0]
     if w > 1:
-        numbered(shape, buffers, first, last, w)
+        number_lanes(shape, buffers, first, last, w)
     lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
     flying = 1
     while flying > 0 and budget > 0 and logged[0] < lines:
@@ -418,43 +420,43 @@ def advance(
             wanted = CRUISES if cruising else STEERS
             b, more = buffers[group], (w > 1) & (group + 1 < last)
             while budget > 0 and logged[0] < lines:
-                now = marked(shape, b, w, early)
+                now = classify(shape, b, w, early)
                 if now.looking > 0:
-                    look_about(shape, b, w)
-                    now = marked(shape, b, w, early)
+                    check_clearance(shape, b, w)
+                    now = classify(shape, b, w, early)
                 able = now.cruising if cruising else now.steering
                 if able == 0:
                     break
                 if more and able < w:
-                    more = filled(shape, buffers, group, last, w, wanted, early)
-                    now = marked(shape, b, w, early)
+                    more = refill(shape, buffers, group, last, w, wanted, early)
+                    now = classify(shape, b, w, early)
                 if cruising:
                     cruised_on(shape, b, w, log, logged)
                 else:
                     if several and now.cruising + now.waiting > 0:
-                        put_aside(shape, b, w)
-                    begun(shape, b, w)
+                        stash(shape, b, w)
+                    first_stage(shape, b, w)
                     log_steered(shape, b, w, log, logged)
                     for stage in range(1, 3 + once):
-                        staged(shape, b, w, REACH[stage], WEIGHT[stage])
+                        next_stage(shape, b, w, REACH[stage], WEIGHT[stage])
                     for i in range(w * once):
-                        taken(shape, b, w, i)
+                        accept_step(shape, b, w, i)
                     if several and now.cruising + now.waiting > 0:
-                        put_back(shape, b, w)
-                    attended(shape, b, w)
+                        unstash(shape, b, w)
+                    handle_events(shape, b, w)
                 budget -= 1
         flying = 0
         for group in range(first, last):
-            now = marked(shape, buffers[group], w, early)
+            now = classify(shape, buffers[group], w, early)
             flying += now.cruising + now.looking + now.steering
     if w > 1:
-        brought_home(shape, buffers, first, last, w)
+        restore_order(shape, buffers, first, last, w)
     return flying
 
 
 @executor(nogil=True)
 def to_tick(
-    shape: Like,
+    shape: TreeLayout,
     buffers: Buffer,
     lanes: tuple[int, ...],
     log: Buffer,
@@ -483,13 +485,13 @@ def to_tick(
     lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
     for group in range(buffers.shape[0]):
         b = buffers[group]
-        now = marked(shape, b, w, early)
+        now = classify(shape, b, w, early)
         while now.cruising + now.looking > 0 and logged[0] < lines:
             if now.looking > 0:
-                look_about(shape, b, w)
+                check_clearance(shape, b, w)
             else:
                 cruised_on(shape, b, w, log, logged)
-            now = marked(shape, b, w, early)
+            now = classify(shape, b, w, early)
         busy += now.steering + now.cruising + now.looking
     if busy > 0:
         busy = advance(shape, buffers, 0, buffers.shape[0], lanes, log, logged, budget, early)

@@ -17,7 +17,7 @@ from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, own_executor, registered
 from springback.kernels.frozen import frozen_digest
-from springback.kernels.layout import Buffer, Like, row_of, rows
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import advance
@@ -33,7 +33,8 @@ LANES = 8
 #: Steps between two looks at the clock, the keyboard and the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
-#: Most instants of a trajectory that are kept (chosen: some 2.5 GB with the diary and all columns).
+#: Most instants of a trajectory that are kept (chosen: some 2.5 GB with the telemetry and all
+#: columns).
 MOST_INSTANTS = 1_000_000
 #: When this process read its first sources [s since the epoch].
 BEGUN = time.time()
@@ -50,7 +51,7 @@ class Trace(NamedTuple):
         return column
 
 
-class Flown(NamedTuple):
+class FlightRecord(NamedTuple):
     """What the executor leaves of one flight."""
 
     model: Model
@@ -129,7 +130,7 @@ def first_phase(model: Model, state: State) -> float:
 
 def unloaded(
     shape: Shape, models: Sequence[Model], states: Sequence[State], buffers: Buffer, width: int
-) -> list[Flown]:
+) -> list[FlightRecord]:
     """What the executor has left of every flight."""
     lanes = buffers.reshape(len(buffers), -1, width)
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
@@ -141,7 +142,7 @@ def unloaded(
         motion = rebuilt(shape.motion, column[model_rows : model_rows + motion_rows])
         record = rebuilt(shape.record, column[-record_rows:])
         m = models[min(k, len(models) - 1)]
-        flown.append(Flown(m, start, motion, record, None))
+        flown.append(FlightRecord(m, start, motion, record, None))
     return flown
 
 
@@ -213,7 +214,7 @@ def fly_one(
     trace: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
-) -> Flown:
+) -> FlightRecord:
     """Fly one flight to its end.
 
     Args:
@@ -230,7 +231,7 @@ def fly_one(
     buffers = loaded(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
     logs: list[Buffer] = []
-    run, like = entry_for(model, executor), Like(shape)
+    run, like = entry_for(model, executor), TreeLayout(shape)
     record_row = -rows(shape.record)
     while True:
         log = np.zeros((LOG_ROWS if trace else 0, width))
@@ -280,7 +281,7 @@ def fly_many(
     threads: int | None = None,
     width: int = LANES,
     progress: Callable[[float], None] | None = None,
-) -> list[Flown]:
+) -> list[FlightRecord]:
     """Fly many flights of equally shaped models, abreast in lanes, on several threads.
 
     Args:
@@ -305,7 +306,7 @@ def fly_buffers(
     progress: Callable[[float], None] | None = None,
 ) -> None:
     """Fly every group of some buffers to the end, in place."""
-    like = Like(shape)
+    like = TreeLayout(shape)
     lanes, log, run = (0,) * width, np.zeros((0, 1)), entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))

@@ -13,16 +13,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.dynamics.gusts import Calm, first_gust
+from springback.dynamics.gusts import NoGusts, first_gust
 from springback.kernels.compiler import Origin, executor, own_executor, rebound
-from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
     Executor,
-    Flown,
+    FlightRecord,
     Trace,
     check_instants,
     loaded,
@@ -32,15 +32,15 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
-from springback.simulation.noise import Luck, deal, dealt_before
+from springback.simulation.noise import NoiseStream, generate, pregenerated
 from springback.simulation.noise import noise_table as noise_table
 from springback.simulation.onboard import (
-    Aboard,
-    Cabin,
-    Guidance,
+    Avionics,
+    OnboardState,
+    OnboardSystems,
     Truth,
     sensed,
-    told,
+    telemetry_of,
 )
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, powered, ticked
@@ -49,7 +49,7 @@ from springback.vehicle.state import State
 #: Normal numbers that gusts take before the first tick.
 FIRST_GUST_NOISE = 5
 #: Memory of a witness that is not there.
-NOBODY = (0.0,)
+NO_EVALUATION = (0.0,)
 #: What comes next within a tick.
 LOOK, DRIVE, FLY = 0, 1, 2
 #: Ticks between two looks at the keyboard and the progress bar.
@@ -62,14 +62,14 @@ PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
 
 @executor(nogil=True)
 def guide(
-    shape: Like,
-    cabin: Like,
+    shape: TreeLayout,
+    avionics: TreeLayout,
     buffers: Buffer,
-    aboard: Buffer,
+    onboard: Buffer,
     lanes: tuple[int, ...],
-    channels: Like,
-    gusts: Like,
-    luck: Luck,
+    channels: TreeLayout,
+    gusts: TreeLayout,
+    noise_stream: NoiseStream,
     next_up: Any,
     end: int,
     ticks: int,
@@ -77,7 +77,7 @@ def guide(
     pause: bool,
     log: Buffer,
     logged: Any,
-    diary: Buffer,
+    telemetry: Buffer,
 ) -> None:
     """Fly some groups on from tick to tick, all together.
 
@@ -86,13 +86,13 @@ def guide(
 
     Args:
         shape: What lies in the buffers of the motion.
-        cabin: What lies in the buffers of what is aboard.
+        avionics: What lies in the buffers of what is aboard.
         buffers: Of the motion, shape (groups, rows x lanes).
-        aboard: Of what is aboard, shape (groups, rows x lanes).
+        onboard: Of what is aboard, shape (groups, rows x lanes).
         lanes: A tuple as long as a group is wide.
         channels: Noise of the sensors at a tick.
         gusts: Noise of the gusts at a tick.
-        luck: Normal numbers, those of all ticks or of a stretch after the other.
+        noise_stream: Normal numbers, those of all ticks or of a stretch after the other.
         next_up: Tick, what comes next within it, and the tick with which the numbers at hand begin,
             shape (3,); advanced.
         end: Tick to stop before.
@@ -101,23 +101,33 @@ def guide(
         pause: Come back after the pilots have decided.
         log: Trajectory of a single flight, as in `springback.simulation.executor.advance`.
         logged: Rows of the log in use, shape (1,); advanced.
-        diary: Of a single flight, one tick a row; empty for none.
+        telemetry: Of a single flight, one tick a row; empty for none.
     """
-    groups, stretch = buffers.shape[0], luck.noise.shape[1]
+    groups, stretch = buffers.shape[0], noise_stream.noise.shape[1]
     while next_up[0] < end:
         k = next_up[0]
         if k - next_up[2] == stretch:
             next_up[2] = k
             for group in range(groups):
-                keys, flights = luck.keys[group], luck.flights[group]
-                deal(keys, flights, luck.plan, k, luck.noise[group], luck.words, luck.drawn)
+                keys, flights = noise_stream.keys[group], noise_stream.flights[group]
+                generate(
+                    keys,
+                    flights,
+                    noise_stream.plan,
+                    k,
+                    noise_stream.noise[group],
+                    noise_stream.words,
+                    noise_stream.drawn,
+                )
         for group in range(groups):
-            b, g, drawn = buffers[group], aboard[group], luck.noise[group, k - next_up[2]]
+            b, g, drawn = buffers[group], onboard[group], noise_stream.noise[group, k - next_up[2]]
             if next_up[1] == LOOK:
-                ticked(shape, cabin, b, g, lanes, logged, float(k), channels, drawn, diary, k)
+                ticked(
+                    shape, avionics, b, g, lanes, logged, float(k), channels, drawn, telemetry, k
+                )
             if next_up[1] == DRIVE or (next_up[1] == LOOK and not pause):
                 n = rows(channels)
-                powered(shape, cabin, b, g, lanes, logged, float(k), duration, gusts, drawn, n)
+                powered(shape, avionics, b, g, lanes, logged, float(k), duration, gusts, drawn, n)
         if next_up[1] == LOOK and pause:
             next_up[1] = DRIVE
             return
@@ -136,9 +146,9 @@ def guide(
 class GuidedFlown(NamedTuple):
     """What a guided flight leaves."""
 
-    flown: Flown
-    aboard: Aboard
-    diary: Trace | None
+    flown: FlightRecord
+    onboard: OnboardState
+    telemetry: Trace | None
 
 
 class Entries(NamedTuple):
@@ -157,46 +167,53 @@ def ticks_of(duration: float, period: float) -> int:
 _UNREAD: dict[Any, Any] = {}
 
 
-def cabin_of(
-    guidance: Guidance,
+def avionics_at_start(
+    systems: OnboardSystems,
     sensors: Any,
     pilot: Any,
     model: Model,
     start: State,
     channels: int,
     seed: int,
-    witness: Any = NOBODY,
-) -> Cabin:
+    evaluator: Any = NO_EVALUATION,
+) -> Avionics:
     """What is aboard before the first tick, the rotors at the thrust that the model starts with.
 
     Args:
-        guidance: Settings.
+        systems: Settings.
         sensors: Memory of the sensors.
         pilot: Memory of the pilot.
         model: Of the flight.
         start: State at time 0.
         channels: Normal numbers that the sensors take at each tick.
         seed: Of the wind before the first tick.
-        witness: Memory of the witness.
+        evaluator: Memory of the witness.
     """
     gusts: Any = 0.0
-    if not isinstance(guidance.weather, Calm):
-        luck = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1))))
-        before = tuple(float(x) for x in luck.standard_normal(FIRST_GUST_NOISE))
-        gusts = first_gust(guidance.weather, before).memory
-    kind = (type(guidance.sensors), *map(type, guidance.sensors), len(start.arm_length))
+    if not isinstance(systems.weather, NoGusts):
+        noise_stream = np.random.Generator(
+            np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1)))
+        )
+        before = tuple(float(x) for x in noise_stream.standard_normal(FIRST_GUST_NOISE))
+        gusts = first_gust(systems.weather, before).memory
+    kind = (type(systems.sensors), *map(type, systems.sensors), len(start.arm_length))
     if kind not in _UNREAD:
-        truth = Truth(start, start, guidance.period, model.world.gravity)
-        seen = sensed(guidance.sensors, 0.0, truth, (0.0,) * channels, sensors)
+        truth = Truth(start, start, systems.period, model.world.gravity)
+        seen = sensed(systems.sensors, 0.0, truth, (0.0,) * channels, sensors)
         _UNREAD[kind] = seen.measurement
     first = _UNREAD[kind]
-    aboard = Aboard(start, first, sensors, pilot, model.thrust, model.thrust, witness, gusts)
-    return Cabin(guidance, aboard)
+    onboard = OnboardState(
+        start, first, sensors, pilot, model.thrust, model.thrust, evaluator, gusts
+    )
+    return Avionics(systems, onboard)
 
 
-def cabins_loaded(cabins: list[Cabin], width: int) -> Buffer:
+def loaded_avionics(avionics_list: list[Avionics], width: int) -> Buffer:
     """Buffers of what is aboard, lane by lane; spare lanes repeat the last flight."""
-    groups, columns = -(-len(cabins) // width), [leaves(cabin) for cabin in cabins]
+    groups, columns = (
+        -(-len(avionics_list) // width),
+        [leaves(avionics) for avionics in avionics_list],
+    )
     buffers = zeros(groups, len(columns[0]), width)
     for k in range(groups * width):
         group, lane = divmod(k, width)
@@ -204,13 +221,13 @@ def cabins_loaded(cabins: list[Cabin], width: int) -> Buffer:
     return buffers.reshape(groups, -1)
 
 
-def entries_for(model: Model, cabin: Cabin, executor: Executor = "compiled") -> Entries:
+def entries_for(model: Model, avionics: Avionics, executor: Executor = "compiled") -> Entries:
     """The loop over the ticks for a model and a cabin: compiled, or the same as plain Python."""
     plain = {name: _plain(entry) for name, entry in _PARTS.items()}
     if executor == "python":
         plain["to_tick"] = rebound(plain["to_tick"], **plain)
         return Entries(rebound(plain["guide"], **plain), plain["ticked"])
-    own_model, own_cabin = own_types(model), own_types(cabin)
+    own_model, own_cabin = own_types(model), own_types(avionics)
     if not own_model | own_cabin:
         return Entries(guide, ticked)
     files = sources(own_model | own_cabin)
@@ -245,7 +262,7 @@ def _plain(entry: Any) -> Any:
 def fly_guided(
     model: Model,
     start: State,
-    cabin: Cabin,
+    avionics: Avionics,
     noise: Buffer,
     *,
     pilot: PlainPilot | None = None,
@@ -259,11 +276,11 @@ def fly_guided(
     Args:
         model: The flight's numbers.
         start: State at time 0.
-        cabin: What is aboard, from `cabin_of`.
+        avionics: What is aboard, from `avionics_at_start`.
         noise: Normal numbers of the flight, shape (ticks, channels), from `noise_table`.
         pilot: In plain Python, in place of the one aboard, which is then a `Relay`.
         memory: What the plain pilot remembers at first.
-        trace: Keep the trajectory and the diary.
+        trace: Keep the trajectory and the telemetry.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called now and then with the simulated time [s].
 
@@ -272,14 +289,17 @@ def fly_guided(
     """
     shape, duration = shape_of(model, start), model.timing.until
     check_instants(len(noise) if trace else 0, duration, duration)
-    buffers, cabins = loaded(shape, [model], [start], 1), cabins_loaded([cabin], 1)
-    entries, ticks = entries_for(model, cabin, executor), len(noise)
-    channels, gusts = Like((0.0,) * (noise.shape[1] - GUST_NOISE)), Like((0.0,) * GUST_NOISE)
-    luck = dealt_before(noise)
-    like, like_cabin = Like(shape), Like(cabin)
-    head = (*_diary_columns(cabin),) if trace else ()
-    seat = _seat(cabin, cabins[0]) if pilot is not None else None
-    diary = np.zeros((ticks if trace else 0, len(head)))
+    buffers, avionics_list = loaded(shape, [model], [start], 1), loaded_avionics([avionics], 1)
+    entries, ticks = entries_for(model, avionics, executor), len(noise)
+    channels, gusts = (
+        TreeLayout((0.0,) * (noise.shape[1] - GUST_NOISE)),
+        TreeLayout((0.0,) * GUST_NOISE),
+    )
+    noise_stream = pregenerated(noise)
+    like, like_cabin = TreeLayout(shape), TreeLayout(avionics)
+    head = (*_diary_columns(avionics),) if trace else ()
+    seat = _seat(avionics, avionics_list[0]) if pilot is not None else None
+    telemetry = np.zeros((ticks if trace else 0, len(head)))
     next_up = np.zeros(3, dtype=np.int64)
     logs, record_row = [], -rows(shape.record)
     while next_up[0] < ticks:
@@ -289,41 +309,45 @@ def fly_guided(
         while next_up[0] < end and (not trace or logged[0] < len(log)):
             before = tuple(next_up)
             entries.guide(
-                like, like_cabin, buffers, cabins, (0,), channels, gusts, luck,
-                next_up, end, ticks, duration, pilot is not None, log, logged, diary,
+                like, like_cabin, buffers, avionics_list, (0,), channels, gusts, noise_stream,
+                next_up, end, ticks, duration, pilot is not None, log, logged, telemetry,
             )  # fmt: skip
             if pilot and seat and next_up[1] == DRIVE and tuple(next_up) != before:
-                memory = _asked(pilot, cabin, seat, float(next_up[0]), memory)
+                memory = _asked(pilot, avionics, seat, float(next_up[0]), memory)
                 if trace:  # the page of this tick has been written before the pilot spoke
-                    diary[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
+                    telemetry[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
         logs.append(log[: logged[0]])
         time_now = float(buffers[0, record_row])
         check_instants(sum(map(len, logs)), time_now, duration)
         if progress is not None:
             progress(time_now)
-    aboard = rebuilt(cabin.aboard, cabins[0, rows(cabin.guidance) :])
+    onboard = rebuilt(avionics.onboard, avionics_list[0, rows(avionics.systems) :])
     flown = unloaded(shape, [model], [start], buffers, 1)[0]
     if not trace:
-        return GuidedFlown(flown, aboard, None)
+        return GuidedFlown(flown, onboard, None)
     flown = flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
-    return GuidedFlown(flown, aboard, Trace(head, diary))
+    return GuidedFlown(flown, onboard, Trace(head, telemetry))
 
 
-def _seat(cabin: Cabin, buffer: Buffer) -> tuple[Buffer, Buffer, Buffer]:
+def _seat(avionics: Avionics, buffer: Buffer) -> tuple[Buffer, Buffer, Buffer]:
     """Where measurement, command and the relay's memory lie in a buffer."""
-    aboard, after = cabin.aboard, rows(cabin.guidance)
-    firsts = {name: after + row_of(aboard, name) for name in ("measurement", "command", "pilot")}
-    seen, said, relayed = (buffer[k : k + rows(getattr(aboard, n))] for n, k in firsts.items())
+    onboard, after = avionics.onboard, rows(avionics.systems)
+    firsts = {name: after + row_of(onboard, name) for name in ("measurement", "command", "pilot")}
+    seen, said, relayed = (buffer[k : k + rows(getattr(onboard, n))] for n, k in firsts.items())
     return seen, said, relayed
 
 
 def _asked(
-    pilot: PlainPilot, cabin: Cabin, seat: tuple[Buffer, Buffer, Buffer], tick: float, memory: Any
+    pilot: PlainPilot,
+    avionics: Avionics,
+    seat: tuple[Buffer, Buffer, Buffer],
+    tick: float,
+    memory: Any,
 ) -> Any:
     """Ask a plain pilot, and put its command aboard."""
     seen, said, relayed = seat
-    measurement = rebuilt(cabin.aboard.measurement, seen.tolist())
-    command, memory = pilot(tick * cabin.guidance.period, measurement, memory)
+    measurement = rebuilt(avionics.onboard.measurement, seen.tolist())
+    command, memory = pilot(tick * avionics.systems.period, measurement, memory)
     thrusts = [float(thrust) for thrust in command]
     if len(thrusts) != len(said):
         raise ValueError(f"the pilot commands {len(thrusts)} rotors of {len(said)}")
@@ -331,11 +355,11 @@ def _asked(
     return memory
 
 
-def _diary_columns(cabin: Cabin) -> list[str]:
-    """Names of the columns of the diary."""
-    words = told(cabin.guidance.pilot, cabin.aboard.pilot)
+def _diary_columns(avionics: Avionics) -> list[str]:
+    """Names of the columns of the telemetry."""
+    words = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
     parts = {
-        "command": cabin.aboard.command, "thrust": cabin.aboard.thrust,
-        "measurement": cabin.aboard.measurement, "told": words,
+        "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
+        "measurement": avionics.onboard.measurement, "told": words,
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]

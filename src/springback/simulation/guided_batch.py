@@ -8,18 +8,18 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, Like, rows
+from springback.kernels.layout import Buffer, TreeLayout, rows
 from springback.kernels.trees import rebuilt
 from springback.simulation.flight import loaded, shape_of, unloaded
 from springback.simulation.guided import (
     TICKS,
     GuidedFlown,
-    cabins_loaded,
     entries_for,
+    loaded_avionics,
     ticks_of,
 )
-from springback.simulation.noise import yet_to_be_dealt
-from springback.simulation.onboard import Cabin, Draw
+from springback.simulation.noise import on_the_fly
+from springback.simulation.onboard import Avionics, Draw
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.state import State
@@ -36,9 +36,9 @@ STRETCH = 25
 def fly_groups(
     model: Model,
     start: State,
-    cabin: Cabin,
+    avionics: Avionics,
     buffers: Buffer,
-    aboard: Buffer,
+    onboard: Buffer,
     draws: Sequence[Draw],
     seeds: Sequence[int],
     *,
@@ -52,9 +52,9 @@ def fly_groups(
     Args:
         model: Like those of the flights, of their duration.
         start: Like their states.
-        cabin: Like what is aboard, with their clock.
+        avionics: Like what is aboard, with their clock.
         buffers: Of the motion, shape (groups, rows x width), see `springback.simulation.flight`.
-        aboard: Of what is aboard, shape (groups, rows x width), leaf by leaf, lane by lane.
+        onboard: Of what is aboard, shape (groups, rows x width), leaf by leaf, lane by lane.
         draws: When which normal numbers are drawn.
         seeds: One for each flight.
         flights: Their numbers, for their luck; 0 by default.
@@ -63,21 +63,23 @@ def fly_groups(
         progress: Called now and then with the share done.
     """
     duration, numbers = model.timing.until, flights or [0] * len(seeds)
-    ticks, shape = ticks_of(duration, cabin.guidance.period), shape_of(model, start)
-    guide, lanes, nothing = entries_for(model, cabin).guide, (0,) * width, np.zeros((0, 1))
+    ticks, shape = ticks_of(duration, avionics.systems.period), shape_of(model, start)
+    guide, lanes, nothing = entries_for(model, avionics).guide, (0,) * width, np.zeros((0, 1))
     channels = sum(draw.channels for draw in draws) - GUST_NOISE
-    sensing, gusts = Like((0.0,) * channels), Like((0.0,) * GUST_NOISE)
+    sensing, gusts = TreeLayout((0.0,) * channels), TreeLayout((0.0,) * GUST_NOISE)
 
     def fly(first: int) -> None:
         last = min(first + TOGETHER, len(buffers))
         mine = slice(first * width, last * width)
-        luck = yet_to_be_dealt(seeds[mine], numbers[mine], draws, width, min(STRETCH, ticks))
-        next_up = np.array([0, 0, -luck.noise.shape[1]], dtype=np.int64)
+        noise_stream = on_the_fly(seeds[mine], numbers[mine], draws, width, min(STRETCH, ticks))
+        next_up = np.array([0, 0, -noise_stream.noise.shape[1]], dtype=np.int64)
         logged = np.zeros(1, dtype=np.int64)
         while next_up[0] < ticks:
             guide(
-                Like(shape), Like(cabin), buffers[first:last], aboard[first:last], lanes, sensing,
-                gusts, luck, next_up, min(ticks, int(next_up[0]) + TICKS), ticks, duration, False,
+                TreeLayout(shape), TreeLayout(avionics), buffers[first:last], onboard[first:last],
+                lanes, sensing,
+                gusts, noise_stream, next_up, min(ticks, int(next_up[0]) + TICKS), ticks,
+                duration, False,
                 nothing, logged, nothing,
             )  # fmt: skip
 
@@ -91,7 +93,7 @@ def fly_groups(
 def fly_guided_many(
     models: Sequence[Model],
     starts: Sequence[State],
-    cabins: Sequence[Cabin],
+    avionics_list: Sequence[Avionics],
     draws: Sequence[Draw],
     seeds: Sequence[int],
     *,
@@ -108,7 +110,7 @@ def fly_guided_many(
     Args:
         models: One for each flight, or a single one for all.
         starts: One state for each flight.
-        cabins: What is aboard each.
+        avionics_list: What is aboard each.
         draws: When which normal numbers are drawn.
         seeds: One for each flight.
         flights: Their numbers, for their luck; 0 by default.
@@ -120,18 +122,18 @@ def fly_guided_many(
         ValueError: If the flights end, or their clocks tick, at different times.
     """
     every = [models[min(k, len(models) - 1)] for k in range(len(starts))]
-    paces = {(m.timing.until, c.guidance.period) for m, c in zip(every, cabins, strict=True)}
+    paces = {(m.timing.until, c.systems.period) for m, c in zip(every, avionics_list, strict=True)}
     if len(paces) != 1:
         raise ValueError("flights abreast must have one duration and one clock")
-    shape, cabin = shape_of(every[0], starts[0]), cabins[0]
-    buffers, aboard = loaded(shape, every, starts, width), cabins_loaded([*cabins], width)
+    shape, avionics = shape_of(every[0], starts[0]), avionics_list[0]
+    buffers, onboard = loaded(shape, every, starts, width), loaded_avionics([*avionics_list], width)
     fly_groups(
-        every[0], starts[0], cabin, buffers, aboard, draws, seeds,
+        every[0], starts[0], avionics, buffers, onboard, draws, seeds,
         flights=flights, width=width, threads=threads, progress=progress,
     )  # fmt: skip
-    flown, after = unloaded(shape, every, starts, buffers, width), rows(cabin.guidance)
-    memories = aboard.reshape(len(buffers), -1, width)
+    flown, after = unloaded(shape, every, starts, buffers, width), rows(avionics.systems)
+    memories = onboard.reshape(len(buffers), -1, width)
     return [
-        GuidedFlown(one, rebuilt(cabin.aboard, memories[k // width, after:, k % width]), None)
+        GuidedFlown(one, rebuilt(avionics.onboard, memories[k // width, after:, k % width]), None)
         for k, one in enumerate(flown)
     ]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from springback.dynamics.motion import Motion, View
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, Like, row_of, rows, zeros
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
 from springback.simulation.record import (
     ARRIVED,
     CRUISING,
@@ -61,7 +61,7 @@ class Places(NamedTuple):
 
 
 @kernel
-def places(shape: Like | Shape, w: int) -> Places:
+def places(shape: TreeLayout | Shape, w: int) -> Places:
     """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
     motion = rows(shape.model)
     total = motion + rows(shape.motion)
@@ -103,7 +103,7 @@ def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
 
 
 @kernel
-def next_of(shape: Like, b: Buffer, w: int, i: int, early: float) -> float:
+def next_of(shape: TreeLayout, b: Buffer, w: int, i: int, early: float) -> float:
     """What a lane does next.
 
     A flight that is to be left as it arrives is not to be looked at while its neighbours fly on: a
@@ -116,7 +116,7 @@ def next_of(shape: Like, b: Buffer, w: int, i: int, early: float) -> float:
     return does if b[at.status * w + i] == FLYING else ENDED
 
 
-class Standing(NamedTuple):
+class LaneCounts(NamedTuple):
     """How many lanes of a group do what next; the others have ended."""
 
     steering: int
@@ -134,12 +134,12 @@ def _number(b: Buffer, row: int, w: int, wanted: float) -> int:
 
 
 @kernel
-def marked(shape: Like, b: Buffer, w: int, early: float) -> Standing:
+def classify(shape: TreeLayout, b: Buffer, w: int, early: float) -> LaneCounts:
     """Mark every lane with what it does next, and count."""
     mark = places(shape, w).mark
     for i in range(w):
         b[mark * w + i] = next_of(shape, b, w, i, early)
-    return Standing(
+    return LaneCounts(
         _number(b, mark, w, STEERS),
         _number(b, mark, w, CRUISES),
         _number(b, mark, w, WAITS),
@@ -148,7 +148,7 @@ def marked(shape: Like, b: Buffer, w: int, early: float) -> Standing:
 
 
 @kernel
-def exchange(shape: Like, b: Buffer, i: int, other: Buffer, j: int, w: int) -> None:
+def swap(shape: TreeLayout, b: Buffer, i: int, other: Buffer, j: int, w: int) -> None:
     """Let the flights in two lanes change places."""
     at = places(shape, w)
     for k in range(at.total):  # model and motion
@@ -160,7 +160,7 @@ def exchange(shape: Like, b: Buffer, i: int, other: Buffer, j: int, w: int) -> N
 
 
 @kernel
-def numbered(shape: Like, buffers: Buffer, first: int, last: int, w: int) -> None:
+def number_lanes(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
     """Give every flight the number of its lane, so that it finds home again."""
     home = places(shape, w).home
     for n in range((last - first) * w):
@@ -168,19 +168,19 @@ def numbered(shape: Like, buffers: Buffer, first: int, last: int, w: int) -> Non
 
 
 @kernel
-def brought_home(shape: Like, buffers: Buffer, first: int, last: int, w: int) -> None:
+def restore_order(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
     """Bring every flight back to the lane in which it began."""
     home = places(shape, w).home
     for n in range((last - first) * w):
         b, i = buffers[first + n // w], n % w
         while b[home * w + i] != n:
             m = int(b[home * w + i])
-            exchange(shape, b, i, buffers[first + m // w], m % w, w)
+            swap(shape, b, i, buffers[first + m // w], m % w, w)
 
 
 @kernel
 def farthest_from_end(
-    shape: Like, buffers: Buffer, first: int, last: int, w: int, wanted: float, early: float
+    shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int, wanted: float, early: float
 ) -> int:
     """Of the flights in some groups that do next what is wanted, the one with most time left.
 
@@ -208,8 +208,8 @@ def farthest_from_end(
 
 
 @kernel
-def filled(
-    shape: Like, buffers: Buffer, group: int, last: int, w: int, wanted: float, early: float
+def refill(
+    shape: TreeLayout, buffers: Buffer, group: int, last: int, w: int, wanted: float, early: float
 ) -> bool:
     """Fill the lanes of a group that do something else next with flights of later groups.
 
@@ -222,12 +222,12 @@ def filled(
             found = farthest_from_end(shape, buffers, group + 1, last, w, wanted, early)
             if found < 0:
                 return False
-            exchange(shape, b, i, buffers[found // w], found % w, w)
+            swap(shape, b, i, buffers[found // w], found % w, w)
     return True
 
 
 @kernel
-def put_aside(shape: Like, b: Buffer, w: int) -> None:
+def stash(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Put motion and record of all lanes aside: marked lanes are not to be steered."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving * w):
@@ -237,7 +237,7 @@ def put_aside(shape: Like, b: Buffer, w: int) -> None:
 
 
 @kernel
-def put_back(shape: Like, b: Buffer, w: int) -> None:
+def unstash(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Give the lanes that do not steer their motion and record back."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving):

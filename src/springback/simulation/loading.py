@@ -3,7 +3,7 @@
 Flights that were made ready together share most branches of their trees, the very objects.  So a
 tree is compared with that of a flight before it branch by branch, and only the leaves that are not
 shared are written.  `springback.simulation.flight.loaded` and
-`springback.simulation.guided.cabins_loaded` say the same slowly.
+`springback.simulation.guided.loaded_avionics` say the same slowly.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ import numpy as np
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import function_of
 from springback.simulation.flight import first_phase, loaded, shape_of
-from springback.simulation.guided import cabins_loaded
+from springback.simulation.guided import loaded_avionics
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups
-from springback.simulation.onboard import Cabin
+from springback.simulation.onboard import Avionics
 from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
 
@@ -30,7 +30,7 @@ MOST_DIFFERENT = 0.25
 PATIENCE = 16
 
 
-class Unlike(Exception):  # it says what is so, and nobody meets it
+class DifferentStructure(Exception):  # it says what is so, and nobody meets it
     """A flight is of another kind than the first."""
 
 
@@ -44,7 +44,7 @@ class Comparison:
         """With a tree; what compares is generated when it is first asked for."""
         self._rows: list[range] = []
         self._row, self._names = 0, 0
-        self._scope: dict[str, Any] = {"Unlike": Unlike}
+        self._scope: dict[str, Any] = {"Unlike": DifferentStructure}
         self._lines: list[str] = []
         self._tree = tree
         self._differing: Callable[..., None] | None = None
@@ -58,7 +58,7 @@ class Comparison:
             values: Gets their leaves.
 
         Raises:
-            Unlike: If the trees are of different types.
+            DifferentStructure: If the trees are of different types.
         """
         if tree is self._tree:
             return
@@ -171,18 +171,18 @@ class Laid(NamedTuple):
     shape: Shape
     model: Model
     start: State
-    cabin: Cabin | None
+    avionics: Avionics | None
     buffers: Buffer
-    aboard: Buffer | None
+    onboard: Buffer | None
     """None without pilots."""
 
 
 class Loader:
     """Takes flights of one kind, and lays them into buffers."""
 
-    def __init__(self, model: Model, start: State, cabin: Cabin | None, width: int) -> None:
+    def __init__(self, model: Model, start: State, avionics: Avionics | None, width: int) -> None:
         """Of the first flight, which is to be added like all others."""
-        self.model, self.start, self.cabin, self.width = model, start, cabin, width
+        self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
         end = buffer_rows(self._shape, width)
@@ -191,39 +191,42 @@ class Loader:
         self._phase = record + row_of(self._shape.record, "phase")
         self._phases: list[float] = []
         self._flights, self._both = Differences(), Comparison((model, start))
-        self._cabins, self._aboard = Differences(), Comparison(cabin if cabin is not None else ())
-        self._few = MOST_DIFFERENT * (end + (rows(cabin) if cabin is not None else 0))
-        self._begin(model, start, cabin)
+        self._cabins, self._aboard = (
+            Differences(),
+            Comparison(avionics if avionics is not None else ()),
+        )
+        self._few = MOST_DIFFERENT * (end + (rows(avionics) if avionics is not None else 0))
+        self._begin(model, start, avionics)
 
-    def _begin(self, model: Model, start: State, cabin: Cabin | None) -> None:
+    def _begin(self, model: Model, start: State, avionics: Avionics | None) -> None:
         """Compare with another flight from here on."""
         column = loaded(self._shape, [model], [start], self.width).reshape(-1, self.width)[:, 0]
         self._flights.begin(column)
         self._both.begin((model, start))
-        if cabin is not None:
-            self._cabins.begin(cabins_loaded([cabin], 1)[0])
-            self._aboard.begin(cabin)
+        if avionics is not None:
+            self._cabins.begin(loaded_avionics([avionics], 1)[0])
+            self._aboard.begin(avionics)
         self._begun = self.count
 
-    def add(self, model: Model, start: State, cabin: Cabin | None) -> None:
+    def add(self, model: Model, start: State, avionics: Avionics | None) -> None:
         """One more flight.
 
         Raises:
-            Unlike: If it is of another kind; nothing is added then.
+            DifferentStructure: If it is of another kind; nothing is added then.
         """
         found: tuple[list[int], list[int]] = [], []
         values: tuple[list[float], list[float]] = [], []
         self._both.gather((model, start), found[0], values[0])
-        if (cabin is None) != (self.cabin is None):
-            raise Unlike
-        if cabin is not None:
-            self._aboard.gather(cabin, found[1], values[1])
+        if (avionics is None) != (self.avionics is None):
+            raise DifferentStructure
+        if avionics is not None:
+            self._aboard.gather(avionics, found[1], values[1])
         if len(values[0]) + len(values[1]) > self._few and self.count - self._begun >= PATIENCE:
-            self._begin(model, start, cabin)
-            self.add(model, start, cabin)
+            self._begin(model, start, avionics)
+            self.add(model, start, avionics)
             return
         self._flights.add(found[0], values[0])
-        if cabin is not None:
+        if avionics is not None:
             self._cabins.add(found[1], values[1])
         self._phases.append(first_phase(model, start))
         self.count += 1
@@ -232,24 +235,24 @@ class Loader:
         self,
         model: Model,
         start: State,
-        cabin: Cabin | None,
+        avionics: Avionics | None,
         flights: tuple[Sequence[int], Buffer],
-        aboard: tuple[Sequence[int], Buffer],
+        onboard: tuple[Sequence[int], Buffer],
     ) -> None:
         """Many more flights, which differ in the same leaves from one of this kind.
 
         Args:
             model: Of the flight that they are like.
             start: Likewise; they begin in the same phase.
-            cabin: Likewise.
+            avionics: Likewise.
             flights: Numbers of the leaves of model and start in which they differ, and what stands
                 there, shape (flights, leaves).
-            aboard: The same for what is aboard.
+            onboard: The same for what is aboard.
         """
-        self._begin(model, start, cabin)
+        self._begin(model, start, avionics)
         self._flights.add_alike(*flights)
-        if cabin is not None:
-            self._cabins.add_alike(*aboard)
+        if avionics is not None:
+            self._cabins.add_alike(*onboard)
         count = len(flights[1])
         self._phases += [first_phase(model, start)] * count
         self.count += count
@@ -263,8 +266,8 @@ class Loader:
         phases = np.array([*self._phases, *self._phases[-1:] * spare])
         lanes[:, self._phase] = phases.reshape(groups, width)
         lanes[-1, self._status, width - spare :] = FLYING + 1.0
-        aboard = None
-        if self.cabin is not None:
-            aboard = zeros(groups, rows(self.cabin) * width)
-            self._cabins.buffers(aboard, width, self._aboard.rows)
-        return Laid(self._shape, self.model, self.start, self.cabin, buffers, aboard)
+        onboard = None
+        if self.avionics is not None:
+            onboard = zeros(groups, rows(self.avionics) * width)
+            self._cabins.buffers(onboard, width, self._aboard.rows)
+        return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from springback.simulation.columns import Array, as_columns
-from springback.simulation.flight import Flown
+from springback.simulation.flight import FlightRecord
 from springback.simulation.record import NOT_FINITE, Record
 
 
@@ -253,7 +253,7 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     return {name: where(np.isfinite(value), value) for name, value in values.items()}
 
 
-def measures_of(flown: Flown) -> dict[str, float | None]:
+def measures_of(flown: FlightRecord) -> dict[str, float | None]:
     """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
     trees = flown.record, flown.motion.work, flown.before, flown.after
     return told_of(measure_columns(*(as_columns(tree) for tree in trees)))

@@ -107,7 +107,7 @@ def sort_in(
 
 
 @executor(nogil=True)
-def deal(
+def generate(
     keys: Words, flights: Words, draws: Any, first: int, out: Buffer, words: Words, drawn: Buffer
 ) -> None:
     """Normal numbers of a group of flights over some ticks.
@@ -180,7 +180,7 @@ def noise_table(seed: int, flight: int, ticks: int, draws: tuple[Draw, ...]) -> 
     words, drawn = workplace(min(ticks, STRETCH))
     plan = plan_of(draws)
     for first in range(0, ticks, STRETCH):
-        deal(keys, numbers, plan, first, table[first : first + STRETCH], words, drawn)
+        generate(keys, numbers, plan, first, table[first : first + STRETCH], words, drawn)
     return table
 
 
@@ -189,11 +189,11 @@ STRETCH = 512
 
 
 def workplace(numbers: int) -> tuple[Words, Buffer]:
-    """Memory that `deal` works in, for a number of ticks times lanes."""
+    """Memory that `generate` works in, for a number of ticks times lanes."""
     return zeros(7, numbers).view(np.uint64), zeros(2, numbers)
 
 
-class Luck(NamedTuple):
+class NoiseStream(NamedTuple):
     """Normal numbers for some groups of flights: at hand, and how to come by more."""
 
     keys: Words  # seeds, shape (groups, lanes)
@@ -204,17 +204,17 @@ class Luck(NamedTuple):
     drawn: Buffer  # to work in
 
 
-def dealt_before(noise: Buffer) -> Luck:
+def pregenerated(noise: Buffer) -> NoiseStream:
     """Of a single flight, all numbers from its first tick to its last, shape (ticks, channels)."""
     words, drawn = workplace(0)
     none = np.zeros((1, 1), dtype=np.uint64)
     plan = np.zeros((0, 3), dtype=np.int64)
-    return Luck(none, none, plan, np.ascontiguousarray(noise)[None], words, drawn)
+    return NoiseStream(none, none, plan, np.ascontiguousarray(noise)[None], words, drawn)
 
 
-def yet_to_be_dealt(
+def on_the_fly(
     seeds: Sequence[int], flights: Sequence[int], draws: Sequence[Draw], width: int, stretch: int
-) -> Luck:
+) -> NoiseStream:
     """Of some groups, a stretch after the other; spare lanes share the luck of the last flight.
 
     Args:
@@ -232,4 +232,4 @@ def yet_to_be_dealt(
     noise = zeros(groups, stretch, channels * width)
     shape = (groups, width)
     places = workplace(stretch * width)
-    return Luck(keys.reshape(shape), numbers.reshape(shape), plan_of(draws), noise, *places)
+    return NoiseStream(keys.reshape(shape), numbers.reshape(shape), plan_of(draws), noise, *places)

@@ -3,11 +3,11 @@
 Everything aboard lives on a clock of equal ticks.  At each tick the sensors look, the pilot
 decides, the rotors follow, and the equations of motion carry the vehicle to the next tick with the
 thrust that the rotors give on average.  The flight knows sensors and pilots only as functions of
-their type; a new one is a NamedTuple of floats with `sensed` or `piloted` registered for it::
+their type; a new one is a NamedTuple of floats with `sensed` or `pilot_step` registered for it::
 
     class Bang(NamedTuple): ...
 
-    @piloted.register(Bang)
+    @pilot_step.register(Bang)
     @kernel
     def _(pilot, time, measurement, memory):
         return Piloted(thrusts, memory)
@@ -63,7 +63,7 @@ class Draw(NamedTuple):
     every: int  # ticks from one draw to the next, the first at tick 0; 0: it takes none
 
 
-class Piloted(NamedTuple):
+class PilotOutput(NamedTuple):
     """What a pilot commands, and what it remembers."""
 
     thrust: tuple[float, ...]  # command to each rotor [N]
@@ -71,7 +71,7 @@ class Piloted(NamedTuple):
 
 
 @generic
-def piloted(pilot: Any, time: float, measurement: Any, memory: Any) -> Piloted:
+def pilot_step(pilot: Any, time: float, measurement: Any, memory: Any) -> PilotOutput:
     """What a pilot does at a tick.
 
     Args:
@@ -80,25 +80,25 @@ def piloted(pilot: Any, time: float, measurement: Any, memory: Any) -> Piloted:
         measurement: What the sensors say, `springback.sensing.measurement.Measurement`.
         memory: What the pilot remembers; returned anew, never changed in place.
     """
-    raise TypeError(f"{type(pilot).__name__} is no pilot; register piloted for it")
+    raise TypeError(f"{type(pilot).__name__} is no pilot; register pilot_step for it")
 
 
 @generic
-def told(pilot: Any, memory: Any) -> Any:
-    """What a pilot tells the diary of a flight at a tick: a tree of floats, for people to look at.
+def telemetry_of(pilot: Any, memory: Any) -> Any:
+    """A pilot's telemetry at a tick: a tree of floats, for people to look at.
 
     Pilots that are not registered tell nothing.
     """
     return (0.0,)
 
 
-@told.register(object)
+@telemetry_of.register(object)
 @kernel
 def _tells_nothing(pilot: Any, memory: Any) -> Any:
     return (0.0,)
 
 
-class Touch(NamedTuple):
+class ContactReport(NamedTuple):
     """What a witness is told of contacts."""
 
     touching: float  # 1 while any cage touches
@@ -107,15 +107,15 @@ class Touch(NamedTuple):
     ground: float  # instant at which a cage touched the ground, −1 if none did [s]
 
 
-class NoWitness(NamedTuple):
+class NoEvaluator(NamedTuple):
     """Nobody looks on."""
 
     unused: float
 
 
 @generic
-def witnessed(
-    witness: Any, time: float, state: State, touch: Touch, thought: Any, memory: Any
+def evaluated(
+    evaluator: Any, time: float, state: State, touch: ContactReport, thought: Any, memory: Any
 ) -> Any:
     """What a witness remembers after a tick.
 
@@ -123,20 +123,25 @@ def witnessed(
     can read it.
 
     Args:
-        witness: Settings of the witness, a NamedTuple.
+        evaluator: Settings of the witness, a NamedTuple.
         time: Since the start [s].
         state: Of the vehicle.
         touch: Contacts so far.
         thought: What the pilot remembers after this tick.
         memory: Of the witness; returned anew.
     """
-    raise TypeError(f"{type(witness).__name__} is no witness; register witnessed for it")
+    raise TypeError(f"{type(evaluator).__name__} is no witness; register witnessed for it")
 
 
-@witnessed.register(NoWitness)
+@evaluated.register(NoEvaluator)
 @kernel
 def _nobody(
-    witness: NoWitness, time: float, state: State, touch: Touch, thought: Any, memory: Any
+    evaluator: NoEvaluator,
+    time: float,
+    state: State,
+    touch: ContactReport,
+    thought: Any,
+    memory: Any,
 ) -> Any:
     return memory
 
@@ -147,26 +152,26 @@ class Relay(NamedTuple):
     unused: float
 
 
-@piloted.register(Relay)
+@pilot_step.register(Relay)
 @kernel
-def _relayed(pilot: Relay, time: float, measurement: Any, memory: Any) -> Piloted:
-    return Piloted(memory, memory)
+def _relayed(pilot: Relay, time: float, measurement: Any, memory: Any) -> PilotOutput:
+    return PilotOutput(memory, memory)
 
 
-class Guidance(NamedTuple):
+class OnboardSystems(NamedTuple):
     """Everything aboard that does not change during a flight."""
 
     sensors: Any
     pilot: Any
     rotors: Rotors
     lag: Lag  # of their thrust, over a tick
-    witness: Any  # NoWitness, or a type registered with witnessed
+    evaluator: Any  # NoWitness, or a type registered with witnessed
     weather: Any  # Calm or Dryden
     mean_wind: Vec  # world [m/s]
     period: float  # of the clock [s]
 
 
-class Aboard(NamedTuple):
+class OnboardState(NamedTuple):
     """Everything aboard that changes from tick to tick."""
 
     before: State  # at the tick before
@@ -175,12 +180,12 @@ class Aboard(NamedTuple):
     pilot: Any  # what it remembers
     command: tuple[float, ...]  # to each rotor [N]
     thrust: tuple[float, ...]  # of each rotor at the tick [N]
-    witness: Any  # what it remembers
+    evaluator: Any  # what it remembers
     weather: Any  # what it remembers
 
 
-class Cabin(NamedTuple):
+class Avionics(NamedTuple):
     """What is aboard."""
 
-    guidance: Guidance
-    aboard: Aboard
+    systems: OnboardSystems
+    onboard: OnboardState

@@ -11,10 +11,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import pick
+from springback.kernels.trees import select
 
 
-class Sample(NamedTuple):
+class PeakSample(NamedTuple):
     """What peaks sharply in contact, at one instant."""
 
     acceleration: float  # ‖v̇‖ of the main body [m/s²]
@@ -26,8 +26,8 @@ class Recent(NamedTuple):
     """The last two instants."""
 
     step: float  # from one to the other [s]; 0 where they are not of one smooth stretch
-    earlier: Sample
-    latest: Sample
+    earlier: PeakSample
+    latest: PeakSample
 
 
 class Peak(NamedTuple):
@@ -38,7 +38,7 @@ class Peak(NamedTuple):
 
 
 #: Before the first instant.
-NOTHING_YET = Recent(0.0, Sample(0.0, 0.0, 0.0), Sample(0.0, 0.0, 0.0))
+NOTHING_YET = Recent(0.0, PeakSample(0.0, 0.0, 0.0), PeakSample(0.0, 0.0, 0.0))
 
 
 class Spacing(NamedTuple):
@@ -60,7 +60,7 @@ def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
         smooth: Whether nothing jumps in between.
     """
     usable = smooth & (recent.step > 0.0)
-    b, a = pick(usable, recent.step, 1.0), pick(usable, step, 1.0)
+    b, a = select(usable, recent.step, 1.0), select(usable, step, 1.0)
     return Spacing(usable, b, a, a * b * (a + b))
 
 
@@ -78,9 +78,9 @@ def peak_of(first: float, second: float, third: float, t: Spacing) -> Peak:
     summit = t.smooth & (rise > 0.0) & (fall <= 0.0)
     # Slope and half the curvature at the second instant, each times a b (a + b).
     slope = rise * (t.after * t.after) + fall * (t.before * t.before)
-    bend = pick(summit, fall * t.before - rise * t.after, -1.0)
+    bend = select(summit, fall * t.before - rise * t.after, -1.0)
     half = 0.5 * slope / (bend * t.volume)
     return Peak(
-        pick(summit, second - 0.5 * slope * half, third),
-        pick(summit, -half * t.volume - t.after, 0.0),
+        select(summit, second - 0.5 * slope * half, third),
+        select(summit, -half * t.volume - t.after, 0.0),
     )

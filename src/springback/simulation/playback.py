@@ -11,14 +11,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import Meeting, meeting
+from springback.contact.cage import CageContact, cage_contact
 from springback.contact.hull import hull_meeting
-from springback.contact.obstacles import Obstacle, World, obstacle_seen
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, own_executor
-from springback.kernels.layout import Buffer, Like, read, write
-from springback.kernels.trees import each, leaves, total
-from springback.kernels.vectors import Mat, Quat, Vec, rotation
+from springback.kernels.layout import Buffer, TreeLayout, read, write
+from springback.kernels.trees import leaves, tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Quat, Vec, rotation
 from springback.simulation.flight import own_types, sources
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
@@ -30,7 +30,7 @@ Places = np.ndarray[Any, np.dtype[np.intp]]
 NO_FORCE = 1e-9
 
 
-class ContactLoad(NamedTuple):
+class PartLoad(NamedTuple):
     """What one cage, or the hull, feels of all obstacles."""
 
     force: Vec  # on it, world [N]
@@ -51,28 +51,28 @@ class Instant(NamedTuple):
 class Evaluation(NamedTuple):
     """What is answered."""
 
-    parts: tuple[ContactLoad, ...]  # cages, then the hull if there is one
+    parts: tuple[PartLoad, ...]  # cages, then the hull if there is one
     stored: Energy
 
 
 @kernel
 def _cage_load(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
-) -> ContactLoad:
+) -> PartLoad:
     """One cage against one obstacle, in body axes from the main body."""
-    return _load(meeting(obstacle, contact_point, radius, arm, omega, vertical))
+    return _load(cage_contact(obstacle, contact_point, radius, arm, omega, vertical))
 
 
 @kernel
-def _load(met: Meeting) -> ContactLoad:
+def _load(met: CageContact) -> PartLoad:
     f_n = met.touch.normal
-    return ContactLoad(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
+    return PartLoad(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
 
 
 @kernel
 def _sphere_load(
     obstacle: Obstacle, hull: Sphere, velocity: Vec, omega: Vec, vertical: Vec
-) -> ContactLoad:
+) -> PartLoad:
     return _load(hull_meeting(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
 
 
@@ -84,43 +84,45 @@ def _arm_load(
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
     state: State,
-    r: Mat,
-) -> ContactLoad:
+    r: Mat3,
+) -> PartLoad:
     omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
     pose = arm_pose(arm, length, rate, state.velocity @ r)
-    loads = each(_cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical))
-    return _in_world(total(loads), state, r)
+    loads = tree_map(
+        _cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical)
+    )
+    return _in_world(tree_sum(loads), state, r)
 
 
 @kernel
-def _in_world(p: ContactLoad, state: State, r: Mat) -> ContactLoad:
+def _in_world(p: PartLoad, state: State, r: Mat3) -> PartLoad:
     point = r @ p.point + p.normal * state.position
-    return ContactLoad(r @ p.force, p.normal, r @ p.friction, point)
+    return PartLoad(r @ p.force, p.normal, r @ p.friction, point)
 
 
 @kernel
-def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat) -> ContactLoad:
+def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat3) -> PartLoad:
     omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
-    loads = each(_sphere_load, (obstacles,), (hull, state.velocity @ r, omega, vertical))
-    return _in_world(total(loads), state, r)
+    loads = tree_map(_sphere_load, (obstacles,), (hull, state.velocity @ r, omega, vertical))
+    return _in_world(tree_sum(loads), state, r)
 
 
 @kernel
 def _evaluate(at: Instant) -> Evaluation:
     state = at.state
     r = rotation(state.attitude)
-    obstacles = each(obstacle_seen, (at.world.obstacles,), (state.position, r))
-    arms = each(
+    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, r))
+    arms = tree_map(
         _arm_load,
         (at.airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, at.contact_point, state, r),
     )
-    parts = arms + each(_hull_load, (at.airframe.hull,), (obstacles, state, r))
+    parts = arms + tree_map(_hull_load, (at.airframe.hull,), (obstacles, state, r))
     return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
 
 
 @executor(nogil=True)
-def _evaluate_all(like: Like, instants: Buffer, out: Buffer) -> None:
+def _evaluate_all(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
     """`Evaluation` at every instant; a row of each buffer is the leaves of one."""
     for i in range(instants.shape[0]):
         write(_evaluate(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
@@ -165,7 +167,7 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
     own = own_types(asked)
     plain = getattr(_evaluate_all, "py_func", _evaluate_all)
     run = own_executor(plain, sources(own), nogil=True) if own else _evaluate_all
-    run(Like(asked), np.ascontiguousarray(instants), out)
+    run(TreeLayout(asked), np.ascontiguousarray(instants), out)
     each_part = out[:, : 10 * parts].reshape(len(out), parts, 10)
     normal = each_part[:, :, 3]
     with np.errstate(divide="ignore", invalid="ignore"):

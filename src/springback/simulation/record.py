@@ -13,11 +13,11 @@ from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.hull import HullView
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
-from springback.dynamics.rigid import Flight, FlightRates
+from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import column, each, largest, least, pick, total
+from springback.kernels.trees import field_of, maximum, minimum, select, tree_map, tree_sum
 from springback.kernels.vectors import Vec, norm
-from springback.simulation.peaks import NOTHING_YET, Recent, Sample, peak_of, spacing
+from springback.simulation.peaks import NOTHING_YET, PeakSample, Recent, peak_of, spacing
 from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
@@ -173,12 +173,12 @@ def _change(now: float, before: float) -> float:
 
 @kernel
 def _largest_change(now: tuple[float, ...], before: tuple[float, ...]) -> float:
-    return largest(each(_change, (now, before), ()))
+    return maximum(tree_map(_change, (now, before), ()))
 
 
 @kernel
 def _touching(engaged: tuple[float, ...]) -> float:
-    return largest(engaged)
+    return maximum(engaged)
 
 
 @kernel
@@ -229,7 +229,7 @@ def has_room(timing: Timing, room: float, fastest: float) -> bool:
 
 @kernel
 def cruised_past(
-    model: Model, flight: Flight, known: FlightRates, m: Record, good: bool, step: float
+    model: Model, flight: RigidState, known: RigidRates, m: Record, good: bool, step: float
 ) -> Record:
     """The record after one step as one rigid body: `observed` where nothing can happen.
 
@@ -246,8 +246,9 @@ def cruised_past(
     fastest = fastest_point(model.airframe, flight.velocity, flight.angular_velocity)
     room = m.room - HASTE * fastest * step
     return Record(
-        m.time + pick(good, step, 0.0), step, pick(good, m.status, NOT_FINITE), m.phase, m.request,
-        pick(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
+        m.time + select(good, step, 0.0), step, select(good, m.status, NOT_FINITE), m.phase,
+        m.request,
+        select(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
         m.steps + 1.0, m.touching, m.contacts, m.engaged, m.arm_contacts,
         m.hull_contacts,
         m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
@@ -255,14 +256,14 @@ def cruised_past(
         m.separation_time, m.separation_speed, m.separation_mass_centre_speed,
         m.return_time, m.return_speed,
         larger(a, m.peak_acceleration),
-        pick(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
+        select(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
         larger(felt, m.peak_specific_force),
         larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
         m.peak_compression, m.peak_extension,
         m.impact_peak_acceleration, m.impact_peak_acceleration_time, m.impact_peak_specific_force,
         m.impact_peak_angular_rate, m.impact_peak_normal_force, m.impact_penetration,
         m.impact_arm_stroke, m.impact_arm_extension, m.travel, m.bottomed_time, m.ground_time,
-        Recent(m.step, m.recent.latest, Sample(a, felt, 0.0)),
+        Recent(m.step, m.recent.latest, PeakSample(a, felt, 0.0)),
     )  # fmt: skip
 
 
@@ -284,7 +285,7 @@ def is_quiet(
 @kernel
 def _grown(counts: bool, value: float, so_far: float) -> float:
     """The largest value so far, where this one counts."""
-    return pick(counts & (value > so_far), value, so_far)
+    return select(counts & (value > so_far), value, so_far)
 
 
 class Sight(NamedTuple):
@@ -301,7 +302,7 @@ def looked_about(model: Model, state: State, m: Record) -> Sight:
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     ahead = returns_yet(m.impacts, m)
     quiet = is_quiet(model.timing, m.touching, m.phase, m.impact_open, ahead)
-    cruising = pick(quiet & has_room(model.timing, near, fastest), CRUISING, STEERED)
+    cruising = select(quiet & has_room(model.timing, near, fastest), CRUISING, STEERED)
     return Sight(cruising, near)
 
 
@@ -312,41 +313,41 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     No branches: every line is an arithmetic selection, so that lanes of flights stay abreast.
     """
     timing, state = model.timing, motion.state
-    engaged = Engaged(column(view.arms, "engaged"), column(view.hull, "engaged"))
-    arm_touching = each(_touching, (engaged.arms,), ())
-    hull_touching = each(_touching, (engaged.hull,), ())
-    touching = largest(arm_touching + hull_touching)
+    engaged = Engaged(field_of(view.arms, "engaged"), field_of(view.hull, "engaged"))
+    arm_touching = tree_map(_touching, (engaged.arms,), ())
+    hull_touching = tree_map(_touching, (engaged.hull,), ())
+    touching = maximum(arm_touching + hull_touching)
     began, ended = touching > m.touching, touching < m.touching
 
     # The first touch fixes the direction along which speeds are measured.
     never_touched = m.contacts == 0.0
     first = began & never_touched
-    met = total(
-        each(_touched_normal, (view.arms, arm_touching), ())
-        + each(_touched_normal, (view.hull, hull_touching), ())
+    met = tree_sum(
+        tree_map(_touched_normal, (view.arms, arm_touching), ())
+        + tree_map(_touched_normal, (view.hull, hull_touching), ())
     )
     length = norm(met)
-    inward = pick(first, met * (1.0 / pick(length > 0.0, length, 1.0)), m.inward)
+    inward = select(first, met * (1.0 / select(length > 0.0, length, 1.0)), m.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
     centre_speed = inward @ view.mass_centre_velocity
-    touch_depth = pick(first, depth, m.touch_depth)
+    touch_depth = select(first, depth, m.touch_depth)
 
     # Phases: locked or not, and how finely to step.
-    unsettled = largest(
-        each(_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
+    unsettled = maximum(
+        tree_map(_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
     )
-    still_busy = pick(unsettled > 0.0, m.phase, FREE_FLIGHT)
-    phase = pick(touching > 0.0, IMPACT, still_busy)
+    still_busy = select(unsettled > 0.0, m.phase, FREE_FLIGHT)
+    phase = select(touching > 0.0, IMPACT, still_busy)
     settles = phase < m.phase
     lock = settles & (timing.hybrid > 0.0)
     # Time goes on between two impulses, whatever the first one left closing in.
-    impulsive = largest(column(view.arms, "impulsive") + column(view.hull, "impulsive"))
+    impulsive = maximum(field_of(view.arms, "impulsive") + field_of(view.hull, "impulsive"))
     strike = (impulsive > 0.0) & (m.request != APPLY_IMPULSE)
 
     # Impacts: contacts closer together than the dwell time belong to one.
-    last_touch = pick(touching > 0.0, m.time, m.last_touch_time)
+    last_touch = select(touching > 0.0, m.time, m.last_touch_time)
     over = (phase == FREE_FLIGHT) & (m.time - last_touch > timing.dwell)
-    impact_open = pick(touching > 0.0, 1.0, pick(over, 0.0, m.impact_open))
+    impact_open = select(touching > 0.0, 1.0, select(over, 0.0, m.impact_open))
     impacts = m.impacts + _rises(impact_open, m.impact_open)
     of_first = (impacts == 1.0) & (impact_open > 0.0)
     leaves = ended & of_first
@@ -356,18 +357,22 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
 
     # The next step lands on the next crossing: touch, separation, stop, return.  A crossing that is
     # predicted from afar is met from nearby: a second prediction is a hundred times as good.
-    crossings = column(view.arms, "crossing") + column(view.hull, "crossing")
-    returning = crossing(depth - touch_depth, pick(ahead, speed, 0.0))
-    landing = time_to(sooner(soonest(crossings), returning))
-    landing = pick(landing > timing.impact_step, landing - 0.5 * timing.impact_step, landing)
-    pressed = larger(touching, largest(column(view.arms, "stopped"))) > 0.0
-    impact_step = pick(pressed, timing.impact_step, timing.settle_step)
+    crossings = field_of(view.arms, "crossing") + field_of(view.hull, "crossing")
+    returning = crossing(depth - touch_depth, select(ahead, speed, 0.0))
+    time_to_crossing = time_to(sooner(soonest(crossings), returning))
+    time_to_crossing = select(
+        time_to_crossing > timing.impact_step,
+        time_to_crossing - 0.5 * timing.impact_step,
+        time_to_crossing,
+    )
+    pressed = larger(touching, maximum(field_of(view.arms, "stopped"))) > 0.0
+    impact_step = select(pressed, timing.impact_step, timing.settle_step)
     sliding = (phase > 0.0) | (timing.hybrid == 0.0)
-    step = pick(sliding, impact_step, timing.free_step)
-    step = smaller(step, larger(landing, SHORTEST * timing.impact_step))
+    step = select(sliding, impact_step, timing.free_step)
+    step = smaller(step, larger(time_to_crossing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
-    near = least(column(view.arms, "gap") + column(view.hull, "gap"))
+    near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
     haste = larger(fastest_cage(model.airframe, state), TINY)
     step = smaller(step, larger(near / haste, timing.impact_step))
     stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
@@ -377,17 +382,17 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     finished = left <= ARRIVED
     changed = (phase != m.phase) | strike
     halted = finished | changed | (m.status != FLYING)
-    step = pick(halted, 0.0, smaller(step, left))
+    step = select(halted, 0.0, smaller(step, left))
     quiet = is_quiet(timing, touching, phase, impact_open, ahead) & (step > 0.0)
-    cruising = pick(quiet & has_room(timing, near, fastest), CRUISING, STEERED)
+    cruising = select(quiet & has_room(timing, near, fastest), CRUISING, STEERED)
 
-    now = Sample(
+    now = PeakSample(
         norm(view.acceleration),
         norm(view.specific_force),
-        largest(column(view.arms, "normal") + column(view.hull, "normal")),
+        maximum(field_of(view.arms, "normal") + field_of(view.hull, "normal")),
     )
     parts = (engaged.arms + engaged.hull, m.engaged.arms + m.engaged.hull)
-    jumped = largest(each(_largest_change, parts, ())) > 0.0
+    jumped = maximum(tree_map(_largest_change, parts, ())) > 0.0
     smooth = (m.step > 0.0) & (not jumped)
     apart, earlier, latest = spacing(m.recent, m.step, smooth), m.recent.earlier, m.recent.latest
     hardest = peak_of(earlier.acceleration, latest.acceleration, now.acceleration, apart)
@@ -396,52 +401,52 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     a, hardest_time = hardest.value, m.time + hardest.time
     grew, hit_harder = a > m.peak_acceleration, within & (a > m.impact_peak_acceleration)
     spin = norm(state.angular_velocity)
-    depth_in = largest(column(view.arms, "depth") + column(view.hull, "depth"))
-    stroke = largest(column(view.arms, "compression"))
-    extension = largest(each(_extension, (view.arms,), ()))
-    bottomed = largest(column(view.arms, "bottomed")) > 0.0
+    depth_in = maximum(field_of(view.arms, "depth") + field_of(view.hull, "depth"))
+    stroke = maximum(field_of(view.arms, "compression"))
+    extension = maximum(tree_map(_extension, (view.arms,), ()))
+    bottomed = maximum(field_of(view.arms, "bottomed")) > 0.0
     return Record(
         time=m.time,
         step=step,
-        status=pick((m.status == FLYING) & finished, FINISHED, m.status),
+        status=select((m.status == FLYING) & finished, FINISHED, m.status),
         phase=phase,
-        request=pick(strike, APPLY_IMPULSE, pick(lock, LOCK_ARMS, NOTHING)),
+        request=select(strike, APPLY_IMPULSE, select(lock, LOCK_ARMS, NOTHING)),
         cruising=cruising,
         room=near,
-        steps=m.steps + pick(step > 0.0, 1.0, 0.0),
+        steps=m.steps + select(step > 0.0, 1.0, 0.0),
         touching=touching,
-        contacts=m.contacts + pick(began, 1.0, 0.0),
+        contacts=m.contacts + select(began, 1.0, 0.0),
         engaged=engaged,
-        arm_contacts=each(
-            _count, (m.arm_contacts, arm_touching, each(_touching, (m.engaged.arms,), ())), ()
+        arm_contacts=tree_map(
+            _count, (m.arm_contacts, arm_touching, tree_map(_touching, (m.engaged.arms,), ())), ()
         ),
-        hull_contacts=each(
-            _count, (m.hull_contacts, hull_touching, each(_touching, (m.engaged.hull,), ())), ()
+        hull_contacts=tree_map(
+            _count, (m.hull_contacts, hull_touching, tree_map(_touching, (m.engaged.hull,), ())), ()
         ),
         impacts=impacts,
         impact_open=impact_open,
         last_touch_time=last_touch,
-        contact_duration=m.contact_duration + pick(touching > 0.0, step, 0.0),
+        contact_duration=m.contact_duration + select(touching > 0.0, step, 0.0),
         inward=inward,
-        touch_time=pick(first, m.time, m.touch_time),
+        touch_time=select(first, m.time, m.touch_time),
         touch_depth=touch_depth,
-        touch_speed=pick(first, speed, m.touch_speed),
-        touch_mass_centre_speed=pick(first, centre_speed, m.touch_mass_centre_speed),
-        separation_time=pick(leaves, m.time, m.separation_time),
-        separation_speed=pick(leaves, speed, m.separation_speed),
-        separation_mass_centre_speed=pick(leaves, centre_speed, m.separation_mass_centre_speed),
-        return_time=pick(returns, m.time, m.return_time),
-        return_speed=pick(returns, speed, m.return_speed),
+        touch_speed=select(first, speed, m.touch_speed),
+        touch_mass_centre_speed=select(first, centre_speed, m.touch_mass_centre_speed),
+        separation_time=select(leaves, m.time, m.separation_time),
+        separation_speed=select(leaves, speed, m.separation_speed),
+        separation_mass_centre_speed=select(leaves, centre_speed, m.separation_mass_centre_speed),
+        return_time=select(returns, m.time, m.return_time),
+        return_speed=select(returns, speed, m.return_speed),
         peak_acceleration=larger(a, m.peak_acceleration),
-        peak_acceleration_time=pick(grew, hardest_time, m.peak_acceleration_time),
+        peak_acceleration_time=select(grew, hardest_time, m.peak_acceleration_time),
         peak_specific_force=larger(felt, m.peak_specific_force),
         peak_angular_rate=larger(spin, m.peak_angular_rate),
         peak_normal_force=larger(normal, m.peak_normal_force),
         peak_penetration=larger(depth_in, m.peak_penetration),
         peak_compression=larger(stroke, m.peak_compression),
         peak_extension=larger(extension, m.peak_extension),
-        impact_peak_acceleration=pick(hit_harder, a, m.impact_peak_acceleration),
-        impact_peak_acceleration_time=pick(
+        impact_peak_acceleration=select(hit_harder, a, m.impact_peak_acceleration),
+        impact_peak_acceleration_time=select(
             hit_harder, hardest_time, m.impact_peak_acceleration_time
         ),
         impact_peak_specific_force=_grown(within, felt, m.impact_peak_specific_force),
@@ -451,7 +456,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         impact_arm_stroke=_grown(within, stroke, m.impact_arm_stroke),
         impact_arm_extension=_grown(within, extension, m.impact_arm_extension),
         travel=_grown(of_first & ((touching > 0.0) | ended), depth - touch_depth, m.travel),
-        bottomed_time=pick(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
-        ground_time=pick((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
-        recent=Recent(pick(smooth, m.step, 0.0), latest, now),
+        bottomed_time=select(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
+        ground_time=select((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
+        recent=Recent(select(smooth, m.step, 0.0), latest, now),
     )

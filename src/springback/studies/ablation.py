@@ -28,7 +28,7 @@ TRIALS = 10
 Changes = Callable[[str], Mapping[str, Any]]
 
 
-class Variant(NamedTuple):
+class Ablation(NamedTuple):
     """One thing made otherwise."""
 
     cause: str  # what is switched
@@ -54,7 +54,7 @@ def thrust(factor: float) -> Changes:
         propulsion = VEHICLES[robot].vehicle.propulsion
         assert propulsion is not None  # both presets fly
         return {"vehicle": {"preset": robot, "propulsion": {
-            "most_thrust": factor * propulsion.most_thrust}}}  # fmt: skip
+            "max_thrust": factor * propulsion.max_thrust}}}  # fmt: skip
 
     return changes
 
@@ -98,53 +98,53 @@ def _ekf2(**numbers: Any) -> Mapping[str, Any]:
 
 
 VARIANTS = (
-    Variant("default", "all as documented", same({})),
-    Variant("compliance", "ARQ's arms locked",
+    Ablation("default", "all as documented", same({})),
+    Ablation("compliance", "ARQ's arms locked",
             changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
-    Variant("compliance", "arms of reading D: a quarter as stiff and damped",
+    Ablation("compliance", "arms of reading D: a quarter as stiff and damped",
             changed_vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
-    Variant("IMU clipping", "accelerometer without limit", same(LARGE_RANGE)),
-    Variant("IMU clipping", "filter trusts clipped readings", same({
+    Ablation("IMU clipping", "accelerometer without limit", same(LARGE_RANGE)),
+    Ablation("IMU clipping", "filter trusts clipped readings", same({
         "estimator": {"kalman": {"distrust_clipped": False}}})),
-    Variant("estimator", "true state", same({"estimator": {"type": "perfect"}})),
-    Variant("estimator", "complementary, PX4-like",
+    Ablation("estimator", "true state", same({"estimator": {"type": "perfect"}})),
+    Ablation("estimator", "complementary, PX4-like",
             same({"estimator": {"type": "complementary"}})),
-    Variant("PX4 EKF2", "the noise it assumes", same(_ekf2())),
-    Variant("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
-    Variant("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
-    Variant("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
+    Ablation("PX4 EKF2", "the noise it assumes", same(_ekf2())),
+    Ablation("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
+    Ablation("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
+    Ablation("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
         _ekf2(distrust_clipped=True, clipping=LATER_CLIPPING))),
-    Variant("PX4 EKF2", "and friction along both tangents",
+    Ablation("PX4 EKF2", "and friction along both tangents",
             same(merged(surface_of(axes="both"), _ekf2()))),
-    Variant("PX4 EKF2", "and ARQ's arms locked", lambda robot: merged(
+    Ablation("PX4 EKF2", "and ARQ's arms locked", lambda robot: merged(
         _ekf2(), {"vehicle": {"preset": robot, "arms": {"compliant": False}}}), ("arq",)),
-    Variant("rate limit", "110 deg/s", same(degrees(110.0))),
-    Variant("rate limit", "1000 deg/s", same(degrees(1000.0))),
-    Variant("thrust limit", "rotors 15 % weaker", thrust(0.85)),
-    Variant("thrust limit", "rotors twice as strong", thrust(2.0)),
-    Variant("rotor lag", "15 ms", changed_vehicle({"propulsion": {"time_constant": 0.015}})),
-    Variant("rotor lag", "60 ms", changed_vehicle({"propulsion": {"time_constant": 0.06}})),
-    Variant("attitude loop", "time constant 0.1 s", same({"control": {"time_constant": 0.1}})),
-    Variant("attitude loop", "time constant 0.25 s", same({"control": {"time_constant": 0.25}})),
-    Variant("mixer", "airmode", same({"control": {"lift_share": 1.0}})),
-    Variant("detection delay", "accelerometer on ARQ", same({
+    Ablation("rate limit", "110 deg/s", same(degrees(110.0))),
+    Ablation("rate limit", "1000 deg/s", same(degrees(1000.0))),
+    Ablation("thrust limit", "rotors 15 % weaker", thrust(0.85)),
+    Ablation("thrust limit", "rotors twice as strong", thrust(2.0)),
+    Ablation("rotor lag", "15 ms", changed_vehicle({"propulsion": {"time_constant": 0.015}})),
+    Ablation("rotor lag", "60 ms", changed_vehicle({"propulsion": {"time_constant": 0.06}})),
+    Ablation("attitude loop", "time constant 0.1 s", same({"control": {"time_constant": 0.1}})),
+    Ablation("attitude loop", "time constant 0.25 s", same({"control": {"time_constant": 0.25}})),
+    Ablation("mixer", "airmode", same({"control": {"lift_share": 1.0}})),
+    Ablation("detection delay", "accelerometer on ARQ", same({
         "recovery": {"detection": {"hall": {"used": False}, "acceleration": {"used": True}}}}),
         ("arq",)),
-    Variant("detection delay", "arms read at 100 Hz, 20 ms late", same({
+    Ablation("detection delay", "arms read at 100 Hz, 20 ms late", same({
         "sensors": {"hall": {"rate": 100.0, "delay": 0.02}}}), ("arq",)),
-    Variant("detection delay", "looking for 50 ms first", same({
+    Ablation("detection delay", "looking for 50 ms first", same({
         "recovery": {"characterisation": {"window": 0.05}}})),
-    Variant("detection", "none", same({"recovery": {"detection": {
+    Ablation("detection", "none", same({"recovery": {"detection": {
         "hall": {"used": False}, "acceleration": {"used": True, "threshold": 1e6}}}})),
-    Variant("friction", "along both tangents", same(surface_of(axes="both"))),
-    Variant("friction", "0.4", same(surface_of(0.4))),
-    Variant("friction", "0.2", same(surface_of(0.2))),
-    Variant("friction", "none", same(surface_of(0.0))),
-    Variant("contact point", "as printed, eq. (13)", same({"model": {"contact_point": "paper"}})),
-    Variant("recovery choice", "post-impact", _way("post-impact")),
-    Variant("recovery choice", "set-point", _way("set-point")),
-    Variant("recovery choice", "time-optimal", _way("time-optimal")),
-    Variant("recovery choice", "staged, McGill", _way("staged")),
+    Ablation("friction", "along both tangents", same(surface_of(axes="both"))),
+    Ablation("friction", "0.4", same(surface_of(0.4))),
+    Ablation("friction", "0.2", same(surface_of(0.2))),
+    Ablation("friction", "none", same(surface_of(0.0))),
+    Ablation("contact point", "as printed, eq. (13)", same({"model": {"contact_point": "paper"}})),
+    Ablation("recovery choice", "post-impact", _way("post-impact")),
+    Ablation("recovery choice", "set-point", _way("set-point")),
+    Ablation("recovery choice", "time-optimal", _way("time-optimal")),
+    Ablation("recovery choice", "staged, McGill", _way("staged")),
 )  # fmt: skip
 
 
@@ -178,7 +178,7 @@ RANGES = (
 
 
 @dataclass(frozen=True)
-class Cell:
+class AblationOutcome:
     """One test of one robot in one variant."""
 
     cause: str
@@ -215,10 +215,12 @@ class Cell:
 class WhyResults:
     """All cells of the ablation and of the ranges."""
 
-    cells: list[Cell] = field(default_factory=list)
-    ranges: list[Cell] = field(default_factory=list)
+    cells: list[AblationOutcome] = field(default_factory=list)
+    ranges: list[AblationOutcome] = field(default_factory=list)
 
-    def successes(self, variant: Variant, robot: str) -> dict[tuple[float, float], Cell]:
+    def successes(
+        self, variant: Ablation, robot: str
+    ) -> dict[tuple[float, float], AblationOutcome]:
         """Cells of a variant by test; those that cannot be flown are missing."""
         return {
             (c.pitch, c.speed): c
@@ -226,7 +228,7 @@ class WhyResults:
             if (c.cause, c.name, c.robot) == (variant.cause, variant.name, robot)
         }
 
-    def moves(self, robot: str) -> list[tuple[Variant, int, list[tuple[float, float]]]]:
+    def moves(self, robot: str) -> list[tuple[Ablation, int, list[tuple[float, float]]]]:
         """Variants with other successes than the default: how many more, and tests unflown."""
         base, found = self.successes(VARIANTS[0], robot), []
         for variant in VARIANTS[1:]:
@@ -237,7 +239,7 @@ class WhyResults:
                 found.append((variant, more, unflown))
         return sorted(found, key=lambda one: one[1])
 
-    def printed_by(self) -> list[Variant]:
+    def printed_by(self) -> list[Ablation]:
         """Variants with the printed result at 3.5 m/s: ARQ always survives, Quad never."""
         fast, found = (0.0, 3.5), []
         for variant in VARIANTS:
@@ -266,7 +268,7 @@ class WhyResults:
         trials = sum(c.trials for c in mine)
         return sum(c.successes for c in mine) / trials if trials else math.nan
 
-    def _at(self, one: Range, value: float, robot: str) -> list[Cell]:
+    def _at(self, one: Range, value: float, robot: str) -> list[AblationOutcome]:
         key = (one.name, _label(value), robot)
         return [c for c in self.ranges if (c.cause, c.name, c.robot) == key]
 
@@ -279,13 +281,13 @@ def _label(value: float) -> str:
     return f"{value:.4g}"
 
 
-def _cell(cause: str, name: str, trials: Sequence[Trial]) -> Cell:
+def _cell(cause: str, name: str, trials: Sequence[Trial]) -> AblationOutcome:
     def median(key: str) -> float:
         known = [t.measures[key] for t in trials if t.measures[key] is not None]
         return float(np.median(known)) if known else math.nan  # type: ignore[arg-type]
 
     first = trials[0]
-    return Cell(
+    return AblationOutcome(
         cause, name, first.robot, first.pitch, first.speed,
         sum(t.success for t in trials), len(trials),
         dict(Counter(t.outcome.word for t in trials)),
@@ -293,7 +295,7 @@ def _cell(cause: str, name: str, trials: Sequence[Trial]) -> Cell:
     )  # fmt: skip
 
 
-def _cells(cause: str, name: str, trials: Sequence[Trial]) -> list[Cell]:
+def _cells(cause: str, name: str, trials: Sequence[Trial]) -> list[AblationOutcome]:
     tests: dict[tuple[str, float, float], list[Trial]] = {}
     for trial in trials:
         tests.setdefault((trial.robot, trial.pitch, trial.speed), []).append(trial)
@@ -303,7 +305,7 @@ def _cells(cause: str, name: str, trials: Sequence[Trial]) -> list[Cell]:
 def why(
     trials: int = TRIALS,
     *,
-    variants: Sequence[Variant] = VARIANTS,
+    variants: Sequence[Ablation] = VARIANTS,
     ranges: Sequence[Range] = RANGES,
     conditions: Sequence[tuple[float, float]] = CONDITIONS,
     seed: int = 0,

@@ -16,8 +16,8 @@ from springback.scenario.presets import merged
 from springback.studies.ablation import (
     LARGE_RANGE,
     ROBOTS,
+    Ablation,
     Changes,
-    Variant,
     changed_vehicle,
     degrees,
     same,
@@ -38,20 +38,20 @@ def _kalman(**numbers: Any) -> Changes:
 
 
 CHANGES = (
-    Variant("pose noise", "poses believed to 0.1 m, 0.05 rad",
+    Ablation("pose noise", "poses believed to 0.1 m, 0.05 rad",
             _kalman(position_noise=0.1, attitude_noise=0.05)),
-    Variant("inertial noise", "inertial noise believed 24 times the data sheet's",
+    Ablation("inertial noise", "inertial noise believed 24 times the data sheet's",
             _kalman(inflation=24.0)),
-    Variant("clipping", "clipped readings trusted", _kalman(distrust_clipped=False)),
-    Variant("range", "accelerometer of 200 g", same(LARGE_RANGE)),
-    Variant("friction", "friction along both tangents", same(surface_of(axes="both"))),
-    Variant("compliance", "ARQ's arms locked",
+    Ablation("clipping", "clipped readings trusted", _kalman(distrust_clipped=False)),
+    Ablation("range", "accelerometer of 200 g", same(LARGE_RANGE)),
+    Ablation("friction", "friction along both tangents", same(surface_of(axes="both"))),
+    Ablation("compliance", "ARQ's arms locked",
             changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
-    Variant("rate limit", "rate limit 110 deg/s", same(degrees(110.0))),
-    Variant("thrust", "rotors 15 % weaker", thrust(0.85)),
-    Variant("lag", "rotors lag 60 ms",
+    Ablation("rate limit", "rate limit 110 deg/s", same(degrees(110.0))),
+    Ablation("thrust", "rotors 15 % weaker", thrust(0.85)),
+    Ablation("lag", "rotors lag 60 ms",
             changed_vehicle({"propulsion": {"time_constant": 0.06}})),
-    Variant("look", "looking for 50 ms first",
+    Ablation("look", "looking for 50 ms first",
             same({"recovery": {"characterisation": {"window": 0.05}}})),
 )  # fmt: skip
 """What is paired: what EKF2's settings consist of, and what else may tell robots apart."""
@@ -101,7 +101,7 @@ class PairResults:
 def fly_pairs(
     trials: int = TRIALS,
     *,
-    changes: Sequence[Variant] = CHANGES,
+    changes: Sequence[Ablation] = CHANGES,
     seed: int = 0,
     progress: Callable[[float], None] | None = None,
 ) -> PairResults:

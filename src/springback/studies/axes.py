@@ -260,8 +260,8 @@ def example(robot: str) -> Scenario:
     entry = preset("vehicle", robot, VEHICLES)
     if entry.vehicle.propulsion is None:
         raise InputError(f"--robot {robot}: has no propulsion, so no pilot can fly it")
-    luck = NO_SCATTER.drawn(robot, 0.0, 2.0, 0, 0)
-    return scenario_from(trial_tables(robot, 0.0, 2.0, luck))
+    noise_stream = NO_SCATTER.drawn(robot, 0.0, 2.0, 0, 0)
+    return scenario_from(trial_tables(robot, 0.0, 2.0, noise_stream))
 
 
 # -- looking into settings ------------------------------------------------------------------------

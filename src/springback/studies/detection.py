@@ -18,7 +18,7 @@ import numpy as np
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
-from springback.studies.roc import Array, Judged, Point, Quiet, curve, quiet
+from springback.studies.roc import Array, Judged, Quiet, RocPoint, curve, quiet
 from springback.studies.trials import Scatter, made_ready, trial_tables
 
 ROBOTS = ("arq", "quad")
@@ -32,7 +32,7 @@ ASKEW = ((0, 0), (-30, 0), (-15, 0), (15, 0), (30, 0), (0, -30), (0, -15), (0, 1
 IN_TIME = 0.03
 #: Free flight of each robot [s].
 FREE = 1000.0
-#: One free flight [s], chosen: its diary then takes some 30 MB.
+#: One free flight [s], chosen: its telemetry then takes some 30 MB.
 PIECE = 50.0
 #: From where the robot first cruises to the wall, at least [m], chosen; less for slow approaches.
 RUN, SHORT_RUN, SLOW = 2.4, 0.6, 0.7
@@ -44,7 +44,7 @@ FAR = 50.0
 PEAK_OVER_MEAN = 35.0 / 16.0
 #: An arm took part if it took this share of the normal impulse by the end of the window (chosen).
 TOOK_PART = 0.1
-#: The signals of the diary, and the sensor at whose pace each changes.
+#: The signals of the telemetry, and the sensor at whose pace each changes.
 SIGNALS = {"hall": "pressed", "acceleration": "jolt", "wrench": "push", "momentum": "push"}
 UNITS = {"hall": "m", "acceleration": "m/s^2", "wrench": "N", "momentum": "N"}
 SOURCES = ("arms", "acceleration", "wrench", "fused")
@@ -86,12 +86,12 @@ def approach_tables(
         changes: Tables laid over those of the test.
     """
     robot, speed, wall_yaw, robot_yaw, trial = approach
-    luck = Scatter().drawn(robot, 0.0, speed, trial, seed)
-    luck = luck._replace(wall_yaw=luck.wall_yaw + math.radians(wall_yaw))
-    given = trial_tables(robot, 0.0, speed, luck, changes)
+    noise_stream = Scatter().drawn(robot, 0.0, speed, trial, seed)
+    noise_stream = noise_stream._replace(wall_yaw=noise_stream.wall_yaw + math.radians(wall_yaw))
+    given = trial_tables(robot, 0.0, speed, noise_stream, changes)
     run = RUN if speed > SLOW else SHORT_RUN
     begin, lasting = CONTACT_X - run, PEAK_OVER_MEAN * 2.0 * run / speed
-    x, y, z = luck.position
+    x, y, z = noise_stream.position
     return given | {
         "name": f"{robot}, {speed:g} m/s, wall {wall_yaw:g} deg, robot {robot_yaw:g} deg",
         "reference": {
@@ -102,7 +102,7 @@ def approach_tables(
         },
         "control": given["control"] | {"feed_forward": True},
         "start": given["start"]
-        | {"position": [x + begin, y, z], "yaw": luck.heading + math.radians(robot_yaw)},
+        | {"position": [x + begin, y, z], "yaw": noise_stream.heading + math.radians(robot_yaw)},
         "simulation": {"duration": round(0.5 * lasting + 0.4, 3)},
     }
 
@@ -144,29 +144,29 @@ def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) 
 
 
 def flown(tables: dict[str, Any]) -> tuple[Any, GuidedFlown]:
-    """A flight made ready and flown, trajectory, diary and all."""
+    """A flight made ready and flown, trajectory, telemetry and all."""
     ready = made_ready(tables)
-    period = ready.board.cabin.guidance.period
+    period = ready.built_avionics.avionics.systems.period
     ticks = ticks_of(ready.model.timing.until, period)
-    noise = noise_table(ready.scenario.seed, 0, ticks, ready.board.noise)
-    return ready, fly_guided(ready.model, ready.start, ready.board.cabin, noise)
+    noise = noise_table(ready.scenario.seed, 0, ticks, ready.built_avionics.noise)
+    return ready, fly_guided(ready.model, ready.start, ready.built_avionics.avionics, noise)
 
 
 def signals_of(ready: Any, guided: GuidedFlown) -> dict[str, Judged]:
     """The signal of every trigger, tick by tick."""
-    assert guided.diary is not None  # asked only of flights that keep one
+    assert guided.telemetry is not None  # asked only of flights that keep one
     sensors, tick = ready.scenario.sensors, 1.0 / ready.scenario.clock
     paces = {"pressed": sensors.hall, "jolt": sensors.imu, "push": sensors.imu}
     found = {}
     for name in ("hall", "acceleration", "wrench"):
         column, pace = SIGNALS[name], paces[SIGNALS[name]]
         every = 1 if pace.perfect else round(1.0 / (pace.rate * tick))
-        values = np.ascontiguousarray(guided.diary[f"told.{column}"])
+        values = np.ascontiguousarray(guided.telemetry[f"told.{column}"])
         found[name] = Judged(values, tick, every)
     return found
 
 
-class MadeOut(NamedTuple):
+class CharacterisationError(NamedTuple):
     """How well one collision was made out, against the truth."""
 
     approach: Approach
@@ -191,7 +191,7 @@ class Encounter:
     delays: dict[str, float | None]
     """Of each trigger at its threshold, after touch [s]; None if it missed."""
     signals: dict[str, Judged] = field(repr=False)
-    made_out: MadeOut | None = None
+    characterisation_error: CharacterisationError | None = None
 
 
 def _angle(a: Any, b: Any) -> float | None:
@@ -239,20 +239,25 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
     return mean
 
 
-def made_out(approach: Approach, ready: Any, guided: GuidedFlown, touch: float) -> MadeOut | None:
+def characterisation_error(
+    approach: Approach, ready: Any, guided: GuidedFlown, touch: float
+) -> CharacterisationError | None:
     """What the robot made of a collision, against the truth; None if it noticed nothing.
 
     Two things count as true: the direction of the impulse of the contact force, with friction, from
     touch to the end of the window; and the wall's normal.
     """
-    diary, trace = guided.diary, guided.flown.trace
-    assert diary is not None  # asked only of flights that keep both
+    telemetry, trace = guided.telemetry, guided.flown.trace
+    assert telemetry is not None  # asked only of flights that keep both
     assert trace is not None
-    looking = np.flatnonzero(diary["told.leg"] == LOOK)
+    looking = np.flatnonzero(telemetry["told.phase"] == LOOK)
     if not len(looking):
         return None
-    alarm, end = diary["time"][looking[0]], diary["time"][looking[-1]] + 1.0 / ready.scenario.clock
-    hit: Collision = guided.aboard.pilot.collision
+    alarm, end = (
+        telemetry["time"][looking[0]],
+        telemetry["time"][looking[-1]] + 1.0 / ready.scenario.clock,
+    )
+    hit: Collision = guided.onboard.pilot.collision
     t: Array = np.asarray(trace["time"])
     first, at, last = (min(int(np.searchsorted(t, x)), len(t) - 1) for x in (touch, alarm, end))
     impulse = -(_vectors(trace, "work.impulse")[last] - _vectors(trace, "work.impulse")[first])
@@ -266,9 +271,9 @@ def made_out(approach: Approach, ready: Any, guided: GuidedFlown, touch: float) 
     there = true_contact_point(trace, ready.model.airframe, at, normal, touched)
     force = np.linalg.norm(_vectors(trace, "contact_force")[first : last + 1], axis=1).max()
     place = _vectors(trace, "state.position")[at]
-    imu = np.abs(_vectors(diary, "measurement.inertial.specific_force")[looking])
-    limit = ready.board.cabin.guidance.pilot.look.limit
-    return MadeOut(
+    imu = np.abs(_vectors(telemetry, "measurement.inertial.specific_force")[looking])
+    limit = ready.built_avionics.avionics.systems.pilot.look.limit
+    return CharacterisationError(
         approach=approach,
         clipped=bool(imu.max() >= limit),
         arms_right=[bool(x) for x in hit.arms] == touched.tolist(),
@@ -292,15 +297,17 @@ def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = No
     """
     ready, guided = flown(approach_tables(approach, seed, changes))
     touch = guided.flown.record.touch_time
-    seen = guided.aboard.pilot.detection
+    seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
     delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}
-    end = int((touch + 0.1) / ready.board.cabin.guidance.period)
+    end = int((touch + 0.1) / ready.built_avionics.avionics.systems.period)
     signals = {
         name: one._replace(signal=one.signal[:end].copy())
         for name, one in signals_of(ready, guided).items()
     }
-    return Encounter(approach, touch, delays, signals, made_out(approach, ready, guided, touch))
+    return Encounter(
+        approach, touch, delays, signals, characterisation_error(approach, ready, guided, touch)
+    )
 
 
 @dataclass
@@ -344,7 +351,7 @@ class DetectionResults:
 
     def curve(
         self, robot: str, trigger: str, speed: float | None = None, persistence: int = 1
-    ) -> list[Point]:
+    ) -> list[RocPoint]:
         """The receiver operating curve of a trigger, at one speed or over all."""
         key, name = (robot, trigger, persistence), "wrench" if trigger == "momentum" else trigger
         thresholds = THRESHOLDS[trigger].tolist()
@@ -358,11 +365,13 @@ class DetectionResults:
             thresholds, persistence=persistence, within=IN_TIME,
         )  # fmt: skip
 
-    def made_out(self, robot: str | None = None, speed: float | None = None) -> list[MadeOut]:
+    def characterisation_error(
+        self, robot: str | None = None, speed: float | None = None
+    ) -> list[CharacterisationError]:
         """Collisions that were made out, of all or of some."""
         return [
-            one.made_out for one in self.encounters
-            if one.made_out is not None and robot in (None, one.approach.robot)
+            one.characterisation_error for one in self.encounters
+            if one.characterisation_error is not None and robot in (None, one.approach.robot)
             and speed in (None, one.approach.speed) and one.approach.speed >= CHARACTERISED_FROM
         ]  # fmt: skip
 
@@ -413,7 +422,7 @@ def detection_study(
             for changes, kept in ((None, results.free), (ON_MOMENTUM, results.free_on_momentum)):
                 ready, guided = flown(free_tables(robot, number, changes))
                 kept.setdefault(robot, []).append(signals_of(ready, guided))
-                seen = guided.aboard.pilot.detection
+                seen = guided.onboard.pilot.detection
                 if changes is None:
                     for name in ("hall", "acceleration", "wrench"):
                         raised[name] += getattr(seen, name).alarms

@@ -17,8 +17,8 @@ from springback.studies.detection import (
     SOURCES,
     SPEEDS,
     UNITS,
+    CharacterisationError,
     DetectionResults,
-    MadeOut,
 )
 from springback.studies.roc import NONE_SEEN
 
@@ -75,7 +75,7 @@ def _degrees(angle: float | None) -> float | None:
 def characterisation_rows(results: DetectionResults) -> Rows:
     """Every collision that was made out; angles are signed, in degrees."""
     rows = []
-    for one in results.made_out():
+    for one in results.characterisation_error():
         errors = {
             f"{name}_to_{what}_deg": _degrees(found[name])
             for what, found in (("impulse", one.to_impulse), ("normal", one.to_normal))
@@ -90,7 +90,7 @@ def characterisation_rows(results: DetectionResults) -> Rows:
     return rows
 
 
-def sizes(found: list[MadeOut], source: str, to: str) -> list[float]:
+def sizes(found: list[CharacterisationError], source: str, to: str) -> list[float]:
     """Sizes of a source's direction errors [deg]: ``to`` the impulse or the normal."""
     angles = [(one.to_impulse if to == "impulse" else one.to_normal)[source] for one in found]
     return [math.degrees(abs(angle)) for angle in angles if angle is not None]
@@ -128,7 +128,7 @@ def direction_table(results: DetectionResults) -> list[str]:
     for to in ("normal", "impulse"):
         lines.append(f"{f'degrees off the {to}: median (most)':<36}{head}")
         for robot, speed in product(ROBOTS, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
-            found = results.made_out(robot, speed)
+            found = results.characterisation_error(robot, speed)
             cells = [sizes(found, name, to) for name in SOURCES]
             told = [f"{np.median(c):.1f} ({max(c):.1f})" if c else "-" for c in cells]
             lines.append(f"  {f'{robot}, {speed:g} m/s':<34}" + "".join(f"{x:>16}" for x in told))
@@ -137,14 +137,14 @@ def direction_table(results: DetectionResults) -> list[str]:
 
 def place_table(results: DetectionResults) -> list[str]:
     """Errors of position, arms and intensity, a line for each robot and speed."""
-    kinds: tuple[tuple[str, Callable[[MadeOut], float]], ...] = (
+    kinds: tuple[tuple[str, Callable[[CharacterisationError], float]], ...] = (
         ("p_c [mm]", lambda one: 1e3 * one.position),
         ("contact point [mm]", lambda one: 1e3 * one.contact_point),
         ("intensity ratio", lambda one: one.intensity),
     )
     lines = ["".join((f"{'median (most)':<36}", *(f"{name:>20}" for name, _ in kinds), "  arms"))]
     for robot, speed in product(ROBOTS, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
-        found = results.made_out(robot, speed)
+        found = results.characterisation_error(robot, speed)
         if not found:
             continue
         cells = [[value(one) for one in found] for _, value in kinds]

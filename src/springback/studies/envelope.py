@@ -33,7 +33,7 @@ class Place(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Cell:
+class EnvelopeCell:
     """A robot at a pair of values, and how its trials ended."""
 
     place: Place
@@ -117,7 +117,7 @@ class Envelope:
     seed: int
     settings: tuple[str, ...]
     """What is the same in all trials, as it was given."""
-    cells: dict[Place, Cell]
+    cells: dict[Place, EnvelopeCell]
 
     def shares(self, robot: str) -> Values:
         """Success share of every cell, shape (values of y, values of x); NaN where not flown."""

@@ -25,7 +25,7 @@ from springback.studies.axes import (
     read_axis,
     read_fixed,
 )
-from springback.studies.envelope import Cell, Envelope, Place
+from springback.studies.envelope import Envelope, EnvelopeCell, Place
 from springback.studies.trials import (
     DURATION,
     NO_SCATTER,
@@ -53,7 +53,7 @@ Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True)
-class Plan:
+class EnvelopePlan:
     """What is to be flown for an envelope, read and checked."""
 
     x: Axis
@@ -78,8 +78,8 @@ class Plan:
     def tables(self, place: Place) -> dict[str, Any]:
         """The scenario of a cell's test without luck."""
         robot, pitch, speed, changes = self.condition(place)
-        luck = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
-        return trial_tables(robot, pitch, speed, luck, changes)
+        noise_stream = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
+        return trial_tables(robot, pitch, speed, noise_stream, changes)
 
     def hindrance(self, place: Place) -> str:
         """Why the vehicle cannot fly a cell's test, even without luck; empty if it can.
@@ -136,7 +136,7 @@ def plan_envelope(
     trials: int = TRIALS,
     seed: int = 0,
     settings: Sequence[str] = (),
-) -> Plan:
+) -> EnvelopePlan:
     """Read and check what an envelope is asked over.
 
     Args:
@@ -169,12 +169,12 @@ def plan_envelope(
     flights = len(first.values) * len(second.values) * len(scenarios) * trials
     if flights > MOST_FLIGHTS:
         raise InputError(f"{flights} flights are too many; at most {MOST_FLIGHTS}")
-    plan = Plan(first, second, tuple(scenarios), trials, seed, fixed)
+    plan = EnvelopePlan(first, second, tuple(scenarios), trials, seed, fixed)
     plan.kinds()
     return plan
 
 
-def fly_envelope(plan: Plan, progress: Progress | None = None) -> Envelope:
+def fly_envelope(plan: EnvelopePlan, progress: Progress | None = None) -> Envelope:
     """Fly all cells.
 
     Args:
@@ -182,7 +182,7 @@ def fly_envelope(plan: Plan, progress: Progress | None = None) -> Envelope:
         progress: Called with the share done.
     """
     places = plan.places
-    cells: dict[Place, Cell] = {}
+    cells: dict[Place, EnvelopeCell] = {}
     size = max(1, min(CELLS_AT_ONCE, FLIGHTS_AT_ONCE // plan.trials))
     for batch in _batches(places, size):
         done = len(cells)
@@ -194,7 +194,7 @@ def fly_envelope(plan: Plan, progress: Progress | None = None) -> Envelope:
         able: dict[Place, Condition] = {}
         for k, place in enumerate(batch, 1):
             reason = plan.hindrance(place)
-            cells[place] = Cell(place, {}, reason)
+            cells[place] = EnvelopeCell(place, {}, reason)
             if not reason:
                 able[place] = plan.condition(place)
             share(0.5 * k / len(batch))
@@ -212,7 +212,9 @@ def _batches(places: list[Place], size: int) -> Iterator[list[Place]]:
             yield mine[k : k + size]
 
 
-def _flown(plan: Plan, able: dict[Place, Condition], progress: Progress) -> dict[Place, Cell]:
+def _flown(
+    plan: EnvelopePlan, able: dict[Place, Condition], progress: Progress
+) -> dict[Place, EnvelopeCell]:
     """Cells that can be flown without luck, flown with it.
 
     Where luck, such as more weight, leaves a trial that cannot be flown, its cell counts as one
@@ -226,11 +228,11 @@ def _flown(plan: Plan, able: dict[Place, Condition], progress: Progress) -> dict
         if len(able) > 1:
             parts = ({place: able[place]} for place in able)
             return {k: cell for one in parts for k, cell in _flown(plan, one, progress).items()}
-        return {place: Cell(place, {}, _too_weak(error)) for place in able}
+        return {place: EnvelopeCell(place, {}, _too_weak(error)) for place in able}
     found = {}
     for k, place in enumerate(able):
         mine = trials[k * plan.trials : (k + 1) * plan.trials]
-        found[place] = Cell(place, _outcomes(mine))
+        found[place] = EnvelopeCell(place, _outcomes(mine))
     return found
 
 
@@ -238,7 +240,7 @@ def _outcomes(trials: Sequence[Trial]) -> dict[str, int]:
     return dict(Counter(trial.outcome.word for trial in trials))
 
 
-class Outlook(NamedTuple):
+class EnvelopeCost(NamedTuple):
     """What an envelope will take."""
 
     cells: int
@@ -257,9 +259,9 @@ class Outlook(NamedTuple):
         )
 
 
-def outlook(plan: Plan) -> Outlook:
+def envelope_cost(plan: EnvelopePlan) -> EnvelopeCost:
     """What an envelope will take; nothing is flown."""
     cells = len(plan.places)
     duration = float(plan.tables(plan.places[0])["simulation"]["duration"])
     time = cells * (plan.trials * FLIGHT_TIME * duration / DURATION + RUN_UP_TIME)
-    return Outlook(cells, cells * plan.trials, duration, plan.kinds(), time)
+    return EnvelopeCost(cells, cells * plan.trials, duration, plan.kinds(), time)

@@ -41,7 +41,7 @@ DURATION = 0.25
 """[s]: approach, contact, and the arms' way back."""
 
 
-class Impact(NamedTuple):
+class HoverImpact(NamedTuple):
     """One collision of a hovering robot."""
 
     robot: str
@@ -64,7 +64,7 @@ class Impact(NamedTuple):
         }  # fmt: skip
 
 
-class Flown(NamedTuple):
+class PilotedImpacts(NamedTuple):
     """The paper's straight collision, with run-up, sensors and recovery: medians of trials."""
 
     robot: str
@@ -88,8 +88,8 @@ class Flown(NamedTuple):
 class FrictionResults:
     """All collisions of the study."""
 
-    impacts: list[Impact] = field(default_factory=list)
-    flown: list[Flown] = field(default_factory=list)
+    impacts: list[HoverImpact] = field(default_factory=list)
+    flown: list[PilotedImpacts] = field(default_factory=list)
 
     def grid(self, robot: str, axes: str, measure: str) -> tuple[list[float], list[float], Array]:
         """Coefficients, yaws [deg] and a measure of shape (coefficients, yaws)."""
@@ -98,7 +98,7 @@ class FrictionResults:
         values = [[getattr(mine[mu, yaw], measure) for yaw in yaws] for mu in frictions]
         return frictions, yaws, np.array(values, float).reshape(len(frictions), len(yaws))
 
-    def at(self, robot: str, axes: str, friction: float, yaw: float) -> Impact:
+    def at(self, robot: str, axes: str, friction: float, yaw: float) -> HoverImpact:
         """One collision of the grid."""
         asked = (robot, axes, friction, yaw)
         return next(i for i in self.impacts if (i.robot, i.axes, i.friction, i.yaw) == asked)
@@ -174,7 +174,7 @@ def friction_study(
         stroke, peak, restitution = (float(column[k]) for column in columns)
         share = float(arms[k] / lost[k])
         results.impacts.append(
-            Impact(robot, axes, friction, yaw, speed, stroke, peak, restitution, share)
+            HoverImpact(robot, axes, friction, yaw, speed, stroke, peak, restitution, share)
         )
     for k, axes in enumerate(AXES if trials else ()):
         surface = {"preset": "wall", "friction_axes": axes}
@@ -193,11 +193,11 @@ def friction_study(
     return results
 
 
-def _flown(test: Condition, axes: str, trials: Sequence[Trial]) -> Flown:
+def _flown(test: Condition, axes: str, trials: Sequence[Trial]) -> PilotedImpacts:
     def median(name: str) -> float:
         return float(np.median([trial.measures[name] or 0.0 for trial in trials]))
 
-    return Flown(
+    return PilotedImpacts(
         test.robot, axes, test.speed, len(trials), sum(t.success for t in trials),
         median("impact_arm_stroke"), median("impact_peak_acceleration"),
     )  # fmt: skip

@@ -18,11 +18,11 @@ from springback.errors import CommandWarning, InputError
 from springback.kernels.trees import leaves, rebuilt
 from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.arguments import chosen_pilot
-from springback.scenario.avionics import OwnPilot, propulsion_of
+from springback.scenario.avionics import CompiledPilot, propulsion_of
 from springback.scenario.scenario import Scenario
 from springback.sensing.measurement import Measurement, Pose
 from springback.simulation.guided import PlainPilot
-from springback.simulation.onboard import piloted
+from springback.simulation.onboard import pilot_step
 
 #: The bounds of all properties are chosen.
 DURATION = 3.0  # of each flight [s]
@@ -55,7 +55,7 @@ Findings = list[Finding]
 
 
 def check_pilot(
-    pilot: PlainPilot | OwnPilot | str,
+    pilot: PlainPilot | CompiledPilot | str,
     scenario: Scenario | Mapping[str, Any] | str | Path | None = None,
     *,
     progress: Callable[[float], None] | None = None,
@@ -63,7 +63,7 @@ def check_pilot(
     """Try a pilot on what every pilot should keep to.
 
     Args:
-        pilot: As for `springback.fly`: a function, an `OwnPilot`, or ``"file.py:name"``.
+        pilot: As for `springback.fly`: a function, an `CompiledPilot`, or ``"file.py:name"``.
         scenario: Whose vehicle, sensors and start are used; at rest at its start the pilot must
             hover.  By default `quad` at [0, 0, 1] m.
         progress: Called with the share of properties done.
@@ -87,7 +87,7 @@ def check_pilot(
         lambda: _recovers(asked, ready),
         lambda: _bridges(asked, ready),
     ]
-    if isinstance(own, OwnPilot):
+    if isinstance(own, CompiledPilot):
         properties.append(lambda: _compiles(own, asked, ready))
     findings = []
     for k, tried in enumerate(properties, start=1):
@@ -99,11 +99,11 @@ def check_pilot(
     return findings
 
 
-def _as_plain(pilot: PlainPilot | OwnPilot) -> PlainPilot:
+def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
     """Any pilot as a plain function whose memory is None at first."""
-    if not isinstance(pilot, OwnPilot):
+    if not isinstance(pilot, CompiledPilot):
         return pilot
-    law, settings, first = piloted.dispatch(type(pilot.settings)), pilot.settings, pilot.memory
+    law, settings, first = pilot_step.dispatch(type(pilot.settings)), pilot.settings, pilot.memory
 
     def asked(time: float, measurement: Any, memory: Any) -> tuple[tuple[float, ...], Any]:
         said = law(settings, time, measurement, first if memory is None else memory)
@@ -212,7 +212,7 @@ def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
     return _flown("bridges a gap of motion capture", judge)
 
 
-def _compiles(own: OwnPilot, pilot: PlainPilot, scenario: Scenario) -> Finding:
+def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Finding:
     def judge() -> tuple[bool, str]:
         plain, compiled = fly(scenario, pilot=pilot), fly(scenario, pilot=own)
         if len(plain.t) != len(compiled.t):

@@ -1,7 +1,7 @@
 """Alarms that a threshold would have raised on a signal that was kept: receiver operating curves.
 
-The signals of all triggers stand in the diary of a flight, so any threshold and any persistence can
-be judged afterwards, on the same flights.
+The signals of all triggers stand in the telemetry of a flight, so any threshold and any
+persistence can be judged afterwards, on the same flights.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def delay(
     return float((first + begins[0]) * judged.period - touch)
 
 
-class Point(NamedTuple):
+class RocPoint(NamedTuple):
     """One point of a receiver operating curve."""
 
     threshold: float
@@ -149,7 +149,7 @@ def curve(
     *,
     persistence: int = 1,
     within: float = 0.03,
-) -> list[Point]:
+) -> list[RocPoint]:
     """A receiver operating curve over thresholds.
 
     Args:
@@ -163,5 +163,7 @@ def curve(
     for threshold, false in zip(thresholds, free.false_alarms, strict=True):
         found = [delay(one, touch, threshold, persistence, within) for one, touch in hits]
         told = tuple(x for x in found if x is not None)
-        points.append(Point(threshold, persistence, false, free.hours, len(told), len(hits), told))
+        points.append(
+            RocPoint(threshold, persistence, false, free.hours, len(told), len(hits), told)
+        )
     return points

@@ -11,7 +11,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.results.recovery_measures import recovery_measures, recovery_outcome
-from springback.scenario.avionics import Board, board_of
+from springback.scenario.avionics import BuiltAvionics, build_avionics
 from springback.scenario.scenario import Scenario, merged, scenario_from
 from springback.simulation.guided_batch import fly_guided_many
 from springback.simulation.measures import Outcome, measures_of
@@ -41,15 +41,15 @@ class Scatter(NamedTuple):
     inertia: float = 0.05  # true over believed
     gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
 
-    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> Luck:
+    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
         """What one trial is dealt.  It depends on these words alone, in whatever order they fly.
 
         Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
         """
         key = (round(1e3 * pitch) % 2**32, round(1e3 * speed) % 2**32, trial)
-        luck = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
-        z = luck.standard_normal(16).tolist()
-        return Luck(
+        noise_stream = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
+        z = noise_stream.standard_normal(16).tolist()
+        return TrialNoise(
             position=tuple(h + self.position * x for h, x in zip(HOME, z[:3], strict=True)),
             velocity=tuple(self.velocity * x for x in z[3:6]),
             heading=self.heading * z[6],
@@ -58,11 +58,11 @@ class Scatter(NamedTuple):
             mass=math.exp(self.mass * z[9]),
             inertia=math.exp(self.inertia * z[10]),
             gains=tuple(math.exp(self.gains * x) for x in z[11:16]),
-            seed=int(luck.integers(2**31)),
+            seed=int(noise_stream.integers(2**31)),
         )
 
 
-class Luck(NamedTuple):
+class TrialNoise(NamedTuple):
     """What one trial is dealt."""
 
     position: tuple[float, ...]
@@ -83,7 +83,7 @@ def trial_tables(
     robot: str,
     pitch: float,
     speed: float,
-    luck: Luck,
+    noise_stream: TrialNoise,
     changes: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
     """The scenario of one trial, as plain tables: run-up, wall, ground, recovery.
@@ -94,22 +94,22 @@ def trial_tables(
         robot: Preset.
         pitch: At contact, positive nose down [deg].
         speed: At contact [m/s].
-        luck: Of the trial.
+        noise_stream: Of the trial.
         changes: Tables laid over those of the test, the same in every trial.
     """
     base = merged(run_up_scenario(robot, pitch, speed), changes or {})
     control = dict(base.get("control", {}))
     defaults = Scenario.model_fields["control"].default
     names = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
-    for name, factor in zip(names, luck.gains, strict=True):
+    for name, factor in zip(names, noise_stream.gains, strict=True):
         control[name] = float(control.get(name, getattr(defaults, name))) * factor
-    normal = [math.cos(luck.wall_yaw), math.sin(luck.wall_yaw), 0.0]
+    normal = [math.cos(noise_stream.wall_yaw), math.sin(noise_stream.wall_yaw), 0.0]
     surface = base["world"]["obstacles"][0]["surface"]
     obstacles = [
         {
             "type": "wall",
             "normal": [-normal[0], -normal[1], 0.0],
-            "position": [luck.wall_distance, 0.0, 0.0],
+            "position": [noise_stream.wall_distance, 0.0, 0.0],
             "surface": surface,
         },
         {"type": "ground", "surface": "wall"},
@@ -118,18 +118,18 @@ def trial_tables(
     return base | {
         "world": {**base["world"], "obstacles": obstacles},
         "start": {
-            "position": list(luck.position),
-            "velocity": list(luck.velocity),
-            "yaw": luck.heading,
+            "position": list(noise_stream.position),
+            "velocity": list(noise_stream.velocity),
+            "yaw": noise_stream.heading,
         },
         "control": control,
         "model_error": {
-            "mass": error.get("mass", 1.0) * luck.mass,
-            "inertia": error.get("inertia", 1.0) * luck.inertia,
+            "mass": error.get("mass", 1.0) * noise_stream.mass,
+            "inertia": error.get("inertia", 1.0) * noise_stream.inertia,
         },
         "recovery": {"home": list(HOME)} | dict(base.get("recovery", {})),
         "simulation": {"duration": DURATION} | dict((changes or {}).get("simulation", {})),
-        "seed": luck.seed,
+        "seed": noise_stream.seed,
     }
 
 
@@ -158,24 +158,24 @@ class Trial:
         return head | tail | self.measures
 
 
-class Ready(NamedTuple):
+class ReadyTrial(NamedTuple):
     """A flight made ready."""
 
     scenario: Scenario
     model: Model
     start: State
-    board: Board
+    built_avionics: BuiltAvionics
 
 
-def made_ready(tables: Mapping[str, Any]) -> Ready:
+def made_ready(tables: Mapping[str, Any]) -> ReadyTrial:
     """Check a trial's tables and put everything aboard."""
     scenario = scenario_from(tables)
     model, start = scenario.flight_model(), scenario.start_state()
-    return Ready(scenario, model, start, board_of(scenario, model, start))
+    return ReadyTrial(scenario, model, start, build_avionics(scenario, model, start))
 
 
 def fly_ready(
-    flights: Sequence[Ready], progress: Callable[[float], None] | None = None
+    flights: Sequence[ReadyTrial], progress: Callable[[float], None] | None = None
 ) -> list[tuple[Outcome, dict[str, float | None]]]:
     """Fly many flights of equal types and duration abreast; outcomes and measures in their order.
 
@@ -187,7 +187,7 @@ def fly_ready(
         return []
     flown = fly_guided_many(
         [one.model for one in flights], [one.start for one in flights],
-        [one.board.cabin for one in flights], flights[0].board.noise,
+        [one.built_avionics.avionics for one in flights], flights[0].built_avionics.noise,
         [one.scenario.seed for one in flights], progress=progress,
     )  # fmt: skip
     return [
@@ -228,9 +228,9 @@ def fly_trials(
     for condition in conditions:
         robot, pitch, speed, changes = condition
         for number in range(trials):
-            luck = dealt.drawn(robot, pitch, speed, number, seed)
+            noise_stream = dealt.drawn(robot, pitch, speed, number, seed)
             try:
-                flights.append(made_ready(trial_tables(robot, pitch, speed, luck, changes)))
+                flights.append(made_ready(trial_tables(robot, pitch, speed, noise_stream, changes)))
             except InputError:
                 if number or not _too_hard(condition):
                     raise
@@ -257,19 +257,19 @@ def fly_trials(
 def _too_hard(condition: Condition) -> bool:
     """Whether a condition cannot be flown even without scatter: the run-up asks for too much."""
     robot, pitch, speed, changes = condition
-    luck = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
+    noise_stream = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
     try:
-        scenario_from(trial_tables(robot, pitch, speed, luck, changes))
+        scenario_from(trial_tables(robot, pitch, speed, noise_stream, changes))
     except InputError as error:
         return all(line.startswith("reference: the run-up") for line in error.problems)
     return False
 
 
-def kind_of(one: Ready) -> Any:
+def kind_of(one: ReadyTrial) -> Any:
     """Flights of one kind can fly abreast."""
     return (
-        _types(one.model), _types(one.board.cabin), one.model.timing.until,
-        one.board.cabin.guidance.period, one.board.noise,
+        _types(one.model), _types(one.built_avionics.avionics), one.model.timing.until,
+        one.built_avionics.avionics.systems.period, one.built_avionics.noise,
     )  # fmt: skip
 
 

@@ -50,11 +50,11 @@ def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
     if not (math.isfinite(payload) and payload >= 0.0):
         raise InputError(f"payload must be at least 0 kg (got {payload:g} kg)")
     thrust = (vehicle.mass + payload) * GRAVITY / vehicle.arm_count
-    most = _known(vehicle, "most_thrust")
+    most = _known(vehicle, "max_thrust")
     if thrust > most * (1.0 + ROUNDING):
         raise InputError(
             f"vehicle {vehicle.name} with {payload:g} kg of payload cannot hover: "
-            f"it takes {thrust:.6g} N a rotor, propulsion.most_thrust is {most:.6g} N"
+            f"it takes {thrust:.6g} N a rotor, propulsion.max_thrust is {most:.6g} N"
         )
     return thrust
 
@@ -111,7 +111,7 @@ def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
     """
     if not (math.isfinite(thrust_to_weight) and thrust_to_weight >= 1.0):
         raise InputError(f"thrust_to_weight must be at least 1 (got {thrust_to_weight:g})")
-    most = vehicle.arm_count * _known(vehicle, "most_thrust")
+    most = vehicle.arm_count * _known(vehicle, "max_thrust")
     payload = most / (thrust_to_weight * GRAVITY) - vehicle.mass
     if payload < 0.0:
         raise InputError(

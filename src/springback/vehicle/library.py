@@ -55,7 +55,7 @@ def _principal(xx: float, yy: float, zz: float) -> tuple[tuple[float, ...], ...]
 HULL = Hull(radius=0.06)
 #: Of both robots: Table I gives them different masses, not different motors.
 PROPULSION = Propulsion(
-    most_thrust=(0.844 + BATTERY + PAYLOAD) * GRAVITY / 4.0,
+    max_thrust=(0.844 + BATTERY + PAYLOAD) * GRAVITY / 4.0,
     figure_of_merit=FIGURE_OF_MERIT,
     disk_radius=0.0635,
     battery_energy=BATTERY * SPECIFIC_ENERGY,
@@ -79,9 +79,9 @@ _ARM_SOURCES = {
     "arms.torque_ratio": "chosen: that of RotorS's Hummingbird; the paper prints no c_tau",
 }
 _PROPULSION_SOURCES = {
-    "propulsion.most_thrust": "derived: fitted to Quad's Maximum payload, 1.64 kg in Table I, read "
+    "propulsion.max_thrust": "derived: fitted to Quad's Maximum payload, 1.64 kg in Table I, read "
     "as what the rotors just hold; ARQ's 1.38 kg would be 2.5 % less thrust",
-    "propulsion.least_thrust": "chosen: rotors do not turn backwards",
+    "propulsion.min_thrust": "chosen: rotors do not turn backwards",
     "propulsion.time_constant": "chosen: 25 ms, the slower of RotorS's Hummingbird (12.5 ms up, 25 "
     "ms down); JSK's aerial_robot assumes 90 ms; the paper prints none",
     "propulsion.figure_of_merit": "derived: fitted to Quad's Flight Time (Hover), 573 s in Table I,"

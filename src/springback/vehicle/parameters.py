@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
-from springback.kernels.vectors import Mat, Vec
+from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, checked, quantity, spread, triple
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
@@ -303,7 +303,7 @@ class Vehicle(Settings):
             )
         i, given = self.body.inertia, self.hull
         hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
-        return Airframe(self.mass, Mat(*(Vec(*row) for row in i)), tuple(built), hull)
+        return Airframe(self.mass, Mat3(*(Vec(*row) for row in i)), tuple(built), hull)
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""

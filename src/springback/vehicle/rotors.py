@@ -12,7 +12,7 @@ from pydantic import model_validator
 
 from springback.kernels.compiler import kernel
 from springback.kernels.exponentials import exponential
-from springback.kernels.trees import column, each, pick
+from springback.kernels.trees import field_of, select, tree_map
 from springback.quantities import Length, quantity
 from springback.settings import Settings, problem
 
@@ -54,8 +54,8 @@ class Lag(NamedTuple):
 @kernel
 def limited(rotors: Rotors, command: float) -> float:
     """The command [N] kept between the least and the most thrust of one rotor."""
-    above = pick(command > rotors.least, command, rotors.least)
-    return pick(above < rotors.most, above, rotors.most)
+    above = select(command > rotors.least, command, rotors.least)
+    return select(above < rotors.most, above, rotors.most)
 
 
 @kernel
@@ -67,11 +67,11 @@ def lag_over(time_constant: float, duration: float) -> Lag:
         duration: h [s]; 0 leaves the start as it is, if τ is not 0.
     """
     instant = time_constant < INSTANT
-    x = duration / pick(instant, 1.0, time_constant)
+    x = duration / select(instant, 1.0, time_constant)
     end = exponential(-x)
     series = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)))
-    mean = pick(x < SHORT, series, (1.0 - end) / pick(x < SHORT, 1.0, x))
-    return Lag(pick(instant, 0.0, end), pick(instant, 0.0, mean))
+    mean = select(x < SHORT, series, (1.0 - end) / select(x < SHORT, 1.0, x))
+    return Lag(select(instant, 0.0, end), select(instant, 0.0, mean))
 
 
 @kernel
@@ -99,8 +99,8 @@ def all_lagged(
     lag: Lag,
 ) -> Thrusts:
     """`lagged` for every rotor, in the order of the arms [N]."""
-    results = each(lagged, (thrusts, commands), (rotors, lag))
-    return Thrusts(column(results, "thrust"), column(results, "mean"))
+    results = tree_map(lagged, (thrusts, commands), (rotors, lag))
+    return Thrusts(field_of(results, "thrust"), field_of(results, "mean"))
 
 
 class Propulsion(Settings):
@@ -109,9 +109,9 @@ class Propulsion(Settings):
     The battery is needed only where hover power or time is asked for.
     """
 
-    most_thrust: quantity("N", above=0.0)  # type: ignore[valid-type]
+    max_thrust: quantity("N", above=0.0)  # type: ignore[valid-type]
     """Of one rotor."""
-    least_thrust: quantity("N", least=0.0) = 0.0  # type: ignore[valid-type]
+    min_thrust: quantity("N", least=0.0) = 0.0  # type: ignore[valid-type]
     """Of one rotor; 0: rotors stop but do not turn backwards."""
     time_constant: quantity("s", least=0.0) = 0.025  # type: ignore[valid-type]
     """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
@@ -131,14 +131,13 @@ class Propulsion(Settings):
 
     @model_validator(mode="after")
     def _consistent(self) -> Propulsion:
-        if not self.least_thrust < self.most_thrust:
+        if not self.min_thrust < self.max_thrust:
             raise problem(
-                f"must be less than most_thrust, {self.most_thrust:g} N "
-                f"(got {self.least_thrust:g} N)",
-                "least_thrust",
+                f"must be less than max_thrust, {self.max_thrust:g} N (got {self.min_thrust:g} N)",
+                "min_thrust",
             )
         return self
 
     def rotors(self) -> Rotors:
         """The numbers for the equations of motion."""
-        return Rotors(self.least_thrust, self.most_thrust, self.time_constant)
+        return Rotors(self.min_thrust, self.max_thrust, self.time_constant)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import each, largest
-from springback.kernels.vectors import Mat, Quat, Vec, norm
+from springback.kernels.trees import maximum, tree_map
+from springback.kernels.vectors import Mat3, Quat, Vec, norm
 
 
 class Arm(NamedTuple):
@@ -46,7 +46,7 @@ class Airframe(NamedTuple):
     """Constants of a vehicle for the equations of motion."""
 
     mass: float  # m, everything [kg]
-    inertia: Mat  # of the main body alone, about its centre of mass, body axes [kg m²]
+    inertia: Mat3  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
     hull: tuple[Sphere, ...]  # of the main body; none: it touches nothing
 
@@ -64,8 +64,10 @@ def _farthest_of_hull(hull: Sphere) -> float:
 @kernel
 def reach(airframe: Airframe) -> float:
     """Distance from the main body to its farthest point, arms at their free length [m]."""
-    parts = each(_farthest, (airframe.arms,), ()) + each(_farthest_of_hull, (airframe.hull,), ())
-    return largest(parts)
+    parts = tree_map(_farthest, (airframe.arms,), ()) + tree_map(
+        _farthest_of_hull, (airframe.hull,), ()
+    )
+    return maximum(parts)
 
 
 class State(NamedTuple):
@@ -94,7 +96,7 @@ def _speed(rate: float) -> float:
 def fastest_cage(airframe: Airframe, state: State) -> float:
     """No point of the vehicle is faster [m/s]; arms sliding."""
     fastest = fastest_point(airframe, state.velocity, state.angular_velocity)
-    return fastest + largest(each(_speed, (state.arm_rate,), ()))
+    return fastest + maximum(tree_map(_speed, (state.arm_rate,), ()))
 
 
 class ArmPose(NamedTuple):
@@ -126,14 +128,14 @@ def arm_pose(arm: Arm, length: float, rate: float, velocity: Vec) -> ArmPose:
 
 
 @kernel
-def arms_inertia(second: Vec) -> Mat:
+def arms_inertia(second: Vec) -> Mat3:
     """Σ m_j l_j² (1 − e_j e_jᵀ), of the arms about the main body, body axes [kg m²].
 
     Args:
         second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane; or its rate, for the
         rate.
     """
-    return Mat(
+    return Mat3(
         Vec(second.y, -second.z, 0.0),
         Vec(-second.z, second.x, 0.0),
         Vec(0.0, 0.0, second.x + second.y),

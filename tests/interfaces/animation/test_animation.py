@@ -15,7 +15,7 @@ from PIL import Image
 from springback.errors import InputError
 from springback.interfaces.animation import bodies, timing
 from springback.interfaces.animation import film as animation
-from springback.interfaces.animation.frame import Picture
+from springback.interfaces.animation.frame import Frame
 from springback.interfaces.cli.app import cli
 from springback.interfaces.output.folders import output_folder
 from springback.interfaces.replay.scene import Scene, scene_of
@@ -135,14 +135,14 @@ def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
     thing = Drawable("mesh", "tetrahedron", vertices=corners, triangles=faces)
-    view = bodies.View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), np.array([0, 0, 0.5]))
+    view = bodies.ViewPlane(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), np.array([0, 0, 0.5]))
     pieces = bodies.cut(thing, view).reshape(-1, 2)
     assert {tuple(np.round(p, 9)) for p in pieces} == {(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)}
 
 
 def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) -> None:
     when = timing.timing([scene], slow=20.0, fps=25.0)
-    picture = Picture([scene], when, (400, 360))
+    picture = Frame([scene], when, (400, 360))
     first, same, other = picture.at(0), picture.at(0), picture.at(len(when.t) // 2)
     assert first.shape == (360, 400, 3)
     assert np.array_equal(first, same)
@@ -182,7 +182,7 @@ def test_a_flight_that_touches_nothing_is_shown_whole(scene: Scene) -> None:
     when = timing.timing([free], slow=20.0, fps=10.0)
     assert (when.begin, when.end) == (0.0, pytest.approx(float(scene.t[-1])))
     assert when.slow == ()
-    assert Picture([free], when, SMALL).at(0).shape == (180, 200, 3)
+    assert Frame([free], when, SMALL).at(0).shape == (180, 200, 3)
 
 
 # -- files

@@ -16,7 +16,7 @@ from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
 from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import LEVEL, Cell, Envelope, Place
+from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place
 from springback.studies.run_ups import CONDITIONS
 
 
@@ -106,7 +106,9 @@ def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
                 won = min(1000, round(1050 - 40 * speed - 2 * pitch))
                 ended = {"recovered": won, "hit_ground": 1000 - won}
                 corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = Cell(Place(robot, i, j), {} if corner else ended)
+                cells[Place(robot, i, j)] = EnvelopeCell(
+                    Place(robot, i, j), {} if corner else ended
+                )
     return Envelope(x, y, robots, 1000, 0, (), cells)
 
 
@@ -130,7 +132,7 @@ def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() 
 def test_a_map_of_one_colour_and_of_other_parameters_draws() -> None:
     told = plane_map(("arq",))
     other = Axis(Parameter("air.wind[0]", ("air", "wind", 0), "m/s"), (0.0, -1.0, -2.0, -3.0))
-    full = {p: Cell(p, {"recovered": 1000}) for p in told.cells}
+    full = {p: EnvelopeCell(p, {"recovered": 1000}) for p in told.cells}
     figure = map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full), printed_success)
     assert not [c for c in figure.axes[0].collections if isinstance(c, QuadContourSet)]
     assert not [t for t in figure.legends[0].get_texts() if "paper" in t.get_text()]

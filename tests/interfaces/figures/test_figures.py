@@ -25,13 +25,13 @@ from springback.campaign.analysis.marginals import field_map, fields_of, margina
 from springback.interfaces.figures import ablation, campaign, envelope, style
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures.data import CATEGORY, as_table, axis_label, csv_of
-from springback.interfaces.reports.page import Picture
+from springback.interfaces.reports.page import FigureBlock
 from springback.interfaces.reproduction import figure_list, report
 from springback.interfaces.reproduction import overview as report_overview
 from springback.interfaces.reproduction.figures import drawings, free_flight, overview
 from springback.interfaces.reproduction.report import Results
 from springback.paper.printed import printed_success
-from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, Cell, WhyResults
+from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, AblationOutcome, WhyResults
 from springback.studies.run_ups import CONDITIONS
 
 HERE = Path(__file__).parent
@@ -44,8 +44,12 @@ MAPS = runpy.run_path(str(INTERFACES / "cli/test_map_command.py"))
 def why_results() -> WhyResults:
     """Every variant and range, with successes that differ."""
 
-    def cell(cause: str, name: str, robot: str, pitch: float, speed: float, k: int) -> Cell:
-        return Cell(cause, name, robot, pitch, speed, k % 11, 10, {}, 0.5, 0.1, -0.1, 1.0)
+    def cell(
+        cause: str, name: str, robot: str, pitch: float, speed: float, k: int
+    ) -> AblationOutcome:
+        return AblationOutcome(
+            cause, name, robot, pitch, speed, k % 11, 10, {}, 0.5, 0.1, -0.1, 1.0
+        )
 
     cells = [
         cell(v.cause, v.name, robot, *test, i + j)
@@ -238,7 +242,7 @@ def test_every_figure_of_the_paper_has_its_counterpart_or_says_why_not() -> None
 def test_the_table_leads_to_figures_that_are_there() -> None:
     told = Results(slider=MADE_UP["made_up_results"]())
     sections = report.report_sections(told, {})
-    drawn = {b.anchor for s in sections for b in s.blocks if isinstance(b, Picture)}
+    drawn = {b.anchor for s in sections for b in s.blocks if isinstance(b, FigureBlock)}
     (section,) = [s for s in sections if s.anchor == "figures"]
     links = [link for row in section.blocks[0].rows for cell in row for link in cell.links]  # type: ignore[union-attr]
     assert {anchor for _, anchor in links} <= drawn

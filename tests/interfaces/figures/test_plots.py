@@ -27,7 +27,7 @@ from springback.paper.slider import (
     QUANTITIES,
     READINGS,
     Case,
-    Reading,
+    Interpretation,
     SliderResults,
     SweepPoint,
     slider_tables,
@@ -48,7 +48,7 @@ KNOWN = {
 
 
 def made_up_flight(
-    reading: Reading = QUAD,
+    reading: Interpretation = QUAD,
     surface: str = "wall",
     *,
     arms: int = 4,
@@ -84,7 +84,7 @@ def made_up_flight(
     return Flight(scenario, outcome, measures, columns, dict.fromkeys(columns, ""))
 
 
-def made_up_results(readings: tuple[Reading, ...] = READINGS) -> SliderResults:
+def made_up_results(readings: tuple[Interpretation, ...] = READINGS) -> SliderResults:
     """Results with the numbers 0.9, 1.0, 1.1 ... of what is printed, reading by reading."""
     results = SliderResults(readings=readings)
     results.rows.append(

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from springback.interfaces.lab.app import lab_app
-from springback.interfaces.lab.queue import Desk
+from springback.interfaces.lab.queue import RequestQueue
 from springback.interfaces.lab.settings import DEFAULTS
 from springback.interfaces.web.server import bound, server_of
 
@@ -37,7 +37,7 @@ WRONG = {
 @contextmanager
 def served_lab() -> Iterator[int]:
     """A lab on this machine whose default kind is ready; its port."""
-    desk = Desk(prepared=(DEFAULTS,))
+    desk = RequestQueue(prepared=(DEFAULTS,))
     desk.open()
     server = server_of(lab_app(desk))
     with bound("127.0.0.1", 0) as listening:

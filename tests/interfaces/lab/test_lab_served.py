@@ -23,7 +23,14 @@ pytest.importorskip("uvicorn", reason="the lab needs the extra web")
 
 from interfaces.lab.lab_served import WRONG, served_lab
 from springback.errors import InputError
-from springback.interfaces.lab.queue import AT_START, Busy, Desk, NotReady, Overtaken, kind_of
+from springback.interfaces.lab.queue import (
+    AT_START,
+    Busy,
+    NotReady,
+    RequestQueue,
+    Superseded,
+    kind_of,
+)
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.scenarios import lab_toml
 from springback.interfaces.lab.settings import (
@@ -40,7 +47,7 @@ def setting(**words: Any) -> LabSettings:
 # -- the desk -------------------------------------------------------------------------------------
 
 
-def asked(desk: Desk, *requests: tuple[LabSettings, str]) -> list[Any]:
+def asked(desk: RequestQueue, *requests: tuple[LabSettings, str]) -> list[Any]:
     async def all_of_them() -> list[Any]:
         tasks = [asyncio.ensure_future(desk.ask(*one)) for one in requests]
         return list(await asyncio.gather(*tasks, return_exceptions=True))
@@ -56,14 +63,14 @@ def test_of_one_page_only_the_newest_request_is_flown() -> None:
         flown.append(one.speed)
         return {"speed": one.speed}
 
-    desk = Desk(give, threads=1)
+    desk = RequestQueue(give, threads=1)
     desk._ready.add(kind_of(DEFAULTS))
     threading.Timer(0.3, gate.set).start()
     found = asked(
         desk, *((setting(speed=1 + k), "page") for k in range(4)), (setting(speed=5.5), "other")
     )
     # the first is under way when the others come; of these the last counts
-    assert [type(one) for one in found] == [bytes, Overtaken, Overtaken, bytes, bytes]
+    assert [type(one) for one in found] == [bytes, Superseded, Superseded, bytes, bytes]
     assert flown == [1.0, 4.0, 5.5]
 
 
@@ -74,7 +81,7 @@ def test_the_queue_has_an_end() -> None:
         gate.wait(5.0)
         return {}
 
-    desk = Desk(give, threads=1)
+    desk = RequestQueue(give, threads=1)
     desk._ready.add(kind_of(DEFAULTS))
     threading.Timer(0.3, gate.set).start()
     found = asked(desk, *((DEFAULTS, "") for _ in range(103)))
@@ -90,7 +97,7 @@ def test_kinds_are_prepared_aside_and_what_is_asked_for_comes_next() -> None:
         order.append(kind_of(one))
         return {}
 
-    desk = Desk(give, threads=1, prepared=AT_START)
+    desk = RequestQueue(give, threads=1, prepared=AT_START)
     desk.open()
     wanted = setting(mode="flight", recovery="staged", speed=6, pitch=-60)
     (refusal,) = asked(desk, (wanted, ""))

@@ -72,7 +72,7 @@ WAYS: dict[str, Callable[[pytest.MonkeyPatch], None]] = {
 def test_a_forced_flight_leaves_nothing_of_the_one_before(
     old: Path, monkeypatch: pytest.MonkeyPatch, way: str
 ) -> None:
-    """Was: the old diary and impact.png stayed, and `view` showed them."""
+    """Was: the old telemetry and impact.png stayed, and `view` showed them."""
     WAYS[way](monkeypatch)
     flown(old)
     assert held(old) == {
@@ -127,7 +127,7 @@ def test_a_kill_at_any_step_leaves_one_flight_or_the_other(
     after = held(old)
     assert after == before or {after[name] for name in MINE} == {"new"}
     if after != before:
-        assert "diary.parquet" not in after
+        assert "telemetry.parquet" not in after
     monkeypatch.setattr(folders, "YOUNG", -1.0)
     flown(old)
     assert [path.name for path in old.parent.iterdir()] == ["out"]
@@ -167,7 +167,7 @@ def test_a_folder_in_which_one_stands_stays_the_same(
     monkeypatch.chdir(old)
     flown(Path("."))
     assert Path("summary.json").read_text() == "new"
-    assert not Path("diary.parquet").exists()
+    assert not Path("telemetry.parquet").exists()
 
 
 def test_names_that_are_too_long_are_said(tmp_path: Path) -> None:

@@ -208,10 +208,10 @@ def test_what_moves_fast_away_from_contacts_is_followed() -> None:
 
 
 def test_thrust_is_the_last_word_of_the_diary(recovery: Flight) -> None:
-    scene, diary = scene_of(recovery), recovery.diary
+    scene, telemetry = scene_of(recovery), recovery.telemetry
     for i in (0, len(scene.t) // 2, len(scene.t) - 1):
-        page = np.flatnonzero(diary["t"] <= scene.t[i])[-1]
-        assert scene.thrust[i].tolist() == [diary[f"thrust{j}"][page] for j in (1, 2, 3, 4)]
+        page = np.flatnonzero(telemetry["t"] <= scene.t[i])[-1]
+        assert scene.thrust[i].tolist() == [telemetry[f"thrust{j}"][page] for j in (1, 2, 3, 4)]
 
 
 def test_events_are_where_the_measures_say(recovery: Flight) -> None:
@@ -348,7 +348,7 @@ def test_what_was_written_is_read_back(recovery: Flight, folder: Path) -> None:
     assert read.scenario == recovery.scenario
     assert (read.outcome, read.measures) == (recovery.outcome, recovery.measures)
     assert read.units == recovery.units
-    for ours, theirs in ((read.columns, recovery.columns), (read.diary, recovery.diary)):
+    for ours, theirs in ((read.columns, recovery.columns), (read.telemetry, recovery.telemetry)):
         assert list(ours) == list(theirs)
         assert all(np.array_equal(ours[name], theirs[name]) for name in ours)
     assert plain(scene_of(read)) == plain(scene_of(recovery))
@@ -409,11 +409,11 @@ HOSTILE = {
     "infinite": (lambda f: parquet(f, "SELECT * REPLACE (1e308 * 10 * (1 + t) AS x) FROM given"), "x"),
     "backwards": (lambda f: parquet(f, "SELECT * REPLACE (-t AS t) FROM given"), "column t"),
     "one instant": (lambda f: parquet(f, "SELECT * FROM given LIMIT 1"), "1 instants"),
-    "torn diary": (lambda f: replaced(f, "diary.parquet", b"PAR1"), "diary.parquet"),
-    "a diary of another flight": (
-        lambda f: (f / "diary.parquet").write_bytes(b"PAR1"), "belongs to another flight"
+    "torn telemetry": (lambda f: replaced(f, "telemetry.parquet", b"PAR1"), "telemetry.parquet"),
+    "a telemetry of another flight": (
+        lambda f: (f / "telemetry.parquet").write_bytes(b"PAR1"), "belongs to another flight"
     ),
-    "no diary": (lambda f: (f / "diary.parquet").unlink(), "diary.parquet"),
+    "no telemetry": (lambda f: (f / "telemetry.parquet").unlink(), "telemetry.parquet"),
     "an edited number": (
         lambda f: (f / "summary.json").write_text(
             re.sub(r'("touch_\w+": )([0-9])', r"\g<1>1\g<2>", (f / "summary.json").read_text())

@@ -59,8 +59,8 @@ PITCH = 0.4
 
 
 def made_up(tables: dict[str, Any], t: Any, wanted: Any, flown: Any) -> Flight:
-    """A flight with a diary; the estimate is 3, 4 and 0 mm off, the pitch 0.4 rad."""
-    columns, diary = {"t": t}, {"t": t}
+    """A flight with a telemetry; the estimate is 3, 4 and 0 mm off, the pitch 0.4 rad."""
+    columns, telemetry = {"t": t}, {"t": t}
     rates = {a: np.gradient(flown[a], t) for a in "xyz"}
     columns |= {a: flown[a] for a in "xyz"} | {f"v{a}": rates[a] for a in "xyz"}
     columns |= {f"w{a}": 0.0 * t for a in "xyz"} | {f"a{a}": 0.0 * t for a in "xyz"}
@@ -68,15 +68,17 @@ def made_up(tables: dict[str, Any], t: Any, wanted: Any, flown: Any) -> Flight:
     columns |= {f"q{part}": value + 0.0 * t for part, value in attitude.items()}
     for j in range(1, 5):
         columns |= {f"l{j}": 0.19 + 0.0 * t, f"fn{j}": 0.0 * t, f"ff{j}": 0.0 * t}
-        diary |= {f"thrust{j}": 3.0 + 0.1 * j + 0.0 * t, f"command{j}": 3.0 + 0.0 * t}
-    diary |= {f"ref_{a}": wanted[a] for a in "xyz"}
-    diary |= {f"ref_v{a}": wanted.get(f"v{a}", 0.0 * t) for a in "xyz"}
-    diary |= {f"aim_q{part}": value + 0.0 * t for part, value in attitude.items()}
-    diary |= {f"est_{a}": flown[a] + off for a, off in zip("xyz", (3e-3, 4e-3, 0.0), strict=True)}
+        telemetry |= {f"thrust{j}": 3.0 + 0.1 * j + 0.0 * t, f"command{j}": 3.0 + 0.0 * t}
+    telemetry |= {f"ref_{a}": wanted[a] for a in "xyz"}
+    telemetry |= {f"ref_v{a}": wanted.get(f"v{a}", 0.0 * t) for a in "xyz"}
+    telemetry |= {f"aim_q{part}": value + 0.0 * t for part, value in attitude.items()}
+    telemetry |= {
+        f"est_{a}": flown[a] + off for a, off in zip("xyz", (3e-3, 4e-3, 0.0), strict=True)
+    }
     measures: dict[str, float | None] = dict.fromkeys(MEASURES)
-    units = dict.fromkeys(columns | diary, "") | {"est_x": "m"}
+    units = dict.fromkeys(columns | telemetry, "") | {"est_x": "m"}
     scenario = scenario_from(tables)
-    return Flight(scenario, Outcome.NO_CONTACT, measures, columns, units, diary)
+    return Flight(scenario, Outcome.NO_CONTACT, measures, columns, units, telemetry)
 
 
 def made_up_steps(robot: str) -> Flight:
@@ -173,8 +175,8 @@ def test_a_guided_flight_is_shown_beside_what_was_wanted(flight: Flight) -> None
 
 
 def test_what_a_pilot_does_not_tell_is_left_out(flight: Flight) -> None:
-    told = {k: v for k, v in flight.diary.items() if not k.startswith(("est_", "ref_", "aim_"))}
-    axes = panels(plots.flight_figure(replace(flight, diary=told)))
+    told = {k: v for k, v in flight.telemetry.items() if not k.startswith(("est_", "ref_", "aim_"))}
+    axes = panels(plots.flight_figure(replace(flight, telemetry=told)))
     assert "Error [mm]" not in axes
     assert [line.get_label() for line in axes["x [m]"].lines] == ["flown"]
     assert [line.get_label() for line in axes["Tilt [deg]"].lines] == ["flown"]
@@ -204,10 +206,10 @@ def test_contacts_of_a_guided_flight_are_shaded_and_the_impact_has_a_figure(flig
 
 def test_hovering_is_not_magnified(flight: Flight) -> None:
     trembling = {**flight.columns, "y": 1e-3 * np.sin(flight.t)}
-    diary = {**flight.diary, "ref_y": 0.0 * flight.t}
-    low, high = panels(plots.flight_figure(replace(flight, columns=trembling, diary=diary)))[
-        "y [m]"
-    ].get_ylim()
+    telemetry = {**flight.telemetry, "ref_y": 0.0 * flight.t}
+    low, high = panels(
+        plots.flight_figure(replace(flight, columns=trembling, telemetry=telemetry))
+    )["y [m]"].get_ylim()
     assert high - low == pytest.approx(0.1)
 
 
@@ -228,18 +230,18 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
 def test_the_diary_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
     written = flight_files.write_flight(touching(flight), tmp_path, figures=False)
     assert [path.name for path in written] == [
-        "summary.json", "trajectory.parquet", "diary.parquet",
+        "summary.json", "trajectory.parquet", "telemetry.parquet",
     ]  # fmt: skip
     database = duckdb.connect()
-    path = str(tmp_path / "diary.parquet")
-    assert database.sql(f"SELECT * FROM '{path}'").columns == list(flight.diary)
+    path = str(tmp_path / "telemetry.parquet")
+    assert database.sql(f"SELECT * FROM '{path}'").columns == list(flight.telemetry)
     [(most,)] = database.execute(f"SELECT max(est_x) FROM '{path}'").fetchall()
-    assert most == float(flight.diary["est_x"].max())
+    assert most == float(flight.telemetry["est_x"].max())
     [(units,)] = database.execute(
         f"SELECT decode(value) FROM parquet_kv_metadata('{path}') WHERE decode(key) = 'units'"
     ).fetchall()
     assert json.loads(units)["est_x"] == "m"
-    assert set(json.loads(units)) == set(flight.diary)
+    assert set(json.loads(units)) == set(flight.telemetry)
 
 
 def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
@@ -250,7 +252,7 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
         "flight": "flight_figure", "energy": "energy_figure", "impact": "impact_figure",
     }  # fmt: skip
     assert "impact" not in flight_files._pictures(flight)
-    assert "impact" not in flight_files._pictures(replace(touching(flight), diary={}))
+    assert "impact" not in flight_files._pictures(replace(touching(flight), telemetry={}))
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:

@@ -251,7 +251,7 @@ def test_the_verdict_on_collisions_follows_the_trials() -> None:
 
 def test_words_carry_no_typed_numbers() -> None:
     for name in ("report", "slider", "flight", "resilience", "overview"):
-        for key, words in report_page.Words.of(name).text.items():
+        for key, words in report_page.Wording.of(name).text.items():
             if isinstance(words, str):
                 law = words.replace("1 + 1.5 c_a", "")  # the law itself
                 assert not re.search(r"\d", law), key

@@ -19,7 +19,7 @@ from springback.studies.proportions import CONFIDENCE, wilson
 Values = npt.NDArray[np.float64]
 
 
-class Estimate(NamedTuple):
+class IntervalEstimate(NamedTuple):
     """A number and its interval; None where there are too few flights."""
 
     value: float | None
@@ -27,11 +27,11 @@ class Estimate(NamedTuple):
     high: float | None
 
 
-def share(successes: int, flights: int) -> Estimate:
+def share(successes: int, flights: int) -> IntervalEstimate:
     """Of successes, with Wilson's interval (1927)."""
     if not flights:
-        return Estimate(None, None, None)
-    return Estimate(successes / flights, *wilson(successes, flights))
+        return IntervalEstimate(None, None, None)
+    return IntervalEstimate(successes / flights, *wilson(successes, flights))
 
 
 def ranks(count: int, part: float) -> tuple[int, int]:
@@ -49,19 +49,19 @@ def ranks(count: int, part: float) -> tuple[int, int]:
     return int(law.ppf(tail)), int(law.ppf(1.0 - tail)) + 1
 
 
-def quantile(ordered: Values, part: float) -> Estimate:
+def quantile(ordered: Values, part: float) -> IntervalEstimate:
     """A quantile of a law, from ordered values of it."""
     if not len(ordered):
-        return Estimate(None, None, None)
+        return IntervalEstimate(None, None, None)
     low, high = ranks(len(ordered), part)
-    return Estimate(
+    return IntervalEstimate(
         float(np.quantile(ordered, part)),
         float(ordered[low - 1]) if low >= 1 else None,
         float(ordered[high - 1]) if high <= len(ordered) else None,
     )
 
 
-def paired_difference(first_only: int, second_only: int, pairs: int) -> Estimate:
+def paired_difference(first_only: int, second_only: int, pairs: int) -> IntervalEstimate:
     """Difference of two shares over the same pairs, the first's less the second's.
 
     Agresti and Min (2005): Wald's interval after half a pair is added to each of four cells.
@@ -72,15 +72,15 @@ def paired_difference(first_only: int, second_only: int, pairs: int) -> Estimate
         pairs: All.
     """
     if not pairs:
-        return Estimate(None, None, None)
+        return IntervalEstimate(None, None, None)
     total = pairs + 2.0
     b, c = (first_only + 0.5) / total, (second_only + 0.5) / total
     z = float(scipy.stats.norm.ppf(0.5 * (1.0 + CONFIDENCE)))
     reach = z * math.sqrt((b + c - (b - c) ** 2) / total)
     difference = (first_only - second_only) / pairs
-    return Estimate(difference, max(-1.0, b - c - reach), min(1.0, b - c + reach))
+    return IntervalEstimate(difference, max(-1.0, b - c - reach), min(1.0, b - c + reach))
 
 
-def as_dict(estimate: Estimate) -> dict[str, Any]:
+def as_dict(estimate: IntervalEstimate) -> dict[str, Any]:
     """Plain data."""
     return estimate._asdict()

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import Estimate, Values, share
-from springback.campaign.design.distributions import BellFactor, Levels
+from springback.campaign.analysis.intervals import IntervalEstimate, Values, share
+from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
 from springback.results.database import named
 
@@ -60,7 +60,7 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     if name not in known:
         raise InputError(f"{name}: is not varied by this campaign; varied are {', '.join(known)}")
     one, column = known[name], named(name)
-    if isinstance(one.law, Levels) and (one.text or len(one.law.values) <= MOST_LEVELS):
+    if isinstance(one.law, LevelSet) and (one.text or len(one.law.values) <= MOST_LEVELS):
         values = [one.shown(k, 0) for k in range(one.law.levels)]
         labels = tuple(v if isinstance(v, str) else f"{v:.6g}" for v in values)
         texts = ", ".join(f"{v!r}" if isinstance(v, str) else f"{v!r}::DOUBLE" for v in values)
@@ -68,8 +68,8 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
         return Scale(
             name, one.unit, labels, places, False, f"list_position([{texts}], {column}) - 1"
         )
-    logarithmic = getattr(one.law, "logarithmic", False) or isinstance(one.law, BellFactor)
-    bell = not hasattr(one.law, "first") and not isinstance(one.law, Levels)
+    logarithmic = getattr(one.law, "logarithmic", False) or isinstance(one.law, NormalFactor)
+    bell = not hasattr(one.law, "first") and not isinstance(one.law, LevelSet)
     ends = f"quantile_cont({column}, [{TAIL}, {1.0 - TAIL}])" if bell else (
         f"[min({column}), max({column})]"
     )  # fmt: skip
@@ -86,14 +86,14 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     return Scale(name, one.unit, (), tuple(map(float, shown)), logarithmic, cell)
 
 
-class Cell(NamedTuple):
+class MarginalCell(NamedTuple):
     """Flights of a robot in a cell."""
 
     place: float
     """Their mean along the field; of levels with words, the number of the level."""
     flights: int
     successes: int
-    success: Estimate
+    success: IntervalEstimate
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ class Marginal:
     """Success along one field, whatever the others are."""
 
     scale: Scale
-    robots: dict[str, tuple[Cell, ...]]
+    robots: dict[str, tuple[MarginalCell, ...]]
     """Of each, cells that any flight is in."""
 
     def as_dict(self) -> dict[str, Any]:
@@ -127,9 +127,11 @@ def marginal(campaign: Campaign, name: str, cells: int = 12) -> Marginal:
     place = "cell" if text else f"avg({named(name)})"
     sql = f"""SELECT robot, {cut.cell} AS cell, {place} AS place, count(success), sum(success)
               FROM flights WHERE success IS NOT NULL GROUP BY robot, cell ORDER BY robot, cell"""
-    robots: dict[str, list[Cell]] = {robot: [] for robot in campaign.about["robots"]}
+    robots: dict[str, list[MarginalCell]] = {robot: [] for robot in campaign.about["robots"]}
     for robot, _, at, flights, won in campaign.query(sql).rows:
-        robots[robot].append(Cell(float(at), int(flights), int(won), share(int(won), int(flights))))
+        robots[robot].append(
+            MarginalCell(float(at), int(flights), int(won), share(int(won), int(flights)))
+        )
     return Marginal(cut, {robot: tuple(found) for robot, found in robots.items()})
 
 

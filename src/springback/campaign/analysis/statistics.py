@@ -9,7 +9,7 @@ import numpy as np
 
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import (
-    Estimate,
+    IntervalEstimate,
     paired_difference,
     quantile,
     share,
@@ -40,9 +40,9 @@ class RobotSummary:
     ledger_open: int
     """Whose energy ledger does not close to 1e-4."""
     successes: int
-    success: Estimate
+    success: IntervalEstimate
     outcomes: dict[str, int]
-    measures: dict[str, tuple[int, tuple[Estimate, ...]]]
+    measures: dict[str, tuple[int, tuple[IntervalEstimate, ...]]]
     """Of each: how many flights have it, and its quantiles."""
 
     def as_dict(self) -> dict[str, Any]:
@@ -74,9 +74,9 @@ class PairSummary:
     """Pairs in which the first succeeded alone."""
     second_only: int
     neither: int
-    difference: Estimate
+    difference: IntervalEstimate
     """Of the shares of success, the first's less the second's."""
-    medians: dict[str, tuple[int, Estimate]]
+    medians: dict[str, tuple[int, IntervalEstimate]]
     """Of the difference of each measure: number of pairs that have it, and the median."""
 
     def as_dict(self) -> dict[str, Any]:

@@ -9,14 +9,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from springback.campaign.design.distributions import Bell, BellFactor, Even, Law, Levels
+from springback.campaign.design.distributions import (
+    Distribution,
+    LevelSet,
+    NormalDistribution,
+    NormalFactor,
+    UniformDistribution,
+)
 from springback.campaign.design.plan import FROM, MOST_LEVELS, Plan, Vary
 from springback.campaign.design.targets import (
     GAINS,
     WALL_ANGLE,
     WALL_SHIFT,
     Place,
-    Target,
+    TargetField,
     added,
     multiplied,
     target,
@@ -32,7 +38,7 @@ Blame = Callable[[Path, str], None]
 
 #: Names of columns (chosen): dotted paths, and words.
 NAME = re.compile(r"[A-Za-z_][\w.\[\]]*\Z")
-#: A factor that stands for the law of `laws.BellFactor` or `laws.Even`.
+#: A factor that stands for the law of `laws.NormalFactor` or `laws.UniformDistribution`.
 FACTOR = "_factor"
 
 
@@ -42,7 +48,7 @@ class Dimension:
 
     column: str
     unit: str
-    law: Law
+    law: Distribution
     table: str
     """Of the scenario, that the value goes into."""
     place: Place
@@ -60,7 +66,7 @@ class Dimension:
 
     def placed(self, drawn: Any, robot: int) -> Any:
         """What goes into a robot's scenario, from what the law gave."""
-        if isinstance(self.law, Levels):
+        if isinstance(self.law, LevelSet):
             return self.law.values[drawn]
         if not self.own:
             return drawn
@@ -69,11 +75,11 @@ class Dimension:
     @property
     def text(self) -> bool:
         """Whether its column holds words."""
-        return isinstance(self.law, Levels) and not all(map(_is_number, self.law.values))
+        return isinstance(self.law, LevelSet) and not all(map(_is_number, self.law.values))
 
     def shown(self, drawn: Any, robot: int) -> Any:
         """A value as it stands in the column, from what the law gave."""
-        if not isinstance(self.law, Levels):
+        if not isinstance(self.law, LevelSet):
             return drawn if self.factor else self.placed(drawn, robot)
         value = self.law.values[drawn]
         if not self.text:
@@ -90,7 +96,7 @@ class Found(NamedTuple):
 
     dimension: Dimension
     extremes: Extremes
-    goal: Target
+    goal: TargetField
 
 
 def _is_number(value: Any) -> bool:
@@ -137,7 +143,12 @@ class _Reader:
     """Reads the values of one entry, and blames what cannot be read."""
 
     def __init__(
-        self, at: Path, entry: Vary, goal: Target, scenarios: tuple[Scenario, ...], blame: Blame
+        self,
+        at: Path,
+        entry: Vary,
+        goal: TargetField,
+        scenarios: tuple[Scenario, ...],
+        blame: Blame,
     ) -> None:
         self.at, self.entry, self.goal = at, entry, goal
         self.scenarios, self.blame = scenarios, blame
@@ -161,7 +172,7 @@ class _Reader:
         self.failed = True
         self.blame((*self.at, *([key] if key else [])), what)
 
-    def levels(self) -> tuple[Law, Extremes] | None:
+    def levels(self) -> tuple[Distribution, Extremes] | None:
         """Of values, one by one."""
         given = self.entry.values or ()
         if self.goal.number is not None:
@@ -171,9 +182,9 @@ class _Reader:
         if len(set(labels)) != len(labels) and not self.failed:
             self.say("values", "has one twice")
         where = (*self.at, "values")
-        return None if self.failed else (Levels(given), tuple((where, v) for v in given))
+        return None if self.failed else (LevelSet(given), tuple((where, v) for v in given))
 
-    def law(self, grid: bool) -> tuple[Law, Extremes] | None:
+    def law(self, grid: bool) -> tuple[Distribution, Extremes] | None:
         """Of from and to, normal or factor."""
         if self.goal.number is None:
             self.say("field", "is no single number; give values")
@@ -196,7 +207,7 @@ class _Reader:
         ends = (((*self.at, FROM), first), ((*self.at, "to"), last))
         return None if law is None else (law, ends)
 
-    def spread(self, first: float, last: float, grid: bool) -> Law | None:
+    def spread(self, first: float, last: float, grid: bool) -> Distribution | None:
         """Levels where they are counted, else evenly."""
         count, logarithmic = self.entry.count, self.entry.spacing == "logarithmic"
         whole = self.goal.number is not None and self.goal.number.whole
@@ -218,7 +229,7 @@ class _Reader:
         if count is None and grid:
             self.say("", "needs count or step: a grid has levels")
             return None
-        law = Even(first, last, logarithmic)
+        law = UniformDistribution(first, last, logarithmic)
         if count is None:
             return law
         digits = 12 - math.ceil(math.log10(max(abs(first), abs(last))))
@@ -226,9 +237,9 @@ class _Reader:
         if whole and any(value != round(value) for value in values):
             self.say("count", f"leads to numbers that are not whole ({values[1]:g})")
             return None
-        return Levels(tuple(int(v) for v in values) if whole else tuple(values))
+        return LevelSet(tuple(int(v) for v in values) if whole else tuple(values))
 
-    def bell(self) -> tuple[Law, Extremes] | None:
+    def bell(self) -> tuple[Distribution, Extremes] | None:
         """Of a normal law."""
         given = self.entry.normal
         assert given is not None
@@ -236,12 +247,16 @@ class _Reader:
         if not self.failed and not deviation > 0.0:
             self.say("normal", f"deviation must be more than 0 (got {given.deviation!r})")
         if given.mean is None:
-            return None if self.own() is None or self.failed else (Bell(0.0, deviation), ())
+            return (
+                None
+                if self.own() is None or self.failed
+                else (NormalDistribution(0.0, deviation), ())
+            )
         mean = self.number("normal", given.mean)
         middle = (((*self.at, "normal"), mean),)
-        return None if self.failed else (Bell(mean, deviation), middle)
+        return None if self.failed else (NormalDistribution(mean, deviation), middle)
 
-    def factor(self) -> tuple[Law, Extremes] | None:
+    def factor(self) -> tuple[Distribution, Extremes] | None:
         """Of a factor."""
         given = self.entry.factor
         assert given is not None
@@ -250,10 +265,10 @@ class _Reader:
                 self.say("factor", "cannot multiply a change; give from and to, or normal")
             return None
         if given.deviation is not None:
-            return BellFactor(float(given.deviation)), ()
+            return NormalFactor(float(given.deviation)), ()
         assert given.from_ is not None
         assert given.to is not None
-        return Even(float(given.from_), float(given.to)), ()
+        return UniformDistribution(float(given.from_), float(given.to)), ()
 
     def own(self) -> tuple[float, ...] | None:
         """Of each robot, the scenario's own value; None if one has none, which is told."""
@@ -304,7 +319,11 @@ def scattered(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
     found = []
     for slot, (word, unit, deviation, table, place) in enumerate(rows):
         if deviation > 0.0 and place is not None:
-            law = BellFactor(deviation) if word.endswith(FACTOR) else Bell(0.0, deviation)
+            law = (
+                NormalFactor(deviation)
+                if word.endswith(FACTOR)
+                else NormalDistribution(0.0, deviation)
+            )
             found.append(Dimension(f"scatter_{word}", unit, law, table, place, slot=slot))
     return found
 

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from springback.campaign.design.sampling import Numbers, normal_quantiles
 
 
-class Law(Protocol):
+class Distribution(Protocol):
     """What a dimension of a plan does with its number."""
 
     @property
@@ -24,7 +24,7 @@ class Law(Protocol):
 
 
 @dataclass(frozen=True)
-class Levels:
+class LevelSet:
     """Values, all alike likely."""
 
     values: tuple[Any, ...]
@@ -41,7 +41,7 @@ class Levels:
 
 
 @dataclass(frozen=True)
-class Even:
+class UniformDistribution:
     """Evenly between two values."""
 
     first: float
@@ -62,7 +62,7 @@ class Even:
 
 
 @dataclass(frozen=True)
-class Bell:
+class NormalDistribution:
     """Normally distributed about a value; about zero, what is added to it."""
 
     mean: float
@@ -76,7 +76,7 @@ class Bell:
 
 
 @dataclass(frozen=True)
-class BellFactor:
+class NormalFactor:
     """A factor whose logarithm is normally distributed about zero."""
 
     deviation: float

@@ -225,14 +225,14 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     )
     found = [varied(k, entry, plan, scenarios, blame) for k, entry in enumerate(plan.vary)]
     fields = [one for one in found if one is not None]
-    luck: list[Dimension] = []
+    noise_stream: list[Dimension] = []
     try:
-        luck = scattered(plan.scatter.deviations(), scenarios[0]) if plan.scatter else []
+        noise_stream = scattered(plan.scatter.deviations(), scenarios[0]) if plan.scatter else []
     except InputError as error:
         blame(("scatter",), str(error))
     dimensions = [one.dimension for one in fields]
     _check_columns(plan, found, blame)
-    if luck or any(one.table == "world" for one in dimensions):
+    if noise_stream or any(one.table == "world" for one in dimensions):
         world = in_numbers(bases[0], scenarios[0])
         bases = tuple({**world, "vehicle": base["vehicle"]} for base in bases)
     if not problems and tried:
@@ -245,7 +245,12 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
         for one in fields:
             samples *= max(1, one.dimension.law.levels)
     design = Design(
-        plan, _named(plan), bases, (*dimensions, *luck), _in_order(fields, len(luck)), samples
+        plan,
+        _named(plan),
+        bases,
+        (*dimensions, *noise_stream),
+        _in_order(fields, len(noise_stream)),
+        samples,
     )
     if samples > MOST_SAMPLES or design.flights > MOST_FLIGHTS:
         what = f"{design.flights} flights of {samples} samples are too many; at most {MOST_FLIGHTS}"
@@ -253,11 +258,11 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     return design
 
 
-def _in_order(fields: Sequence[Found], luck: int) -> tuple[int, ...]:
+def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
     """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
     goals = [one.goal for one in fields]
     order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
-    return (*order, *range(len(goals), len(goals) + luck))
+    return (*order, *range(len(goals), len(goals) + noise_stream))
 
 
 # -- robots ---------------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ DEALT = {
 }
 
 
-class Target(NamedTuple):
+class TargetField(NamedTuple):
     """A field of the scenario that can be varied."""
 
     column: str
@@ -53,7 +53,7 @@ class Target(NamedTuple):
     """Whether the value changes what is there, instead of taking its place."""
 
 
-def target(field: str, scenario: Scenario) -> Target:
+def target(field: str, scenario: Scenario) -> TargetField:
     """The field of a name.
 
     Args:
@@ -77,7 +77,7 @@ def target(field: str, scenario: Scenario) -> Target:
         number = number_at(name, path, scenario)
     except InputError as error:
         raise InputError(str(error).removeprefix(f"{name}: ")) from None
-    return Target(column, path, number, _at_path(path, number))
+    return TargetField(column, path, number, _at_path(path, number))
 
 
 def _at_path(path: Path, number: Parameter | None) -> Place:
@@ -107,7 +107,7 @@ def _at(table: Any, path: Sequence[str | int]) -> Any:
 # -- the wall -------------------------------------------------------------------------------------
 
 
-def _of_the_wall(word: str, scenario: Scenario) -> Target:
+def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
     kinds = [obstacle.type for obstacle in scenario.world.obstacles]
     index = next((k for k, kind in enumerate(kinds) if kind in ("wall", "mat")), None)
     if index is None:
@@ -120,7 +120,7 @@ def _of_the_wall(word: str, scenario: Scenario) -> Target:
         return {**world, "obstacles": [*entries[:index], entry, *entries[index + 1 :]]}
 
     path = ("world", "obstacles", index)
-    return Target(word, path, Parameter(word, path, unit), place, relative=True)
+    return TargetField(word, path, Parameter(word, path, unit), place, relative=True)
 
 
 def _faced(entry: Mapping[str, Any]) -> dict[str, Any]:

@@ -22,7 +22,7 @@ EDGE_ON = 0.2
 """A face whose normal has less than this in a plane is not drawn in it."""
 
 
-class View(NamedTuple):
+class ViewPlane(NamedTuple):
     """A plane to look at: its axes to the right and up, and a point it goes through, world."""
 
     right: Array
@@ -34,7 +34,7 @@ class View(NamedTuple):
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
-class Pose(NamedTuple):
+class SceneInstant(NamedTuple):
     """A scene at an instant."""
 
     position: Array  # [m]
@@ -45,7 +45,7 @@ class Pose(NamedTuple):
     point: Array  # where it acts [m], shape (parts, 3)
 
 
-def pose(scene: Scene, t: float) -> Pose:
+def pose(scene: Scene, t: float) -> SceneInstant:
     """Where everything is at an instant, linear between those of the scene.
 
     Args:
@@ -66,7 +66,7 @@ def pose(scene: Scene, t: float) -> Pose:
         touching.all(axis=0)[:, None], between(scene.point),
         np.where(touching[0][:, None], scene.point[k], scene.point[k + 1]),
     )  # fmt: skip
-    return Pose(
+    return SceneInstant(
         between(scene.position), rotation(turned), between(scene.arm_length), scene.thrust[near],
         between(scene.force), point,
     )  # fmt: skip
@@ -86,7 +86,7 @@ def rotation(attitude: Array) -> Array:
     ])  # fmt: skip
 
 
-def views(scene: Scene) -> tuple[View, View]:
+def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
     """From the side, the obstacle that is hit first on the right, and from above.
 
     Args:
@@ -103,7 +103,7 @@ def views(scene: Scene) -> tuple[View, View]:
         if level > 0.5:
             right = np.array([*(toward[:2] / level), 0.0])
     up = np.array([0.0, 0.0, 1.0])
-    return View(right, up, through), View(right, np.cross(up, right), through)
+    return ViewPlane(right, up, through), ViewPlane(right, np.cross(up, right), through)
 
 
 def _normal(scene: Scene, point: Array, force: Array) -> Array:
@@ -123,14 +123,14 @@ def ring(centre: Array, radius: float, turn: Array) -> Array:
     return centre + radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1) @ turn[:, :2].T
 
 
-def ends(arms: Sequence[ArmShape], now: Pose, *, free: bool = False) -> Array:
+def ends(arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False) -> Array:
     """Ends of the arms, where cages and rotors are, as they are or at their free length."""
     lengths = np.array([arm.length for arm in arms]) if free else now.lengths
     directions = np.array([arm.direction for arm in arms])
     return np.asarray(now.position + (lengths[:, None] * directions) @ now.rotation.T)
 
 
-def arm_line(arm: ArmShape, now: Pose, length: float) -> Array:
+def arm_line(arm: ArmShape, now: SceneInstant, length: float) -> Array:
     """An arm from the main body to the rotor: a helix if it gives way, else straight."""
     along = now.rotation @ np.array(arm.direction)
     if not arm.compliant:
@@ -143,13 +143,13 @@ def arm_line(arm: ArmShape, now: Pose, length: float) -> Array:
     return np.vstack([now.position, spiral, now.position + length * along])
 
 
-def body_outline(now: Pose) -> tuple[Array, Array]:
+def body_outline(now: SceneInstant) -> tuple[Array, Array]:
     """Upper and lower rim of the main body, shape (points, 3) each."""
     rim, lift = ring(now.position, BODY, now.rotation), BODY_HEIGHT * now.rotation[:, 2]
     return rim + lift, rim - lift
 
 
-def sphere_outline(hull: HullShape, now: Pose, view: View) -> Array:
+def sphere_outline(hull: HullShape, now: SceneInstant, view: ViewPlane) -> Array:
     """Outline of the hull in the plane of a view, shape (points, 2)."""
     centre = view(now.position + now.rotation @ np.array(hull.centre))
     return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
@@ -158,7 +158,7 @@ def sphere_outline(hull: HullShape, now: Pose, view: View) -> Array:
 # -- what is hit ----------------------------------------------------------------------------------
 
 
-def half_plane(thing: Drawable, view: View, depth: float, size: float) -> Array | None:
+def half_plane(thing: Drawable, view: ViewPlane, depth: float, size: float) -> Array | None:
     """What lies behind a face in the plane of a view, as a quadrangle [m]; None if edge-on.
 
     Args:
@@ -181,7 +181,7 @@ def half_plane(thing: Drawable, view: View, depth: float, size: float) -> Array 
     )
 
 
-def cut(thing: Drawable, view: View) -> Array:
+def cut(thing: Drawable, view: ViewPlane) -> Array:
     """Where a mesh meets the plane of a view, shape (pieces, 2, 2) [m]."""
     if thing.vertices is None or thing.triangles is None:
         return np.zeros((0, 2, 2))

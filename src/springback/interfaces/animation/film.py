@@ -67,10 +67,10 @@ def write_film(
         InputError: If there is nothing to show, or the suffix or an extra is missing.
     """
     check(path, size, fps)
-    from springback.interfaces.animation.frame import Picture
+    from springback.interfaces.animation.frame import Frame
 
     when = timing(scenes, slow=slow, begin=begin, end=end, fps=fps)
-    picture, count = Picture(scenes, when, size or SIZES[len(scenes)]), len(when.t)
+    picture, count = Frame(scenes, when, size or SIZES[len(scenes)]), len(when.t)
     frames = []
     for k in range(count):
         frames.append(picture.at(k))

@@ -11,9 +11,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from springback.interfaces.animation.bodies import Pose, pose, views
-from springback.interfaces.animation.panel import Panel
-from springback.interfaces.animation.timing import EARLY, LATE, Timing, origin
+from springback.interfaces.animation.bodies import SceneInstant, pose, views
+from springback.interfaces.animation.panel import ScenePanel
+from springback.interfaces.animation.timing import EARLY, LATE, FilmTiming, origin
 from springback.interfaces.figures.style import BLUE, GREY, INK, RED, Look, as_written
 from springback.interfaces.replay.scene import Scene
 
@@ -34,10 +34,10 @@ CURVE, HEAD, GAP = 0.25, 0.07, 0.004
 """Chosen: shares of the height of curve and clock, and between the views."""
 
 
-class Picture:
+class Frame:
     """A figure that can be turned to any instant of its scenes."""
 
-    def __init__(self, scenes: Sequence[Scene], timing: Timing, size: tuple[int, int]) -> None:
+    def __init__(self, scenes: Sequence[Scene], timing: FilmTiming, size: tuple[int, int]) -> None:
         """The figure, not yet at any instant.
 
         Args:
@@ -93,7 +93,7 @@ class Picture:
             x, 0.985, "", ha=side, va="top", fontsize=size, weight=weight, color=INK, animated=True
         )
 
-    def _column(self, k: int) -> tuple[Panel, Panel]:
+    def _column(self, k: int) -> tuple[ScenePanel, ScenePanel]:
         """A scene from the side, and below from above."""
         scene, width, height = self.scenes[k], 1.0 / len(self.scenes), 1.0 - CURVE - HEAD
         side, above = views(scene)
@@ -109,7 +109,7 @@ class Picture:
 
     def _panel(
         self, scene: Scene, view: Any, k: int, box: tuple[float, float, float, float], words: str
-    ) -> Panel:
+    ) -> ScenePanel:
         x, y, width, height = box
         ax = self.figure.add_axes((x + GAP, y + GAP, width - 2 * GAP, height - 2 * GAP))
         ax.set(xticks=[], yticks=[], facecolor="#FBFBFC")
@@ -117,11 +117,11 @@ class Picture:
             spine.set(color="#D5D9DE", linewidth=0.8)
         size = 9 * self.unit
         ax.text(0.015, 0.03, words, transform=ax.transAxes, fontsize=size, color="#5B6067")
-        return Panel(ax, view, scene, LOOKS[k % 2][0], self.unit)
+        return ScenePanel(ax, view, scene, LOOKS[k % 2][0], self.unit)
 
     # -- where to look ----------------------------------------------------------------------------
 
-    def _aim(self, poses: Sequence[Pose], when: float) -> None:
+    def _aim(self, poses: Sequence[SceneInstant], when: float) -> None:
         """All views on one scale, closing in around impacts; if the way is too long, follow."""
         half = max(half for column in self.ways for half, _ in column)
         follow, half = half > WIDEST, min(half, WIDEST)
@@ -134,7 +134,7 @@ class Picture:
                 here = panel.view(now.position)
                 panel.look(here if follow else (1 - share) * middle + share * here, half)
 
-    def _way(self, panel: Panel) -> tuple[float, Array]:
+    def _way(self, panel: ScenePanel) -> tuple[float, Array]:
         """Half the width that shows all of a scene's way, and the middle of it [m]."""
         inside = _shown(panel.scene, self.timing.begin, self.timing.end)
         way = panel.view(panel.scene.position[inside])
@@ -164,7 +164,7 @@ def _shown(scene: Scene, begin: float, end: float) -> Any:
     return inside
 
 
-def _told(scene: Scene, now: Pose) -> str:
+def _told(scene: Scene, now: SceneInstant) -> str:
     """Sum of the contact forces on all cages, and how far the arms give."""
     lines = [f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"]
     if any(arm.compliant for arm in scene.arms):
@@ -183,7 +183,7 @@ def _nearness(when: float, begin: float, end: float) -> float:
 class _Curve:
     """The acceleration of the main bodies, as it comes to be."""
 
-    def __init__(self, picture: Picture) -> None:
+    def __init__(self, picture: Frame) -> None:
         """The axes, and curves without points.
 
         Args:
@@ -211,7 +211,7 @@ class _Curve:
         self.ax.set(xlim=(1e3 * begin, 1e3 * end), ylim=(0.0, 1.08 * top))
         self._labelled(picture)
 
-    def _labelled(self, picture: Picture) -> None:
+    def _labelled(self, picture: Frame) -> None:
         ax, unit = self.ax, picture.unit
         ax.set_ylabel("acceleration\n[m/s²]", fontsize=9 * unit, color=INK)
         zero = "first touch" if any(s.impacts for s in picture.scenes) else "the start"

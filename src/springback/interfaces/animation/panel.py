@@ -14,8 +14,8 @@ from scipy.spatial import ConvexHull
 
 from springback.interfaces.animation.bodies import (
     MAST,
-    Pose,
-    View,
+    SceneInstant,
+    ViewPlane,
     arm_line,
     body_outline,
     cut,
@@ -42,10 +42,10 @@ FAINT = 0.004
 """Chosen: arrows shorter than this [m] are not drawn."""
 
 
-class Panel:
+class ScenePanel:
     """A view of a scene: what moves in it, in the order in which it is drawn."""
 
-    def __init__(self, ax: Axes, view: View, scene: Scene, colour: str, unit: float) -> None:
+    def __init__(self, ax: Axes, view: ViewPlane, scene: Scene, colour: str, unit: float) -> None:
         """All lines and areas, not yet anywhere.
 
         Args:
@@ -129,7 +129,7 @@ class Panel:
         self.length.set_position((right - 0.5 * bar, y + 0.02 * half))
         self.length.set_text(f"{bar:g} m")
 
-    def turn(self, now: Pose, past: Array, newton: float) -> None:
+    def turn(self, now: SceneInstant, past: Array, newton: float) -> None:
         """Put everything where it is.
 
         Args:
@@ -146,7 +146,7 @@ class Panel:
             self.free[j].set_data(*view(rest if pressed else rest[:0]).T)
             self.cages[j].set_data(*view(ring(tips[j], arm.cage_radius, now.rotation)).T)
             self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
-            bar = THRUST_BAR * now.thrust[j] / max(scene.most_thrust, 1e-9) * now.rotation[:, 2]
+            bar = THRUST_BAR * now.thrust[j] / max(scene.max_thrust, 1e-9) * now.rotation[:, 2]
             self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
         for line, shape in zip(self.hull, scene.hull, strict=True):
             line.set_data(*sphere_outline(shape, now, view).T)

@@ -26,7 +26,7 @@ EASING = 0.02
 MOST_FRAMES = 1500
 
 
-class Timing(NamedTuple):
+class FilmTiming(NamedTuple):
     """Instants of a film, counted from the first touch, or from the start where nothing touches."""
 
     t: Array  # of every frame [s]
@@ -52,7 +52,7 @@ def timing(
     fps: float,
     begin: float | None = None,
     end: float | None = None,
-) -> Timing:
+) -> FilmTiming:
     """The instants of a film.
 
     Args:
@@ -80,7 +80,7 @@ def timing(
     start, stop = max(start, first), min(stop, last)
     windows = _windows(scenes, start, stop)
     t = _instants(windows, start, stop, max(slow, 1.0), fps)
-    return Timing(t, _slowness(t, windows, max(slow, 1.0)), start, stop, windows)
+    return FilmTiming(t, _slowness(t, windows, max(slow, 1.0)), start, stop, windows)
 
 
 def _windows(scenes: Sequence[Scene], start: float, stop: float) -> tuple[tuple[float, float], ...]:

@@ -27,7 +27,7 @@ from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
 
 if TYPE_CHECKING:
-    from springback.campaign.running import Progress
+    from springback.campaign.running import CampaignProgress
 
 FOLDER = click.Path(path_type=Path, exists=False)
 WAIT = "; a kind of flight that is new is compiled first, for a minute"
@@ -84,7 +84,7 @@ def campaign(
     springback campaign plan.toml --out results --resume
     springback query results "SELECT robot, avg(success) FROM flights GROUP BY robot"
     """
-    from springback.campaign.errors import Stopped
+    from springback.campaign.errors import CampaignError
     from springback.campaign.running import run_campaign
 
     if plan is None and not (resume and out):
@@ -105,7 +105,7 @@ def campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
                 tls=tls, device=device, progress=tell, remark=remark,
             )  # fmt: skip
-    except Stopped as error:
+    except CampaignError as error:
         note(f"error: {error}", False)
         note(f"what was flown is kept; go on by: {again}", False)
         sys.exit(1)
@@ -168,7 +168,9 @@ def _finished(flown: Any, out: Path, as_json: bool, quiet: bool) -> None:
 
 
 @contextlib.contextmanager
-def _told(quiet: bool) -> Iterator[tuple[Callable[[Progress], None], Callable[[str], None]]]:
+def _told(
+    quiet: bool,
+) -> Iterator[tuple[Callable[[CampaignProgress], None], Callable[[str], None]]]:
     """Progress as a bar on a terminal, else as a line now and then; remarks as lines of stderr."""
     from rich.console import Console
 
@@ -179,7 +181,7 @@ def _told(quiet: bool) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
         return
     last = [-BETWEEN_LINES]
 
-    def tell(now: Progress) -> None:
+    def tell(now: CampaignProgress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
             note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT), quiet)
@@ -188,7 +190,9 @@ def _told(quiet: bool) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
 
 
 @contextlib.contextmanager
-def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[str], None]]]:
+def _bar(
+    console: Any,
+) -> Iterator[tuple[Callable[[CampaignProgress], None], Callable[[str], None]]]:
     from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
     from rich.progress import Progress as Bars
 
@@ -196,7 +200,7 @@ def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
     with Bars(*columns, console=console, transient=True) as bars:
         task = bars.add_task(f"starting{WAIT}", total=1)
 
-        def tell(now: Progress) -> None:
+        def tell(now: CampaignProgress) -> None:
             said = now.sentence() if now.rate else None
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
@@ -208,11 +212,11 @@ def _bar(console: Any) -> Iterator[tuple[Callable[[Progress], None], Callable[[s
 
 def _foretold(design: Any, workers: int | None, as_json: bool, quiet: bool) -> None:
     """Say what a campaign would take."""
-    from springback.campaign.cost_estimate import outlook
+    from springback.campaign.cost_estimate import cost_estimate
 
     note("flying a few of its flights; kinds that are new are compiled first", quiet)
     with spinner("flying a few", quiet):
-        coming = outlook(design, workers)
+        coming = cost_estimate(design, workers)
     print_result(coming.as_dict() if as_json else coming.sentence(), as_json)
 
 

@@ -65,18 +65,18 @@ def map_command(
     """
     from springback.errors import InputError
     from springback.interfaces.output.folders import output_folder
-    from springback.studies.envelope_run import fly_envelope, outlook, plan_envelope
+    from springback.studies.envelope_run import envelope_cost, fly_envelope, plan_envelope
 
     with spinner("reading", quiet):
         plan = plan_envelope(x, y, robots=robots, trials=trials, seed=seed, settings=settings)
     if dry_run:
-        coming = outlook(plan)
+        coming = envelope_cost(plan)
         print_result(coming._asdict() if as_json else coming.sentence(), as_json)
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     with output_folder(out, force=force) as folder:
-        note(outlook(plan).sentence(), quiet)
+        note(envelope_cost(plan).sentence(), quiet)
         with progress_bar("flying the map", quiet) as show:
             envelope = fly_envelope(plan, show)
         with spinner("writing", quiet):

@@ -58,13 +58,13 @@ def fly(
     from springback.interfaces.output.folders import SUMMARY, output_folder
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
-    from springback.scenario.avionics import uneasy
+    from springback.scenario.avionics import scenario_warnings
     from springback.scenario.files import read_scenario
     from springback.scenario.user_pilots import read_pilot
 
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)
-    for sentence in uneasy(ready, own=own is not None):
+    for sentence in scenario_warnings(ready, own=own is not None):
         note(f"warning: {sentence}", False)
     with output_folder(out, force=force, replaces=FLIGHT_FILES) as folder:
         with spinner(FIRST, quiet):

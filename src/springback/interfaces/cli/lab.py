@@ -25,10 +25,10 @@ def lab(host: str, port: int, no_browser: bool) -> None:
     for module in ("starlette", "uvicorn", "tomli_w"):
         needs(module, "web")
     from springback.interfaces.lab.app import lab_app
-    from springback.interfaces.lab.queue import Desk
+    from springback.interfaces.lab.queue import RequestQueue
     from springback.interfaces.web.server import serve
 
-    desk = Desk()
+    desk = RequestQueue()
     app = lab_app(desk)
     desk.open()
     serve(app, host=host, port=port, what="impact lab", browser=not no_browser)

@@ -40,7 +40,7 @@ for command in (why, choices, friction):
     "--free", type=click.FloatRange(50.0, 1e5), default=1000.0, show_default=True,
     help="Seconds of free flight of each robot.",
 )  # fmt: skip
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all luck.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all noise.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option
 @json_option

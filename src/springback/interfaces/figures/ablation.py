@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.style import BLUE, GREY, INK, RED, WIDTH, HouseFigure, styled
+from springback.interfaces.figures.style import BLUE, GREY, INK, RED, WIDTH, StyledFigure, styled
 from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, Range, WhyResults
 from springback.studies.ablation_pairs import CHANGES, PairResults
 from springback.studies.run_ups import CONDITIONS
@@ -30,7 +30,7 @@ def _test(pitch: float, speed: float) -> str:
 def ablation_figure(results: WhyResults) -> Figure:
     """Successes of each test, robot by robot, variant by variant."""
     rows = [v for v in VARIANTS if any(results.successes(v, robot) for robot in ROBOTS)]
-    figure = HouseFigure(figsize=(WIDTH * 1.75, 0.24 * len(rows) + 1.1), layout="constrained")
+    figure = StyledFigure(figsize=(WIDTH * 1.75, 0.24 * len(rows) + 1.1), layout="constrained")
     panels = figure.subplots(1, 2, sharey=True)
     for axes, robot in zip(panels, ROBOTS, strict=True):
         share = np.full((len(rows), len(CONDITIONS)), np.nan)
@@ -70,7 +70,7 @@ def _values(one: Range) -> np.ndarray[Any, np.dtype[np.float64]]:
 @styled
 def ranges_figure(results: WhyResults) -> Figure:
     """Share of all trials that succeed along each number that the paper does not print."""
-    figure = HouseFigure(figsize=(WIDTH * 1.5, 5.6), layout="constrained")
+    figure = StyledFigure(figsize=(WIDTH * 1.5, 5.6), layout="constrained")
     columns = 2
     grid = figure.subplots(-(-len(RANGES) // columns), columns, sharey=True)
     for axes, one in zip(grid.flat, RANGES, strict=False):
@@ -95,7 +95,7 @@ def ranges_figure(results: WhyResults) -> Figure:
 def pairs_figure(results: PairResults) -> Figure:
     """Recovered trials under every two changes at the paper's fastest; one change on the edge."""
     names = [change.cause for change in CHANGES]
-    figure = HouseFigure(figsize=(WIDTH * 1.75, 0.3 * len(names) + 2.0), layout="constrained")
+    figure = StyledFigure(figsize=(WIDTH * 1.75, 0.3 * len(names) + 2.0), layout="constrained")
     for axes, robot in zip(figure.subplots(1, 2, sharey=True), ROBOTS, strict=True):
         share = np.full((len(names), len(names)), np.nan)
         for i, first in enumerate(names):

@@ -13,7 +13,7 @@ from matplotlib.ticker import NullLocator
 
 from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
 from springback.interfaces.figures.envelope import ROBOTS, SCALE
-from springback.interfaces.figures.style import BLUE, GREEN, PINK, RED, SHADE, HouseFigure, styled
+from springback.interfaces.figures.style import BLUE, GREEN, PINK, RED, SHADE, StyledFigure, styled
 
 #: Of robots in their order, beside those that have looks of their own.
 LOOKS: dict[str, dict[str, Any]] = {
@@ -63,7 +63,7 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
     """
     columns = min(ABREAST, len(found))
     lines = math.ceil(len(found) / columns)
-    figure = HouseFigure(figsize=(PANEL[0] * columns + 0.5, PANEL[1] * lines + 0.5))
+    figure = StyledFigure(figsize=(PANEL[0] * columns + 0.5, PANEL[1] * lines + 0.5))
     grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
     keys: dict[str, Any] = {}
     lowest = 1.0
@@ -166,7 +166,7 @@ def field_map_figure(found: FieldMap) -> Figure:
         found: The shares.
     """
     robots = list(found.flights)
-    figure = HouseFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
+    figure = StyledFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
     axes = figure.subplots(1, len(robots), sharex=True, sharey=True, squeeze=False)[0]
     image: Any = None
     for panel, robot in zip(axes, robots, strict=True):

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
-from springback.interfaces.figures.style import GREY, INK, LOOKS, SHADE, WIDTH, HouseFigure, styled
+from springback.interfaces.figures.style import GREY, INK, LOOKS, SHADE, WIDTH, StyledFigure, styled
 from springback.studies.detection import (
     CHARACTERISED_FROM,
     IN_TIME,
@@ -20,7 +20,7 @@ from springback.studies.detection import (
     DetectionResults,
 )
 from springback.studies.detection_tables import default_threshold, sizes
-from springback.studies.roc import Point
+from springback.studies.roc import RocPoint
 
 WIDE = 1.55 * WIDTH
 """Of a figure with a column for each trigger [in]."""
@@ -64,7 +64,7 @@ def _outer(results: DetectionResults, robot: str, trigger: str, ax: Axes) -> Non
     ax.yaxis.label.set_visible(left)
 
 
-def _bounded(points: Sequence[Point]) -> tuple[list[float], list[float]]:
+def _bounded(points: Sequence[RocPoint]) -> tuple[list[float], list[float]]:
     """False alarms an hour and probabilities, falling; where none was seen, the bound."""
     kept = [p for p in points if p.bound <= MANY]
     return [p.bound for p in kept], [p.probability for p in kept]
@@ -77,7 +77,7 @@ def roc_figure(results: DetectionResults) -> Figure:
     Args:
         results: The study.
     """
-    figure = HouseFigure(figsize=(WIDE, 4.4))
+    figure = StyledFigure(figsize=(WIDE, 4.4))
     for robot, trigger, ax in _panels(results, figure, sharex=True):
         for k, speed in enumerate(SPEEDS):
             points = results.curve(robot, trigger, speed)
@@ -108,7 +108,7 @@ def delay_figure(results: DetectionResults) -> Figure:
     Args:
         results: The study.
     """
-    figure = HouseFigure(figsize=(WIDE, 4.4))
+    figure = StyledFigure(figsize=(WIDE, 4.4))
     for robot, trigger, ax in _panels(results, figure, sharex=False):
         _, scale, label = TRIGGERS[trigger]
         for k, speed in enumerate(SPEEDS):
@@ -166,14 +166,14 @@ def direction_figure(results: DetectionResults) -> Figure:
     Args:
         results: The study.
     """
-    figure = HouseFigure(figsize=(WIDTH, 4.6))
+    figure = StyledFigure(figsize=(WIDTH, 4.6))
     axes = figure.subplots(len(ROBOTS), 2, sharex=True, sharey=True)
     speeds = [v for v in SPEEDS if v >= CHARACTERISED_FROM]
     shifts = np.linspace(-0.26, 0.26, len(speeds))
     for row, robot in zip(axes, ROBOTS, strict=True):
         for ax, to in zip(row, ("normal", "impulse"), strict=True):
             for k, speed in enumerate(speeds):
-                found, colour = results.made_out(robot, speed), LOOKS[k][0]
+                found, colour = results.characterisation_error(robot, speed), LOOKS[k][0]
                 for j, source in enumerate(SOURCES):
                     errors = sizes(found, source, to)
                     spread = np.linspace(-0.07, 0.07, len(errors))

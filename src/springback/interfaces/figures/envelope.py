@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from springback.interfaces.figures.style import GREY, INK, RED, SHADE, HouseFigure, styled
+from springback.interfaces.figures.style import GREY, INK, RED, SHADE, StyledFigure, styled
 from springback.studies.axes import Axis
 from springback.studies.envelope import LEVEL, Envelope, Place, Values
 from springback.studies.run_ups import CONDITIONS
@@ -54,7 +54,7 @@ def map_figure(envelope: Envelope, printed: Printed) -> Figure:
         printed: What the paper prints of its tests.
     """
     count = len(envelope.robots)
-    figure = HouseFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))
+    figure = StyledFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))
     axes = figure.subplots(1, count, sharex=True, sharey=True, squeeze=False)[0]
     image: Any = None
     keys: dict[str, Line2D | Patch] = {}

@@ -35,7 +35,7 @@ from springback.interfaces.figures.style import (
     RED,
     SKY,
     WIDTH,
-    HouseFigure,
+    StyledFigure,
     styled,
 )
 from springback.results.flight import Flight
@@ -56,7 +56,7 @@ def flight_figure(flight: Flight) -> Figure:
     """
     if not flight.columns:
         raise InputError("this flight kept no trajectory: fly it with trajectory=True")
-    if flight.diary:
+    if flight.telemetry:
         shades = contacts(flight.columns)
         return stacked(guided_panels(flight), "Time [s]", shades, height=1.15)
     return _motion(flight)
@@ -122,7 +122,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     if touch is None:
         return lambda instant: instant, slice(None)
     ends = [end for _, end in contacts(flight.columns)]
-    if flight.diary:
+    if flight.telemetry:
         ends = [measures.get("separation_time") or ends[-1]]
     last = max(*ends, measures.get("return_time") or touch, touch + 0.01)
     room = 0.35 * (last - touch)
@@ -145,7 +145,7 @@ def energy_figure(*flights: Flight) -> Figure:
         for k, (name, _, _) in enumerate(steps[0])
         if any(abs(each[k][1]) > 1e-3 * scale for each in steps)
     ]
-    figure = HouseFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
+    figure = StyledFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
     axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
     for ax, each, flight in zip(axes, steps, flights, strict=True):
         _waterfall(ax, [step for step in each if step[0] in shown])

@@ -15,8 +15,8 @@ from springback.interfaces.figures.style import (
     RED,
     SKY,
     WIDTH,
-    HouseFigure,
     Look,
+    StyledFigure,
     styled,
 )
 from springback.studies.clipping import Hidden
@@ -38,7 +38,7 @@ LOOKS: dict[tuple[str, str], tuple[str, Look]] = {
 @styled
 def friction_figure(results: FrictionResults) -> Figure:
     """Stroke and peak of ARQ over the yaw, for some coefficients, and over the coefficient."""
-    figure = HouseFigure(figsize=(1.5 * WIDTH, 5.6), layout="constrained")
+    figure = StyledFigure(figsize=(1.5 * WIDTH, 5.6), layout="constrained")
     axes = figure.subplots(2, 2, sharex="col", sharey="row")
     shades = colormaps["viridis"]
     for (left, right), (measure, label, scale) in zip(axes, PANELS, strict=True):
@@ -80,7 +80,7 @@ def friction_figure(results: FrictionResults) -> Figure:
 @styled
 def hidden_figure(found: Sequence[Hidden]) -> Figure:
     """Velocity hidden by clipping over the speed of the impact, both robots."""
-    figure = HouseFigure(figsize=(WIDTH, 2.9), layout="constrained")
+    figure = StyledFigure(figsize=(WIDTH, 2.9), layout="constrained")
     ax = figure.subplots()
     for (robot, axes), (name, (colour, line)) in LOOKS.items():
         mine = [one for one in found if (one.robot, one.axes) == (robot, axes)]

@@ -46,7 +46,7 @@ def guided_panels(flight: Flight) -> list[Panel]:
 
 
 def _positions(flight: Flight) -> list[Panel]:
-    c, d = flight.columns, flight.diary
+    c, d = flight.columns, flight.telemetry
     panels = []
     for axis in "xyz":
         curves = [Curve("flown", c["t"], c[axis], (BLUE, "-"))]
@@ -63,7 +63,7 @@ def _velocities(flight: Flight) -> Panel:
 
 
 def _attitudes(flight: Flight) -> list[Panel]:
-    c, d = flight.columns, flight.diary
+    c, d = flight.columns, flight.telemetry
     names = ("roll", "pitch", "yaw")
     angles = [
         Curve(name, c["t"], np.degrees(angle))
@@ -77,7 +77,7 @@ def _attitudes(flight: Flight) -> list[Panel]:
 
 def _thrusts(flight: Flight) -> Panel:
     """Of the rotors, with the least and the most that they give."""
-    d = flight.diary
+    d = flight.telemetry
     t = d["t"]
     rotors = [int(name[6:]) for name in d if name.startswith("thrust")]
     curves = [
@@ -104,7 +104,7 @@ def _impacts(flight: Flight) -> list[Panel]:
 
 def _estimate(flight: Flight) -> list[Panel]:
     """Error of the estimated position, where there is one that errs."""
-    c, d = flight.columns, flight.diary
+    c, d = flight.columns, flight.telemetry
     if "est_x" not in d:
         return []
     errors = [d[f"est_{a}"] - np.interp(d["t"], c["t"], c[a]) for a in "xyz"]

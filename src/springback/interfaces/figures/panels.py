@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.style import LOOKS, SHADE, WIDTH, HouseFigure, Look, as_written
+from springback.interfaces.figures.style import LOOKS, SHADE, WIDTH, Look, StyledFigure, as_written
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 ROUNDING = 1e-6
@@ -33,7 +33,7 @@ class Panel(NamedTuple):
 
     label: str
     curves: Sequence[Curve]
-    least_span: float = 2.0
+    min_span: float = 2.0
     """What the vertical axis spans when the curves are flat."""
     flat: float = ROUNDING
     """Curves that vary less count as flat."""
@@ -52,7 +52,7 @@ def stacked(
         shades: Intervals that are shaded, in the unit of that axis.
         height: Of a panel [in].
     """
-    figure = HouseFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
+    figure = StyledFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
     axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
     shaded = list(shades)
     for ax, panel in zip(axes, panels, strict=True):
@@ -74,7 +74,7 @@ def _draw(ax: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         colour, line = curve.look or next(looks)
         ax.plot(*thinned(curve.t, curve.values), color=colour, ls=line, label=curve.name)
-    spread(ax, panel.least_span, panel.flat)
+    spread(ax, panel.min_span, panel.flat)
     ax.set_ylabel(panel.label)
     if not panel.explained:
         return

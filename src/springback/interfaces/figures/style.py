@@ -36,10 +36,10 @@ COLUMN, TWO_COLUMNS = 3.5, 7.16
 """[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
 RESOLUTION = 200
 """Of PNG files [dots per inch]."""
-STYLE = ["default", "springback.interfaces.templates.house"]
+STYLE = ["default", "springback.interfaces.templates.springback"]
 
 
-class HouseFigure(Figure):
+class StyledFigure(Figure):
     """A figure that notebooks show without pyplot."""
 
     def _repr_png_(self) -> bytes:

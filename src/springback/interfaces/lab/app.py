@@ -16,7 +16,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from springback.errors import InputError
-from springback.interfaces.lab.queue import Busy, Desk, NotReady, Overtaken
+from springback.interfaces.lab.queue import Busy, NotReady, RequestQueue, Superseded
 from springback.interfaces.lab.scenarios import file_name, lab_scenario, lab_toml, robots_of
 from springback.interfaces.lab.settings import (
     LONGEST_QUERY,
@@ -31,11 +31,11 @@ from springback.interfaces.web.server import App, Receive, Scope, Send
 PAGE_HEADER, LONGEST_PAGE = "x-lab-page", 40
 
 
-def lab_app(desk: Desk) -> App:
+def lab_app(desk: RequestQueue) -> App:
     """The application; to be served by `springback.interfaces.web.server.serve`.
 
     Args:
-        desk: Who answers; `Desk.open` has been called, or will be.
+        desk: Who answers; `RequestQueue.open` has been called, or will be.
     """
 
     async def flight(request: Request) -> Response:
@@ -49,7 +49,7 @@ def lab_app(desk: Desk) -> App:
         Route("/scenario.toml", _scenario),
     ]
     refusals: dict[Any, Any] = {
-        InputError: _told, NotReady: _not_ready, Overtaken: _overtaken, Busy: _busy,
+        InputError: _told, NotReady: _not_ready, Superseded: _overtaken, Busy: _busy,
         404: _nothing, 405: _only_get, 500: _failed,
     }  # fmt: skip
     return _modest(Starlette(routes=routes, exception_handlers=refusals))

@@ -24,14 +24,14 @@ def shortened(text: str) -> str:
     return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 1] + "…"
 
 
-class Mark(NamedTuple):
+class SliderMark(NamedTuple):
     """A value that is marked beside a slider, and whose it is."""
 
     value: float
     words: str
 
 
-class Knob(NamedTuple):
+class SliderControl(NamedTuple):
     """How a number is set: a slider with a field, in the unit of the page."""
 
     label: str
@@ -40,14 +40,14 @@ class Knob(NamedTuple):
     most: float
     step: float
     explains: str
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[SliderMark, ...] = ()
     group: str = ""
     when: Mapping[str, tuple[str, ...]] = EVERYWHERE
     """Settings under which it has an effect; elsewhere the page hides it."""
     logarithmic: bool = False
 
 
-class Choice(NamedTuple):
+class ChoiceControl(NamedTuple):
     """How one of several words is chosen."""
 
     label: str
@@ -58,7 +58,7 @@ class Choice(NamedTuple):
     when: Mapping[str, tuple[str, ...]] = EVERYWHERE
 
 
-def knob(how: Knob) -> Any:
+def slider_control(how: SliderControl) -> Any:
     """Type of a field that a knob sets, checked to its range."""
 
     def validate(value: Any) -> float:
@@ -74,7 +74,7 @@ def knob(how: Knob) -> Any:
     return Annotated[float, BeforeValidator(validate), how]
 
 
-def choice(words: tuple[str, ...], how: Choice) -> Any:
+def choice_control(words: tuple[str, ...], how: ChoiceControl) -> Any:
     """Type of a field with one of several words."""
 
     def validate(value: Any) -> str:

@@ -12,7 +12,7 @@ from springback.paper.printed import (
     SUCCESS,
     SUCCESS_WORDS,
     TABLE_III,
-    Impact,
+    PrintedImpact,
 )
 from springback.results.flight import Flight
 from springback.simulation.measures import Outcome
@@ -90,7 +90,7 @@ def _printed(settings: LabSettings, robot: str, one: Shown) -> str:
     """A number of Table III as the page shows it: simulated, and tested where that was printed."""
     if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
         return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
-    row: Impact | None = TABLE_III.get((robot, settings.surface))
+    row: PrintedImpact | None = TABLE_III.get((robot, settings.surface))
     if row is None or not one.printed or settings.mode != "impact":
         return ""
     tested = getattr(row, f"{one.printed}_test", None)

@@ -80,7 +80,7 @@ class NotReady(Exception):  # it is a state of affairs, and no error
         self.kind, self.waited = kind, waited
 
 
-class Overtaken(Exception):
+class Superseded(Exception):
     """A newer request of the same page has come."""
 
 
@@ -88,7 +88,7 @@ class Busy(Exception):
     """Too many requests wait."""
 
 
-class Desk:
+class RequestQueue:
     """Takes requests, prepares kinds, hands out answers as JSON."""
 
     def __init__(
@@ -167,7 +167,7 @@ class Desk:
         Raises:
             InputError: If they cannot be flown.
             NotReady: While kernels are compiled.
-            Overtaken: If the same page asks anew before it is this one's turn.
+            Superseded: If the same page asks anew before it is this one's turn.
             Busy: If too many wait.
         """
         self._check_ready(settings)
@@ -189,5 +189,5 @@ class Desk:
     def _turn(self, settings: LabSettings, page: str, ticket: int) -> bytes:
         """It is a request's turn."""
         if page and self._newest.get(page, ticket) > ticket:
-            raise Overtaken
+            raise Superseded
         return json.dumps(self._give(settings), allow_nan=False).encode()

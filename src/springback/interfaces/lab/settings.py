@@ -16,7 +16,14 @@ from pydantic.fields import FieldInfo
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError
-from springback.interfaces.lab.controls import Choice, Knob, Mark, choice, knob, shortened
+from springback.interfaces.lab.controls import (
+    ChoiceControl,
+    SliderControl,
+    SliderMark,
+    choice_control,
+    shortened,
+    slider_control,
+)
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
 from springback.problems import problem_paths
 from springback.recovery.parameters import Answering
@@ -38,12 +45,13 @@ _OWN: When = {"surface": ("own",)}
 _COMPLIANT: When = {"robot": ("both", "arq")}
 _TESTED = sorted({speed for _, speed in CONDITIONS})
 _SPEEDS = (
-    Mark(SLIDER_SPEED, "paper: slider tests, section IV-A"),
-    *(Mark(speed, "paper: collisions in flight, Impact Resilience") for speed in _TESTED),
-    Mark(SWEEP_SPEEDS[-1], "paper: fastest of the speed sweep"),
+    SliderMark(SLIDER_SPEED, "paper: slider tests, section IV-A"),
+    *(SliderMark(speed, "paper: collisions in flight, Impact Resilience") for speed in _TESTED),
+    SliderMark(SWEEP_SPEEDS[-1], "paper: fastest of the speed sweep"),
 )
 _PITCHES = tuple(
-    Mark(pitch, "paper: Impact Resilience") for pitch in sorted({pitch for pitch, _ in CONDITIONS})
+    SliderMark(pitch, "paper: Impact Resilience")
+    for pitch in sorted({pitch for pitch, _ in CONDITIONS})
 )
 
 
@@ -52,27 +60,27 @@ def _fitted(surface: Any) -> float:
     return round(float(surface.dissipation_value()), 3)
 
 
-Modes = choice(
+Modes = choice_control(
     ("impact", "flight"),
-    Choice(
+    ChoiceControl(
         "What to fly",
         {"impact": "Impact", "flight": "Flight"},
         "Impact: the collision alone, rotors as before it. Flight: run-up, collision and recovery, "
         "with a pilot aboard.",
     ),
 )
-Robots = choice(
+Robots = choice_control(
     ("both", "arq", "quad"),
-    Choice(
+    ChoiceControl(
         "Robot",
         {"both": "Both", "arq": "ARQ", "quad": "Quad"},
         "ARQ has springs in its arms; Quad is its rigid twin.",
         "Robot",
     ),
 )
-Guides = choice(
+Guides = choice_control(
     ("slider", "free"),
-    Choice(
+    ChoiceControl(
         "Guided by",
         {"slider": "Slider", "free": "Nothing"},
         "Slider: the paper's testbed, along X, with its bar's mass and no rotors. Nothing: the "
@@ -81,18 +89,18 @@ Guides = choice(
         _IMPACT,
     ),
 )
-Surfaces = choice(
+Surfaces = choice_control(
     ("wall", "mat", "own"),
-    Choice(
+    ChoiceControl(
         "Surface",
         {"wall": "Wall", "mat": "Mat", "own": "Own"},
         "Wall and mat are Table II's; a mat lies before the wall. Own: a wall of your numbers.",
         "Surface",
     ),
 )
-Recoveries = choice(
+Recoveries = choice_control(
     ("none", *WAYS),
-    Choice(
+    ChoiceControl(
         "Recovery",
         {"none": "None: flies on", **{way: way.capitalize() for way in WAYS}},
         "How the pilot answers a collision; the paper's is pre-impact.",
@@ -108,68 +116,73 @@ class LabSettings(Settings):
     mode: Modes = "impact"  # type: ignore[valid-type]
     robot: Robots = "both"  # type: ignore[valid-type]
     guide: Guides = "slider"  # type: ignore[valid-type]
-    speed: knob(  # type: ignore[valid-type]
-        Knob("Speed", "m/s", 0.5, 6.0, 0.05, "Into the wall, at first touch.", _SPEEDS, "Collision")
+    speed: slider_control(  # type: ignore[valid-type]
+        SliderControl(
+            "Speed", "m/s", 0.5, 6.0, 0.05, "Into the wall, at first touch.", _SPEEDS, "Collision"
+        )
     ) = SLIDER_SPEED
-    pitch: knob(  # type: ignore[valid-type]
-        Knob("Pitch", "deg", -60.0, 60.0, 1.0, "Positive is nose down.", _PITCHES, "Collision")
+    pitch: slider_control(  # type: ignore[valid-type]
+        SliderControl(
+            "Pitch", "deg", -60.0, 60.0, 1.0, "Positive is nose down.", _PITCHES, "Collision"
+        )
     ) = 0.0
-    yaw: knob(  # type: ignore[valid-type]
-        Knob(
+    yaw: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Yaw", "deg", -45.0, 45.0, 1.0,
             "Of the robot against the wall; at 45 deg one arm meets it. In flight the wall is "
             "turned, and the robot meets it aslant.",
-            (Mark(0.0, "paper: all tests"),), "Collision",
+            (SliderMark(0.0, "paper: all tests"),), "Collision",
         )
     ) = 0.0  # fmt: skip
     recovery: Recoveries = "pre-impact"  # type: ignore[valid-type]
     surface: Surfaces = "wall"  # type: ignore[valid-type]
-    contact_stiffness: knob(  # type: ignore[valid-type]
-        Knob(
+    contact_stiffness: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Contact stiffness k_c", "kN/m^1.5", 20.0, 1000.0, 1.0, "Of the whole front.",
             (
-                Mark(1e-3 * float(_MAT.stiffness), "paper: mat, Table II"),
-                Mark(1e-3 * float(_WALL.stiffness), "paper: wall, Table II"),
+                SliderMark(1e-3 * float(_MAT.stiffness), "paper: mat, Table II"),
+                SliderMark(1e-3 * float(_WALL.stiffness), "paper: wall, Table II"),
             ),
             "Surface", _OWN, logarithmic=True,
         )
     ) = 1e-3 * float(_WALL.stiffness)  # fmt: skip
-    dissipation: knob(  # type: ignore[valid-type]
-        Knob(
+    dissipation: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Dissipation c_a", "s/m", 0.0, 1.0, 0.001, "Of the Hunt-Crossley law; 0 loses nothing.",
             (
-                Mark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
-                Mark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
+                SliderMark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
+                SliderMark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
             ),
             "Surface", _OWN,
         )
     ) = _fitted(_WALL)  # fmt: skip
-    friction: knob(  # type: ignore[valid-type]
-        Knob(
+    friction: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Friction μ", "", 0.0, 1.5, 0.05,
             "Coulomb's, along the surface. Where two cages touch at once it holds them, and arms "
             "at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
             "acts along the vertical only, as in the paper.",
-            (Mark(float(_WALL.friction), "paper: Table II"),), "Surface", _OWN,
+            (SliderMark(float(_WALL.friction), "paper: Table II"),), "Surface", _OWN,
         )
     ) = float(_WALL.friction)  # fmt: skip
-    stiffness: knob(  # type: ignore[valid-type]
-        Knob(
+    stiffness: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Arm stiffness k_l", "N/mm", 0.5, 50.0, 0.1, "Of each arm's spring.",
-            (Mark(1e-3 * float(_ARMS.stiffness), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
+            (SliderMark(1e-3 * float(_ARMS.stiffness), "paper: Table II"),), "Arms of ARQ",
+            _COMPLIANT,
             logarithmic=True,
         )
     ) = 1e-3 * float(_ARMS.stiffness)  # fmt: skip
-    damping: knob(  # type: ignore[valid-type]
-        Knob(
+    damping: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Arm damping b_l", "N s/m", 0.0, 300.0, 1.0, "Of each arm.",
-            (Mark(float(_ARMS.damping), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
+            (SliderMark(float(_ARMS.damping), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
         )
     ) = float(_ARMS.damping)  # fmt: skip
-    arm_mass: knob(  # type: ignore[valid-type]
-        Knob(
+    arm_mass: slider_control(  # type: ignore[valid-type]
+        SliderControl(
             "Arm mass m_a", "g", 10.0, 200.0, 1.0, "Of each arm; the main body keeps its own.",
-            (Mark(round(1e3 * float(_ARMS.mass), 9), "paper: Table II, 0.2 kg for four"),),
+            (SliderMark(round(1e3 * float(_ARMS.mass), 9), "paper: Table II, 0.2 kg for four"),),
             "Arms of ARQ", _COMPLIANT,
         )
     ) = round(1e3 * float(_ARMS.mass), 9)  # fmt: skip
@@ -179,10 +192,10 @@ FIELDS: dict[str, FieldInfo] = LabSettings.model_fields
 DEFAULTS = LabSettings()
 
 
-def control_of(name: str) -> Knob | Choice:
+def control_of(name: str) -> SliderControl | ChoiceControl:
     """The knob or choice of a setting."""
-    found: Knob | Choice = next(
-        data for data in FIELDS[name].metadata if isinstance(data, Knob | Choice)
+    found: SliderControl | ChoiceControl = next(
+        data for data in FIELDS[name].metadata if isinstance(data, SliderControl | ChoiceControl)
     )
     return found
 
@@ -192,10 +205,10 @@ def controls() -> list[dict[str, Any]]:
     found = []
     for name, told in FIELDS.items():
         control = control_of(name)
-        kind = "knob" if isinstance(control, Knob) else "choice"
+        kind = "knob" if isinstance(control, SliderControl) else "choice"
         data: dict[str, Any] = {"name": name, "kind": kind, "default": told.default}
         data |= control._asdict() | {"when": dict(control.when)}
-        if isinstance(control, Knob):
+        if isinstance(control, SliderControl):
             data["marks"] = [mark._asdict() for mark in control.marks]
         found.append(data)
     return found
@@ -222,7 +235,7 @@ def _line(path: tuple[str | int, ...], what: str) -> str:
     """A problem with its field and, of a knob, the whole range."""
     name = str(path[0]) if path else ""
     line = f"{name}: {what}" if name else what
-    if name in FIELDS and isinstance(how := control_of(name), Knob):
+    if name in FIELDS and isinstance(how := control_of(name), SliderControl):
         return f"{line}; {shown(how.least)} to {shown(how.most)} {how.unit}".rstrip()
     return line
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.interfaces.replay.instants import intervals, touching
-from springback.recovery.state_machine import CRUISE, HOVER, LEGS, LOOK, RECOVER, RETURN, STAGES
+from springback.recovery.state_machine import CRUISE, HOVER, LOOK, PHASES, RECOVER, RETURN, STAGES
 from springback.results.flight import Flight
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -91,28 +91,28 @@ def _troubles(flight: Flight) -> list[Event]:
 
 def _legs(flight: Flight) -> list[Event]:
     """Where the pilot goes from one leg to the next."""
-    diary = flight.diary
-    if "leg" not in diary:
+    telemetry = flight.telemetry
+    if "phase" not in telemetry:
         return []
-    t, leg = diary["t"], diary["leg"]
+    t, phase = telemetry["t"], telemetry["phase"]
     found = []
-    for k in np.flatnonzero(np.diff(leg)).tolist()[: 6 * MOST]:
-        now = float(leg[k + 1])
-        if not 0.0 <= now < len(LEGS):
+    for k in np.flatnonzero(np.diff(phase)).tolist()[: 6 * MOST]:
+        now = float(phase[k + 1])
+        if not 0.0 <= now < len(PHASES):
             continue
         label, text = _LEGS[now]
-        kind = "alarm" if now == LOOK else "leg"
+        kind = "alarm" if now == LOOK else "phase"
         when = float(t[k + 1])
-        found.append(Event(when, kind, label, text.format(trigger=_trigger(diary, k + 1))))
+        found.append(Event(when, kind, label, text.format(trigger=_trigger(telemetry, k + 1))))
     return found
 
 
-def _trigger(diary: dict[str, Array], k: int) -> str:
+def _trigger(telemetry: dict[str, Array], k: int) -> str:
     """What raised the alarm at a tick."""
     raised = [
         words
         for name, words in _TRIGGERS.items()
-        if f"alarms_{name}" in diary
-        and diary[f"alarms_{name}"][k] > diary[f"alarms_{name}"][max(k - 2, 0)]
+        if f"alarms_{name}" in telemetry
+        and telemetry[f"alarms_{name}"][k] > telemetry[f"alarms_{name}"][max(k - 2, 0)]
     ]
     return " and ".join(raised) or "by a trigger"

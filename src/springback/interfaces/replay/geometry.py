@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.parameters import Ground, Mat, Own, Wall
-from springback.results.meshes import Surface, surfaces_of
+from springback.results.meshes import Mesh, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -52,7 +52,7 @@ def drawn(
     own: Sequence[Own],
     flown: Array,
     near: Array,
-    kept: Sequence[Surface] = (),
+    kept: Sequence[Mesh] = (),
 ) -> Drawn:
     """Everything that can be hit, as things to draw.
 

@@ -90,7 +90,7 @@ class Scene:
     arms: tuple[ArmShape, ...]
     hull: tuple[HullShape, ...]
     """Of the main body; empty without."""
-    most_thrust: float
+    max_thrust: float
     """Of one rotor, for scales [N]."""
     guide: tuple[float, ...]
     """Axis of a slider, world; empty in free flight."""
@@ -104,7 +104,7 @@ class Scene:
     arm_length: Array
     """[m], shape (n, arms)."""
     thrust: Array
-    """Of each rotor [N], shape (n, arms); from the diary, held from tick to tick."""
+    """Of each rotor [N], shape (n, arms); from the telemetry, held from tick to tick."""
     force: Array
     """On each cage, then the hull, by all obstacles, world [N], shape (n, parts, 3)."""
     point: Array
@@ -157,7 +157,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         success=flight.success,
         arms=_arm_shapes(model),
         hull=tuple(HullShape((*one.centre,), one.radius) for one in model.airframe.hull),
-        most_thrust=propulsion.most_thrust if propulsion else float(thrust.max(initial=1.0)),
+        max_thrust=propulsion.max_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
         obstacles=things.drawables,
         t=c["t"][places],
@@ -192,12 +192,12 @@ def _arm_shapes(model: Model) -> tuple[ArmShape, ...]:
 
 
 def _thrust(flight: Flight, model: Model, t: Array) -> Array:
-    """Of each rotor [N], shape (instants, rotors): the diary's last word, else the constant one."""
-    if "thrust1" not in flight.diary:
+    """Of each rotor [N], shape (instants, rotors): telemetry's last, else the constant one."""
+    if "thrust1" not in flight.telemetry:
         return np.broadcast_to(np.array(model.thrust, dtype=float), (len(t), len(model.thrust)))
-    page = np.clip(np.searchsorted(flight.diary["t"], t, "right") - 1, 0, None)
+    page = np.clip(np.searchsorted(flight.telemetry["t"], t, "right") - 1, 0, None)
     rotors = range(1, len(model.thrust) + 1)
-    return np.stack([flight.diary[f"thrust{j}"][page] for j in rotors], axis=1)
+    return np.stack([flight.telemetry[f"thrust{j}"][page] for j in rotors], axis=1)
 
 
 def _series(

@@ -9,7 +9,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from springback.campaign.analysis.intervals import Estimate
+from springback.campaign.analysis.intervals import IntervalEstimate
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal
 from springback.campaign.analysis.statistics import RobotSummary, Summary
 from springback.campaign.columns import known_columns
@@ -77,7 +77,7 @@ def _scaled(value: float | None, factor: float) -> float | None:
     return None if value is None else value * factor
 
 
-def _share(estimate: Estimate) -> str:
+def _share(estimate: IntervalEstimate) -> str:
     if estimate.value is None or estimate.low is None or estimate.high is None:
         return "-"
     value, low, high = (100.0 * x for x in (estimate.value, estimate.low, estimate.high))
@@ -128,7 +128,7 @@ def write_summary(
         pictures[f"map-{x}-{y}"] = (figure, words_of_map(x, y))
     for name, (figure, _) in pictures.items():
         written += style.save(figure, folder / name)
-    shown = [report_page.Picture(name, text, fig) for name, (fig, text) in pictures.items()]
+    shown = [report_page.FigureBlock(name, text, fig) for name, (fig, text) in pictures.items()]
     sections = _sections(found, shown)
     page = report_page.page(str(campaign.about["name"]), sections, lead=_lead(found))
     (folder / "summary.html").write_text(page, encoding="utf-8")
@@ -155,9 +155,9 @@ def _sections(found: Summary, pictures: Sequence[Any]) -> list[Any]:
     def table(caption: str, head: list[str], rows: list[tuple[Any, ...]]) -> Any:
         cells = tuple(
             tuple(
-                report_page.Cell(f"{v:.4g}" if isinstance(v, float) else str(v), float(v))
+                report_page.TableCell(f"{v:.4g}" if isinstance(v, float) else str(v), float(v))
                 if isinstance(v, int | float)
-                else report_page.Cell("–" if v is None else _said(str(v)))
+                else report_page.TableCell("–" if v is None else _said(str(v)))
                 for v in row
             )
             for row in rows

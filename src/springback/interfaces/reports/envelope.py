@@ -5,17 +5,17 @@ from __future__ import annotations
 from springback.interfaces.figures.envelope import ROBOTS, Printed, map_figure
 from springback.interfaces.reports.page import (
     Blocks,
-    Cell,
-    Picture,
+    FigureBlock,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     page,
     plain,
 )
 from springback.studies.envelope import LEVEL, Envelope, Place
 
-WORDS = Words.of("map")
+WORDS = Wording.of("map")
 
 
 def map_page(envelope: Envelope, printed: Printed) -> str:
@@ -29,7 +29,7 @@ def map_page(envelope: Envelope, printed: Printed) -> str:
     picture = WORDS.say("picture", level=plain(100 * LEVEL), **axes)
     reaches = tuple(_named(envelope.sentence(robot) + ".") for robot in envelope.robots)
     asked = WORDS.say("asked", robots=_names(envelope), trials=envelope.trials, **axes)
-    short: Blocks = (asked, *reaches, Picture("map", picture, map_figure(envelope, printed)))
+    short: Blocks = (asked, *reaches, FigureBlock("map", picture, map_figure(envelope, printed)))
     tables = tuple(_table(envelope, robot) for robot in envelope.robots)
     sections = [
         Section("overview", WORDS.title("overview"), short, summary=True),
@@ -54,10 +54,12 @@ def _table(envelope: Envelope, robot: str) -> Table:
     for row in sorted(range(len(envelope.y.values)), key=lambda j: -envelope.y.values[j]):
         cells = [envelope.cells[Place(robot, i, row)] for i in range(len(envelope.x.values))]
         entries = (
-            Cell(f"{cell.successes} of {cell.trials}", cell.share) if cell.trials else Cell("–")
+            TableCell(f"{cell.successes} of {cell.trials}", cell.share)
+            if cell.trials
+            else TableCell("–")
             for cell in cells
         )
-        lines.append((Cell(f"{envelope.y.shown[row]:g}"), *entries))
+        lines.append((TableCell(f"{envelope.y.shown[row]:g}"), *entries))
     head = (f"{envelope.y.label} over {envelope.x.label}", *(f"{v:g}" for v in envelope.x.shown))
     return Table(WORDS.say("caption", robot=ROBOTS.get(robot, robot)), head, tuple(lines))
 
@@ -66,7 +68,7 @@ def _method(envelope: Envelope) -> tuple[str | Table, ...]:
     settings = "; ".join(envelope.settings) or WORDS.text["none"]
     said = WORDS.say("method", seed=envelope.seed, settings=settings)
     reasons = dict.fromkeys(
-        (Cell(ROBOTS.get(place.robot, place.robot)), Cell(cell.reason))
+        (TableCell(ROBOTS.get(place.robot, place.robot)), TableCell(cell.reason))
         for place, cell in envelope.cells.items() if not cell.trials and cell.reason
     )  # fmt: skip
     if not reasons:

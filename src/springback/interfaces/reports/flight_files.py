@@ -11,13 +11,13 @@ from springback.results.sealed_json import file_digest, sealed
 
 #: Files that a flight leaves: those of an earlier one go when it is replaced.
 FLIGHT_FILES = (
-    SUMMARY, "trajectory.parquet", "diary.parquet",
+    SUMMARY, "trajectory.parquet", "telemetry.parquet",
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
-    """Write ``summary.json``, ``trajectory.parquet``, with a pilot ``diary.parquet``, and figures.
+    """Write ``summary.json``, ``trajectory.parquet``, a pilot's ``telemetry.parquet``, and figures.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
     flight beside what was wanted, and ``impact.png`` the collision if there was one.  What each
@@ -40,7 +40,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
         "name": flight.scenario.name,
         "frames": "world NWU, body FLU",
     }
-    for stem, columns in {"trajectory": flight.columns, "diary": flight.diary}.items():
+    for stem, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
             path = folder / f"{stem}.parquet"
             write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
@@ -64,6 +64,6 @@ def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:
         "flight": style.picture(plots.flight_figure, flight),
         "energy": style.picture(plots.energy_figure, flight),
     }
-    if flight.diary and flight.measures["touch_time"] is not None:
+    if flight.telemetry and flight.measures["touch_time"] is not None:
         found["impact"] = style.picture(plots.impact_figure, flight)
     return found

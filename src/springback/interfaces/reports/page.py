@@ -23,13 +23,13 @@ from springback.studies.comparison import Mark
 
 
 @dataclass(frozen=True)
-class Words:
+class Wording:
     """The words of a part of the report, by key."""
 
     text: dict[str, Any]
 
     @classmethod
-    def of(cls, name: str) -> Words:
+    def of(cls, name: str) -> Wording:
         """The words in a file of ``templates``, named without suffix."""
         path = files("springback.interfaces") / "templates" / f"{name}.toml"
         return cls(tomllib.loads(path.read_text("utf-8")))
@@ -49,7 +49,7 @@ class Words:
 
 
 @dataclass(frozen=True)
-class Cell:
+class TableCell:
     """A cell of a table: a text and, if it stands for a number, the number itself."""
 
     text: str
@@ -66,13 +66,13 @@ class Table:
 
     caption: str
     head: tuple[str, ...]
-    rows: tuple[tuple[Cell, ...], ...]
+    rows: tuple[tuple[TableCell, ...], ...]
     folded: bool = False
     """Shown only when asked for, being long."""
 
 
 @dataclass(frozen=True)
-class Picture:
+class FigureBlock:
     """A figure within the page."""
 
     name: str
@@ -96,7 +96,7 @@ class Picture:
         return round(150 * width), round(150 * height)
 
 
-class Point(NamedTuple):
+class KeyPoint(NamedTuple):
     """What a section says, in a sentence."""
 
     anchor: str
@@ -105,13 +105,13 @@ class Point(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Points:
+class KeyPoints:
     """What some sections say, with links that lead there."""
 
-    points: tuple[Point, ...]
+    points: tuple[KeyPoint, ...]
 
 
-Blocks = tuple[str | Table | Picture | Points, ...]
+Blocks = tuple[str | Table | FigureBlock | KeyPoints, ...]
 
 
 @dataclass(frozen=True)

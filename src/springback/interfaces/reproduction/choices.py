@@ -6,16 +6,24 @@ The words are in ``templates/resilience.toml``.
 from __future__ import annotations
 
 from springback.interfaces.figures import envelope as plots_map
-from springback.interfaces.reports.page import Blocks, Cell, Picture, Table, Words, number, plain
+from springback.interfaces.reports.page import (
+    Blocks,
+    FigureBlock,
+    Table,
+    TableCell,
+    Wording,
+    number,
+    plain,
+)
 from springback.interfaces.reproduction.figures import choices
 from springback.interfaces.reproduction.figures.choices import ORDER
 from springback.interfaces.reproduction.figures.resilience import NAMES
 from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
-from springback.paper.choices import Cell as Chosen
+from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import printed_success
 from springback.paper.resilience import ROBOTS, ResilienceResults
 
-WORDS = Words.of("resilience")
+WORDS = Wording.of("resilience")
 
 
 def signed(degrees: float) -> str:
@@ -36,9 +44,9 @@ def choices_blocks(results: ResilienceResults) -> Blocks:
     counted = [found.agreement(*one) for one in found.flown]
     sets = tuple(
         (
-            Cell(one.choice.name), Cell(f"{one.close} of {one.numbers}", one.close),
-            Cell(f"{one.plausible} of {one.numbers}", one.plausible),
-            Cell(f"{one.words} of {one.phrases}", one.words),
+            TableCell(one.choice.name), TableCell(f"{one.close} of {one.numbers}", one.close),
+            TableCell(f"{one.plausible} of {one.numbers}", one.plausible),
+            TableCell(f"{one.words} of {one.phrases}", one.words),
         )
         for one in counted
     )  # fmt: skip
@@ -46,7 +54,7 @@ def choices_blocks(results: ResilienceResults) -> Blocks:
     columns = [one for one in found.flown if one[0].friction == best.choice.friction]
     lines = [
         (
-            Cell(f"{NAMES[robot]}, {condition(*test)}"),
+            TableCell(f"{NAMES[robot]}, {condition(*test)}"),
             *(_fate(found.table(*one).get((robot, *test))) for one in columns),
         )
         for robot in ROBOTS
@@ -60,7 +68,7 @@ def choices_blocks(results: ResilienceResults) -> Blocks:
     how = WORDS.say("choices_how", chance=plain(100 * PLAUSIBLE), printed_trials=PRINTED_TRIALS)
     return (
         words,
-        Picture("choices", WORDS.say("choices_picture", trials=found.trials),
+        FigureBlock("choices", WORDS.say("choices_picture", trials=found.trials),
                 choices.choices_figure(found)),
         how,
         Table(WORDS.say("choices_caption"), WORDS.head("choices"), sets),
@@ -68,16 +76,16 @@ def choices_blocks(results: ResilienceResults) -> Blocks:
     )  # fmt: skip
 
 
-def _fate(cell: Chosen | None) -> Cell:
+def _fate(cell: Chosen | None) -> TableCell:
     """Recovered of the trials; medians of height lost, distance and time."""
     if cell is None:
-        return Cell("–")
+        return TableCell("–")
     loss, far, time = (
         "–" if (value := cell.medians.get(name)) is None else number(value, 2)
         for name in ("height_loss", "excursion", "recovery_time")
     )
     detail = WORDS.say("fate", loss=loss, far=far, time=time)
-    return Cell(f"{cell.successes} of {cell.trials}", cell.share, detail)
+    return TableCell(f"{cell.successes} of {cell.trials}", cell.share, detail)
 
 
 def map_blocks(results: ResilienceResults) -> Blocks:
@@ -87,4 +95,4 @@ def map_blocks(results: ResilienceResults) -> Blocks:
         return ()
     words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
     pictured = WORDS.say("map_picture", trials=envelope.trials)
-    return (words, Picture("map", pictured, plots_map.map_figure(envelope, printed_success)))
+    return (words, FigureBlock("map", pictured, plots_map.map_figure(envelope, printed_success)))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import NamedTuple
 
-from springback.interfaces.reports.page import Cell, Table, Words
+from springback.interfaces.reports.page import Table, TableCell, Wording
 
-WORDS = Words.of("figures")
+WORDS = Wording.of("figures")
 
 
 class PaperFigure(NamedTuple):
@@ -39,6 +39,11 @@ def figures_table(drawn: Collection[str]) -> Table:
         missing = WORDS.say("missing") if figure.ours and not links else ""
         text = missing or ("" if links else "–")
         rows.append(
-            (Cell(figure.name), Cell(figure.shows), Cell(text, links=links), Cell(figure.note))
+            (
+                TableCell(figure.name),
+                TableCell(figure.shows),
+                TableCell(text, links=links),
+                TableCell(figure.note),
+            )
         )
     return Table(WORDS.say("caption"), WORDS.head("figures"), tuple(rows))

@@ -14,11 +14,11 @@ import numpy as np
 
 from springback.interfaces.reports.page import (
     Blocks,
-    Cell,
-    Picture,
+    FigureBlock,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     listed,
     percent,
     plain,
@@ -40,7 +40,7 @@ from springback.paper.free_flight import (
 )
 from springback.studies.comparison import Mark, Row
 
-WORDS = Words.of("flight")
+WORDS = Wording.of("flight")
 ANSWERS = ("features", "flight")
 """Sections that begin with a question and its answer."""
 TWICE = 2.0
@@ -77,13 +77,13 @@ def _digits(value: float | None, digits: int = 3) -> str:
     return f"{value:#.{digits}g}".rstrip(".").replace("-", "−")
 
 
-def _ours(row: Row | None, scale: float = 1.0) -> Cell:
+def _ours(row: Row | None, scale: float = 1.0) -> TableCell:
     if row is None:
-        return Cell("–")
+        return TableCell("–")
     number = None if row.ours is None else scale * row.ours
     if row.mark is Mark.GIVEN:
-        return Cell(plain(number), row.ours, "", row.mark)
-    return Cell(_digits(number), row.ours, percent(row.deviation), row.mark)
+        return TableCell(plain(number), row.ours, "", row.mark)
+    return TableCell(_digits(number), row.ours, percent(row.deviation), row.mark)
 
 
 def _label(row: Row, unit: str | None = None) -> str:
@@ -135,7 +135,7 @@ def _features(rows: Sequence[Row]) -> Blocks:
         _features_table(rows),
         disagreement,
         WORDS.say("endurance", exponent=exponent),
-        Picture("endurance", WORDS.say("endurance_picture"), free_flight.endurance_figure()),
+        FigureBlock("endurance", WORDS.say("endurance_picture"), free_flight.endurance_figure()),
     )
 
 
@@ -168,14 +168,14 @@ def _features_table(rows: Sequence[Row]) -> Table:
             row = line.get(robot)
             cells += [_printed(row), _ours(row)]
         notes = dict.fromkeys(row.note for row in line.values() if row.note)
-        lines.append((Cell(_label(first)), *cells, Cell("; ".join(notes) or "–")))
+        lines.append((TableCell(_label(first)), *cells, TableCell("; ".join(notes) or "–")))
     return Table(WORDS.say("features_caption"), WORDS.head("features"), tuple(lines))
 
 
-def _printed(row: Row | None, scale: float = 1.0) -> Cell:
+def _printed(row: Row | None, scale: float = 1.0) -> TableCell:
     if row is None or row.printed is None:
-        return Cell("–")
-    return Cell(plain(scale * row.printed), row.printed)
+        return TableCell("–")
+    return TableCell(plain(scale * row.printed), row.printed)
 
 
 # --- Table IV
@@ -209,12 +209,12 @@ def _answer(results: FlightResults, rows: Sequence[Row]) -> Blocks:
     return (
         WORDS.say("flight_asked"),
         verdict,
-        Picture("table_iv", WORDS.say("ratios_picture"), figure),
+        FigureBlock("table_iv", WORDS.say("ratios_picture"), figure),
     )
 
 
 def _steps(results: FlightResults, rows: Sequence[Row]) -> Blocks:
-    picture = Picture("steps", WORDS.say("steps_picture"), free_flight.steps_figure(results))
+    picture = FigureBlock("steps", WORDS.say("steps_picture"), free_flight.steps_figure(results))
     caption = WORDS.say("steps_caption", trials=results.trials)
     return (WORDS.say("steps", dwell=plain(DWELL)), picture, _table_iv(caption, rows))
 
@@ -224,7 +224,9 @@ def _circles(results: FlightResults, rows: Sequence[Row]) -> Blocks:
     words = WORDS.say(
         "circles", radius=plain(RADIUS), slow=slow, fast=fast, time=f"{CIRCLE_TIME:.1f}"
     )
-    picture = Picture("circles", WORDS.say("circles_picture"), free_flight.circles_figure(results))
+    picture = FigureBlock(
+        "circles", WORDS.say("circles_picture"), free_flight.circles_figure(results)
+    )
     caption = WORDS.say("circles_caption", trials=results.trials)
     return (words, picture, _table_iv(caption, rows, 1e3, f"{THOUSANDTHS} "))
 
@@ -238,9 +240,14 @@ def _table_iv(caption: str, rows: Sequence[Row], scale: float = 1.0, prefix: str
         for robot in NAMES:
             row = line.get(robot)
             ours = _ours(row, scale)
-            cells += [_printed(row, scale), Cell(ours.text, ours.value, _ratio(row), ours.mark)]
+            cells += [
+                _printed(row, scale),
+                TableCell(ours.text, ours.value, _ratio(row), ours.mark),
+            ]
         label = _label(first, prefix + first.unit)
-        lines.append((Cell(label.removeprefix(WORDS.text["told"]) if prefix else label), *cells))
+        lines.append(
+            (TableCell(label.removeprefix(WORDS.text["told"]) if prefix else label), *cells)
+        )
     heads = (head for name in NAMES.values() for head in (f"{name}, printed", f"{name}, ours"))
     return Table(caption, ("", *heads), tuple(lines))
 
@@ -251,7 +258,7 @@ def _ratio(row: Row | None) -> str:
 
 
 def _wrong(results: FlightResults, steps: Sequence[Row], circles: Sequence[Row]) -> Blocks:
-    blocks: list[str | Table | Picture] = []
+    blocks: list[str | Table | FigureBlock] = []
     if names := _named(steps, NAMES):
         blocks.append(WORDS.say("wrong_steps", names=names))
     if count := sum(row.mark is Mark.CONTRADICTED for row in circles):
@@ -274,12 +281,12 @@ def _without_start(results: FlightResults) -> Table:
     """Circles with and without the first round, beside print."""
     lines = []
     for pace, (k, name) in product(PERIODS, enumerate(QUANTITIES)):
-        cells = [Cell(f"{pace} circle, {name[0]}_{name[1]}")]
+        cells = [TableCell(f"{pace} circle, {name[0]}_{name[1]}")]
         for robot in ROBOTS:
             printed = TABLE_IV_CIRCLES[robot, pace][k]
             for first in (True, False):
                 ours = float(np.mean(results.circle_mse(robot, pace, name, first_round=first)))
-                cells.append(Cell(_digits(1e3 * ours), ours, f"× {ours / printed:.2f}"))
+                cells.append(TableCell(_digits(1e3 * ours), ours, f"× {ours / printed:.2f}"))
         lines.append(tuple(cells))
     heads = (f"{NAMES[robot]}, {WORDS.text[key]}" for robot in ROBOTS for key in ("all", "later"))
     return Table(WORDS.say("start_caption", scale=THOUSANDTHS), ("", *heads), tuple(lines))

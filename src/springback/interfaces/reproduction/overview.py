@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from springback.interfaces.reports.page import (
-    Cell,
-    Picture,
-    Point,
-    Points,
+    FigureBlock,
+    KeyPoint,
+    KeyPoints,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     percent,
     plain,
 )
@@ -24,7 +24,7 @@ from springback.paper.choices import OURS
 from springback.paper.slider import COUNTED, DEFAULT
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
-WORDS = Words.of("overview")
+WORDS = Wording.of("overview")
 WITHIN = (AGREEMENT, 0.10, 0.25)
 """Chosen: shares of the printed value within which agreement is counted."""
 OWN = "ARQ's own"
@@ -173,7 +173,7 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
     title = WORDS.title("overview")
     if not free:
         return Section("overview", title, (WORDS.say("verdict_none"), _marks(rows)), summary=True)
-    answers = [Point(s.anchor, s.title, s.answer) for s in sections if s.answer]
+    answers = [KeyPoint(s.anchor, s.title, s.answer) for s in sections if s.answer]
     if len(answers) == 1:  # no need to say it twice on one page
         answers = []
     found = [counts(rows, share) for share in WITHIN]
@@ -203,8 +203,8 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
             WORDS.say("asked"),
             verdict,
             *([WORDS.say("readings", default=DEFAULT, ours=OURS)] if readings else []),
-            Picture("overview", words, overview_figure(parts)),
-            *([Points(tuple(answers))] if answers else []),
+            FigureBlock("overview", words, overview_figure(parts)),
+            *([KeyPoints(tuple(answers))] if answers else []),
             _by_part(parts),
             note,
             _marks(rows),
@@ -239,9 +239,11 @@ def _by_part(parts: Groups) -> Table:
     lines = []
     for name, rows in parts.items():
         counts = (within(rows, share) for share in WITHIN)
-        cells = (Cell(f"{count} of {len(rows)}", count) for count in counts)
+        cells = (TableCell(f"{count} of {len(rows)}", count) for count in counts)
         far = max(rows, key=lambda row: abs(_deviation(row)))
-        lines.append((Cell(name), Cell(str(len(rows)), len(rows)), *cells, _farthest(far)))
+        lines.append(
+            (TableCell(name), TableCell(str(len(rows)), len(rows)), *cells, _farthest(far))
+        )
     shares = [plain(100 * share) for share in WITHIN]
     head = tuple(word.format(*shares) for word in WORDS.head("parts"))
     return Table(WORDS.say("caption"), head, tuple(lines))
@@ -251,12 +253,14 @@ def _deviation(row: Row) -> float:
     return float("inf") if row.deviation is None else row.deviation
 
 
-def _farthest(row: Row) -> Cell:
+def _farthest(row: Row) -> TableCell:
     name = row.quantity if " " in row.quantity else row.quantity.replace("_", " ")
-    return Cell(name, detail=percent(row.deviation), mark=row.mark)
+    return TableCell(name, detail=percent(row.deviation), mark=row.mark)
 
 
 def _marks(rows: Sequence[Row]) -> Table:
     counts = {mark: sum(row.mark is mark for row in rows) for mark in Mark}
-    marks = tuple((Cell("", mark=m), Cell(str(n), n), Cell(m.value)) for m, n in counts.items())
+    marks = tuple(
+        (TableCell("", mark=m), TableCell(str(n), n), TableCell(m.value)) for m, n in counts.items()
+    )
     return Table(WORDS.say("marks", count=len(rows)), ("mark", "numbers", "meaning"), marks)

@@ -15,11 +15,11 @@ from typing import Any
 from springback.interfaces.figures import style
 from springback.interfaces.output.folders import write_json
 from springback.interfaces.reports.page import (
-    Cell,
-    Picture,
+    FigureBlock,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     listed,
     page,
     percent,
@@ -45,7 +45,7 @@ from springback.paper.resilience import ResilienceResults
 from springback.paper.slider import SliderResults
 from springback.studies.comparison import AGREEMENT, Row
 
-WORDS = Words.of("report")
+WORDS = Wording.of("report")
 Rows = Sequence[Mapping[str, Any]]
 
 #: What the page is.
@@ -110,7 +110,7 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
         _write_csv(written[-1], rows)
     for section in sections:
         for block in section.blocks:
-            if isinstance(block, Picture):
+            if isinstance(block, FigureBlock):
                 written += style.save(block.figure, folder / "figures" / block.name)
     return written
 
@@ -125,7 +125,7 @@ def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]
     parted = sum(bool(section.part) for section in sections) > 1
     if not parted:
         sections = [replace(section, part="") for section in sections]
-    drawn = [b.name for s in sections for b in s.blocks if isinstance(b, Picture)]
+    drawn = [b.name for s in sections for b in s.blocks if isinstance(b, FigureBlock)]
     part = WORDS.title("data_part") if parted else ""
     paper = Section("figures", WORDS.title("figures"), (figures_table(drawn),), part)
     return [overview(results.rows, sections), *sections, paper, _everything(results, about)]
@@ -134,13 +134,14 @@ def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]
 def _everything(results: Results, about: Mapping[str, Any]) -> Section:
     rows = tuple(
         (
-            *map(Cell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
-            *(Cell(plain(value), value) for value in (r.ours, r.printed)),
-            Cell(percent(r.deviation)), Cell("", mark=r.mark), _c_a(r), Cell(r.dissipation_from),
+            *map(TableCell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
+            *(TableCell(plain(value), value) for value in (r.ours, r.printed)),
+            TableCell(percent(r.deviation)), TableCell("", mark=r.mark), _c_a(r),
+            TableCell(r.dissipation_from),
         )
         for r in results.rows
     )  # fmt: skip
-    made_with = tuple((Cell(str(key)), Cell(str(value))) for key, value in about.items())
+    made_with = tuple((TableCell(str(key)), TableCell(str(value))) for key, value in about.items())
     tables = list(_tables(results))
     key = "files" if tables else "files_without_tables"
     blocks = (
@@ -151,11 +152,11 @@ def _everything(results: Results, about: Mapping[str, Any]) -> Section:
     return Section("data", WORDS.title("data"), blocks)
 
 
-def _c_a(row: Row) -> Cell:
+def _c_a(row: Row) -> TableCell:
     """c_a of a test in which something was hit; other numbers have none."""
     if not row.dissipation_from:
-        return Cell("–")
-    return Cell(rounded(row.dissipation, 3), row.dissipation)
+        return TableCell("–")
+    return TableCell(rounded(row.dissipation, 3), row.dissipation)
 
 
 def _tables(results: Results) -> dict[str, Rows]:

@@ -15,11 +15,11 @@ import numpy as np
 
 from springback.interfaces.reports.page import (
     Blocks,
-    Cell,
-    Picture,
+    FigureBlock,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     listed,
     number,
     plain,
@@ -30,7 +30,7 @@ from springback.interfaces.reproduction.figures import resilience
 from springback.interfaces.reproduction.figures.choices import ORDER
 from springback.interfaces.reproduction.figures.resilience import NAMES, POSES, SEEN
 from springback.paper.choices import EKF2, choices_data
-from springback.paper.choices import Cell as Chosen
+from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.paper.resilience import (
     CONFIDENCE,
@@ -52,7 +52,7 @@ from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.studies.comparison import Mark, Row
 from springback.vehicle.library import VEHICLES
 
-WORDS = Words.of("resilience")
+WORDS = Wording.of("resilience")
 SLOW = (0.0, 2.0)
 """Pitch [deg] and speed [m/s] at which the paper draws both robots."""
 STEEPEST = -45.0
@@ -107,14 +107,14 @@ def _share(value: float) -> str:
 def _middle(
     results: ResilienceResults, of: tuple[str, float, float], measure: str,
     scale: float = 1.0, decimals: int = 1,
-) -> Cell:  # fmt: skip
+) -> TableCell:  # fmt: skip
     """Median of the trials of a condition, in the unit that is shown, with least and most."""
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
-        return Cell("–")
+        return TableCell("–")
     least, most = number(min(found), decimals), number(max(found), decimals)
     median = float(np.median(found))
-    return Cell(number(median, decimals), median / scale, f"{least} to {most}")
+    return TableCell(number(median, decimals), median / scale, f"{least} to {most}")
 
 
 def _median(results: ResilienceResults, of: tuple[str, float, float], measure: str) -> float:
@@ -128,16 +128,16 @@ def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
     return [(robot, *c) for robot in ROBOTS for c in ORDER if (robot, *c) in flown]
 
 
-def _name(of: tuple[str, float, float]) -> Cell:
-    return Cell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
+def _name(of: tuple[str, float, float]) -> TableCell:
+    return TableCell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
 
 
-def _row(rows: Sequence[Row], quantity: str) -> Cell:
+def _row(rows: Sequence[Row], quantity: str) -> TableCell:
     """A compared pitch as it stands in a text."""
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
-        return Cell("–", mark=Mark.CONTRADICTED)
-    return Cell(number(row.ours, 0), row.ours, "", row.mark)
+        return TableCell("–", mark=Mark.CONTRADICTED)
+    return TableCell(number(row.ours, 0), row.ours, "", row.mark)
 
 
 # -- who survives what ----------------------------------------------------------------------------
@@ -162,7 +162,7 @@ def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
             fast=plain(FASTEST[1]),
         ),
         _verdict(tallies, results.chosen()),
-        Picture("resilience", picture, resilience.success_figure(results)),
+        FigureBlock("resilience", picture, resilience.success_figure(results)),
         words,
         _success(tallies),
         _failures(results),
@@ -203,24 +203,24 @@ def _success(tallies: Sequence[Tally]) -> Table:
             of = (robot, *test)
             printed = SUCCESS.get(of)
             if printed is None:
-                cells.append(Cell(SUCCESS_WORDS.get(of, "–")))
+                cells.append(TableCell(SUCCESS_WORDS.get(of, "–")))
             else:
-                cells.append(Cell(WORDS.say("printed_share", share=_share(printed)), printed))
+                cells.append(TableCell(WORDS.say("printed_share", share=_share(printed)), printed))
             cells.append(_tally(found.get(of), printed))
-        lines.append((Cell(condition(*test)), *cells))
+        lines.append((TableCell(condition(*test)), *cells))
     caption = WORDS.say("success_caption", confidence=plain(100 * CONFIDENCE))
     return Table(caption, WORDS.head("success"), tuple(lines))
 
 
-def _tally(tally: Tally | None, printed: float | None) -> Cell:
+def _tally(tally: Tally | None, printed: float | None) -> TableCell:
     if tally is None:
-        return Cell("–")
+        return TableCell("–")
     text = WORDS.say(
         "share", share=_share(tally.rate), successes=tally.successes, trials=tally.trials
     )
     interval = WORDS.say("interval", low=f"{100 * tally.low:.0f}", high=f"{100 * tally.high:.0f}")
     mark = None if printed is None else rate_mark(tally.rate, printed)
-    return Cell(text, tally.rate, interval, mark)
+    return TableCell(text, tally.rate, interval, mark)
 
 
 def _failures(results: ResilienceResults) -> str:
@@ -253,14 +253,14 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
         )  # fmt: skip
         blocks.append(asked)
     words = WORDS.say("fast_picture", fast=plain(FASTEST[1]))
-    blocks.append(Picture("collision", words, resilience.fast_figure(sample)))
+    blocks.append(FigureBlock("collision", words, resilience.fast_figure(sample)))
     blocks.append(_side("fast_side_picture", "orientation", [sample]))
     return tuple(blocks)
 
 
-def _side(key: str, name: str, samples: Sequence[Sample]) -> Picture:
+def _side(key: str, name: str, samples: Sequence[Sample]) -> FigureBlock:
     words = WORDS.say(key, seen=plain(SEEN), step=plain(POSES))
-    return Picture(name, words, resilience.side_figure(samples))
+    return FigureBlock(name, words, resilience.side_figure(samples))
 
 
 def _recovery(results: ResilienceResults) -> Blocks:
@@ -297,7 +297,7 @@ def _compared(results: ResilienceResults) -> Blocks:
     pictured = WORDS.say("compared_picture", slow=plain(SLOW[1]), level=plain(SLOW[0]))
     return (
         WORDS.say("compared", slow=plain(SLOW[1]), **numbers),
-        Picture("robots", pictured, resilience.compared_figure(samples)),
+        FigureBlock("robots", pictured, resilience.compared_figure(samples)),
         _side("compared_side_picture", "orientations", samples),
     )
 
@@ -318,8 +318,8 @@ def _detection(results: ResilienceResults) -> Blocks:
                 )
                 missed = sum(t.measures["detection_delay"] is None for t in found)
                 wrong = sum(t.measures["false_alarms"] or 0.0 for t in found)
-                name = Cell(f"{NAMES[robot]}, {plain(test[1])} m/s")
-                counts = (Cell(str(missed), missed), Cell(plain(wrong), wrong))
+                name = TableCell(f"{NAMES[robot]}, {plain(test[1])} m/s")
+                counts = (TableCell(str(missed), missed), TableCell(plain(wrong), wrong))
                 lines.append((name, *delays, *counts))
     words = WORDS.say(
         "detection", slowest=plain(SLOWEST[1]),
@@ -362,7 +362,7 @@ def _energy(results: ResilienceResults) -> Blocks:
         speed, mass = _median(results, of, "touch_speed"), VEHICLES[of[0]].vehicle.mass
         kinetic = 0.5 * mass * speed**2
         losses = (_middle(results, of, name, 1.0, 2) for name in LOSSES)
-        lines.append((_name(of), Cell(number(kinetic, 2), kinetic), *losses))
+        lines.append((_name(of), TableCell(number(kinetic, 2), kinetic), *losses))
     fast = {name: _median(results, ("arq", *FASTEST), name) for name in LOSSES}
     worst = max(abs(t.measures["ledger_residual"] or 0.0) for t in results.flown)
     words = WORDS.say(
@@ -387,17 +387,17 @@ def _repeated(results: ResilienceResults) -> Blocks:
         worst = max(repeat.returns) if repeat.returns else None
         counts = (repeat.collisions, repeat.recovered, repeat.alarms)
         lines.append((
-            Cell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
-            *(Cell(str(count), count) for count in counts),
-            Cell("–") if worst is None else Cell(number(1e3 * worst, 1), worst),
-            Cell(WORDS.say("yes" if repeat.success else "no")),
+            TableCell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
+            *(TableCell(str(count), count) for count in counts),
+            TableCell("–") if worst is None else TableCell(number(1e3 * worst, 1), worst),
+            TableCell(WORDS.say("yes" if repeat.success else "no")),
         ))  # fmt: skip
     table = Table(WORDS.say("repeated_caption"), WORDS.head("repeated"), tuple(lines))
     if not any(repeat.flight for repeat in arq):
         return (words, table)
     pictured = WORDS.say("repeated_picture", collisions=arq[0].asked)
     figure = resilience.repeated_figure(results)
-    return (words, Picture("repeated", pictured, figure), table)
+    return (words, FigureBlock("repeated", pictured, figure), table)
 
 
 def _method(results: ResilienceResults) -> Blocks:
@@ -405,7 +405,7 @@ def _method(results: ResilienceResults) -> Blocks:
     for name, spread in results.scatter._asdict().items():
         what, unit = WORDS.text["scatter"][name]
         shown = math.degrees(spread) if unit == "°" else spread
-        lines.append((Cell(what), Cell(plain(round(shown, 6)), spread), Cell(unit)))
+        lines.append((TableCell(what), TableCell(plain(round(shown, 6)), spread), TableCell(unit)))
     table = Table(WORDS.say("scatter_caption"), WORDS.head("scatter"), tuple(lines))
     return (WORDS.say("method"), table)
 

@@ -13,11 +13,11 @@ from springback.interfaces.figures import flight
 from springback.interfaces.replay.scene import scene_of
 from springback.interfaces.reports.page import (
     Blocks,
-    Cell,
-    Picture,
+    FigureBlock,
     Section,
     Table,
-    Words,
+    TableCell,
+    Wording,
     listed,
     percent,
     plain,
@@ -30,7 +30,7 @@ from springback.paper.slider import DEFAULT, Case, SliderResults
 from springback.simulation.measures import MEASURES
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
-WORDS = Words.of("slider")
+WORDS = Wording.of("slider")
 TEXT = WORDS.text
 DRAWN = DEFAULT
 """The reading whose contact is drawn: the one with arms at an angle."""
@@ -56,30 +56,36 @@ Runs = dict[tuple[str, str, str], list[Run]]
 """Runs by robot, surface and reading: the first with Quad's c_a."""
 
 
-def _ours(row: Row | None) -> Cell:
+def _ours(row: Row | None) -> TableCell:
     if row is None:
-        return Cell("–")
+        return TableCell("–")
     quantity = QUANTITIES[row.quantity]
     number = None if row.ours is None else row.ours * quantity.scale
-    return Cell(rounded(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
+    return TableCell(rounded(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
 
 
-def _printed(row: Row, value: float | None) -> Cell:
-    return Cell(plain(None if value is None else value * QUANTITIES[row.quantity].scale), value)
+def _printed(row: Row, value: float | None) -> TableCell:
+    return TableCell(
+        plain(None if value is None else value * QUANTITIES[row.quantity].scale), value
+    )
 
 
-def _tested(row: Row) -> Cell:
+def _tested(row: Row) -> TableCell:
     """The physical test's number, and how far it is from the paper's own simulation."""
     cell = _printed(row, row.printed_test)
     if row.scatter is None:
         return cell
-    return Cell(cell.text, cell.value, WORDS.say("scatter", share=percent(row.scatter)))
+    return TableCell(cell.text, cell.value, WORDS.say("scatter", share=percent(row.scatter)))
 
 
-def _c_a(run: Run | None, absent: str = "–") -> Cell:
+def _c_a(run: Run | None, absent: str = "–") -> TableCell:
     """c_a of a run, the same in all its rows."""
     row = next(iter((run or {}).values()), None)
-    return Cell(absent) if row is None else Cell(rounded(row.dissipation, 3), row.dissipation)
+    return (
+        TableCell(absent)
+        if row is None
+        else TableCell(rounded(row.dissipation, 3), row.dissipation)
+    )
 
 
 def _runs(results: SliderResults) -> Runs:
@@ -134,7 +140,7 @@ def slider_sections(results: SliderResults) -> list[Section]:
 def _over_time(results: SliderResults) -> Blocks:
     flown = {case.robot: slider.ROBOTS[case.robot] for case in results.cases}
     return tuple(
-        Picture(
+        FigureBlock(
             f"slider_{robot}",
             WORDS.say("time_picture", robot=name),
             slider.slider_figure(results, robot),
@@ -165,9 +171,14 @@ def _answer(results: SliderResults, runs: Runs) -> Blocks:
         verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=listed(complete))
     if _gaps(results):
         details.append(WORDS.say("gap", **_gap_words(results)))
-    blocks: list[str | Table | Picture] = [WORDS.say("asked", speed=plain(SLIDER_SPEED)), verdict]
+    blocks: list[str | Table | FigureBlock] = [
+        WORDS.say("asked", speed=plain(SLIDER_SPEED)),
+        verdict,
+    ]
     if results.cases:
-        blocks.append(Picture("answer", WORDS.say("answer_picture"), slider.readme_figure(results)))
+        blocks.append(
+            FigureBlock("answer", WORDS.say("answer_picture"), slider.readme_figure(results))
+        )
     return (*blocks, *details)
 
 
@@ -188,13 +199,13 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
         if example is None:
             return []
         damping = [_c_a(run, WORDS.say("no_dissipation")) for run in chosen.values()]
-        rows = [(Cell("c_a [s/m]"), Cell("–"), *damping, Cell("–"))]
+        rows = [(TableCell("c_a [s/m]"), TableCell("–"), *damping, TableCell("–"))]
         for key, row in example.items():
             quantity = QUANTITIES[key]
             label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
             simulated, tested = _printed(row, row.printed), _tested(row)
             ours = (_ours(run.get(key)) for run in chosen.values())
-            rows.append((Cell(label), simulated, *ours, tested))
+            rows.append((TableCell(label), simulated, *ours, tested))
         title = WORDS.say(caption, robot=slider.ROBOTS[robot], surface=surface)
         head = ("", "printed, simulation", *names.values(), "printed, test")
         return [Table(title, head, tuple(rows))]
@@ -225,17 +236,17 @@ def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
     if not names:
         return ()
 
-    def giving(number: str, surface: str) -> Cell:
+    def giving(number: str, surface: str) -> TableCell:
         found = [n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number)]
-        return Cell(listed(found))
+        return TableCell(listed(found))
 
-    who = [(Cell(n), *(giving(n, surface) for surface in slider.SURFACES)) for n in PRINTED]
+    who = [(TableCell(n), *(giving(n, surface) for surface in slider.SURFACES)) for n in PRINTED]
     gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
     good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
-    who.append((Cell("gap of the speed sweep"), Cell(listed(good)), Cell("–")))
+    who.append((TableCell("gap of the speed sweep"), TableCell(listed(good)), TableCell("–")))
     wanted = [
         (
-            Cell(f"COR on the {surface}"),
+            TableCell(f"COR on the {surface}"),
             _c_a(_nth(runs, "quad", surface, "Quad", 0)),
             *(_c_a(_nth(runs, "arq", surface, name, 1), "none does") for name in names),
         )
@@ -243,7 +254,7 @@ def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
     ]
     own = ({"gap": fitted[name]} if name in fitted else None for name in names)
     cells = (_c_a(run, "none does") for run in own)
-    wanted.append((Cell("gap of the sweep, on the wall"), Cell("–"), *cells))
+    wanted.append((TableCell("gap of the sweep, on the wall"), TableCell("–"), *cells))
     head = ("printed number of ARQ", *(f"given on the {s} by" for s in slider.SURFACES))
     columns = ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
     return (
@@ -251,7 +262,7 @@ def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
         _counts(results, names),
         WORDS.say("disagreement", agreement=plain(100 * AGREEMENT)),
         Table(WORDS.say("who"), head, tuple(who)),
-        Picture("readings", WORDS.say("readings_picture"), slider.readings_figure(results)),
+        FigureBlock("readings", WORDS.say("readings_picture"), slider.readings_figure(results)),
         WORDS.say("why"),
         WORDS.say("wanted"),
         Table(WORDS.say("wanted_caption"), columns, tuple(wanted)),
@@ -268,11 +279,11 @@ def _counts(results: SliderResults, names: Sequence[str]) -> Table:
         fitted = sum(row.mark is Mark.FITTED for row in rows)
         gap = gaps.get(reading.name)
         lines.append((
-            Cell(reading.name, detail=reading.text),
-            *(Cell(f"{count} of {len(rows)}", count) for count in near),
-            Cell(str(fitted), fitted),
-            Cell(percent(max(known)).lstrip("+") if known else "–"),
-            Cell("–") if gap is None else Cell(rounded(gap.ours, 0), gap.ours),
+            TableCell(reading.name, detail=reading.text),
+            *(TableCell(f"{count} of {len(rows)}", count) for count in near),
+            TableCell(str(fitted), fitted),
+            TableCell(percent(max(known)).lstrip("+") if known else "–"),
+            TableCell("–") if gap is None else TableCell(rounded(gap.ours, 0), gap.ours),
         ))  # fmt: skip
     head = tuple(
         word.format(*(plain(100 * share) for share in NEAR), plain(SWEEP_GAP))
@@ -290,11 +301,13 @@ def _sweep(results: SliderResults) -> Blocks:
     for speed in sorted({point.speed for point in results.sweep}):
         here = [points[name, speed] for name in names]
         values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
-        rows.append((Cell(plain(speed), speed), *(Cell(rounded(v, 0), v) for v in values)))
+        rows.append(
+            (TableCell(plain(speed), speed), *(TableCell(rounded(v, 0), v) for v in values))
+        )
     columns = (word for name in names for word in (f"ARQ, {name}", f"gap, {name}"))
     return (
         WORDS.say("sweep", **_gap_words(results)),
-        Picture("sweep", WORDS.say("sweep_picture"), slider.sweep_figure(results)),
+        FigureBlock("sweep", WORDS.say("sweep_picture"), slider.sweep_figure(results)),
         Table(WORDS.say("sweep_caption"), ("speed [m/s]", "Quad", *columns), tuple(rows)),
     )
 
@@ -321,7 +334,7 @@ def _energy(results: SliderResults) -> Blocks:
     worst = max(abs(case.flight.measures["ledger_residual"] or 0.0) for case in cases)
     return (
         WORDS.say("energy", residual=words_of_power(worst)),
-        Picture("energy", WORDS.say("energy_picture"), flight.energy_figure(*on_wall)),
+        FigureBlock("energy", WORDS.say("energy_picture"), flight.energy_figure(*on_wall)),
         Table(
             WORDS.say("energy_caption"),
             WORDS.head("energy"),
@@ -330,13 +343,17 @@ def _energy(results: SliderResults) -> Blocks:
     )
 
 
-def _energy_row(case: Case) -> tuple[Cell, ...]:
+def _energy_row(case: Case) -> tuple[TableCell, ...]:
     measures = case.flight.measures
     start = measures["energy_start"] or 0.0
     parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
-    shares = (Cell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
+    shares = (TableCell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
     robot = slider.ROBOTS[case.robot] + ("" if case.robot == "quad" else f", {case.reading.name}")
-    return (Cell(f"{robot} on the {case.surface}"), Cell(rounded(start, 2), start), *shares)
+    return (
+        TableCell(f"{robot} on the {case.surface}"),
+        TableCell(rounded(start, 2), start),
+        *shares,
+    )
 
 
 def _method(results: SliderResults) -> Blocks:
@@ -355,12 +372,16 @@ def _method(results: SliderResults) -> Blocks:
         )  # fmt: skip
     readings = tuple(
         tuple(
-            map(Cell, (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or "–"))
+            map(
+                TableCell,
+                (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or "–"),
+            )
         )
         for r in results.readings
     )
     definitions = tuple(
-        (Cell(quantity.name), Cell(MEASURES[key][1])) for key, quantity in QUANTITIES.items()
+        (TableCell(quantity.name), TableCell(MEASURES[key][1]))
+        for key, quantity in QUANTITIES.items()
     )
     return (
         *first,
@@ -373,7 +394,7 @@ def _method(results: SliderResults) -> Blocks:
 
 def _drawings(results: SliderResults) -> Blocks:
     """The robots, and ARQ as it hits the wall in the default reading."""
-    blocks = [Picture("robots_drawn", WORDS.say("robots_picture"), drawings.robots_figure())]
+    blocks = [FigureBlock("robots_drawn", WORDS.say("robots_picture"), drawings.robots_figure())]
     hit = [
         case.flight
         for case in slider.predictions(results, "arq", "wall")
@@ -384,13 +405,18 @@ def _drawings(results: SliderResults) -> Blocks:
         if hit[0].scenario.model.contact_point == "paper":
             words += " " + WORDS.say("contact_along_arm")
         figure = drawings.contact_figure(scene_of(hit[0], label=slider.ROBOTS["arq"]))
-        blocks.append(Picture("contact_drawn", words, figure))
+        blocks.append(FigureBlock("contact_drawn", words, figure))
     return tuple(blocks)
 
 
 def _given(results: SliderResults) -> Blocks:
     rows = tuple(
-        (Cell(r.quantity), Cell(plain(r.ours), r.ours), Cell(r.unit or "–"), Cell(r.note))
+        (
+            TableCell(r.quantity),
+            TableCell(plain(r.ours), r.ours),
+            TableCell(r.unit or "–"),
+            TableCell(r.note),
+        )
         for r in results.rows
         if r.mark is Mark.GIVEN
     )

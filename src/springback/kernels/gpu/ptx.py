@@ -31,7 +31,7 @@ from springback.kernels.gpu.nvptx import (
     target_context,
 )
 from springback.kernels.kernel_cache import keep, kept
-from springback.kernels.layout import Like, LikeType
+from springback.kernels.layout import TreeLayout, TreeLayoutType
 from springback.kernels.trees import branches
 
 _Pointer: Any = types.CPointer
@@ -70,7 +70,7 @@ class Constants(NamedTuple):
     nothing; only the rest is read out of their buffers.
     """
 
-    like: Like
+    like: TreeLayout
     varies: tuple[bool, ...]
     """Of each leaf: whether it differs from flight to flight."""
 
@@ -79,9 +79,9 @@ def parameter(value: Any) -> Any:
     """Compiler type of an argument of an entry point.
 
     Args:
-        value: A `Like`, `Constants`, an array for its memory, or a number.
+        value: A `TreeLayout`, `Constants`, an array for its memory, or a number.
     """
-    if isinstance(value, Like):
+    if isinstance(value, TreeLayout):
         return value._numba_type_
     if isinstance(value, Constants):
         return value
@@ -166,7 +166,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
 
     A launch takes, in the order of the parameters: for `Constants` the leaves that do not vary,
     the memory of those that do, shape (varying leaves, flights), and the number of flights; for
-    arrays their memory; for numbers themselves; for a `Like` nothing.
+    arrays their memory; for numbers themselves; for a `TreeLayout` nothing.
 
     Args:
         program: Of `program`.
@@ -215,7 +215,7 @@ def _define_built_in(module: Any) -> None:
 
 def _arguments_of(context: Any, p: Any) -> list[Any]:
     """What a launch passes for a parameter."""
-    if isinstance(p, LikeType):
+    if isinstance(p, TreeLayoutType):
         return []
     if isinstance(p, Constants):
         number = ir.DoubleType()
@@ -244,7 +244,7 @@ def _entry_text(name: str, parameters: Sequence[Any]) -> str:
     given, arguments = list(kernel.args), []
     for p, taken in zip(parameters, passed, strict=True):
         mine, given = given[: len(taken)], given[len(taken) :]
-        if isinstance(p, LikeType):
+        if isinstance(p, TreeLayoutType):
             arguments.append(context.get_dummy_value())
         elif isinstance(p, Constants):
             values = _constants(builder, p, mine, number)

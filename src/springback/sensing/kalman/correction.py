@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Seldom, along, each, least, total
+from springback.kernels.trees import Rarely, axpy, minimum, tree_map, tree_sum
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Quat,
     Vec,
     conjugate,
@@ -36,9 +36,9 @@ from springback.sensing.kalman.covariance import (
 from springback.sensing.kalman.memory import (
     Kalman,
     KalmanMemory,
-    Kept,
     Known,
     Nominal,
+    StoredPose,
     Surprise,
     Track,
     empty_window,
@@ -48,22 +48,22 @@ from springback.sensing.measurement import Pose
 
 
 @kernel
-def _weighted(kept: Kept, weight: float) -> Kept:
+def _weighted(kept: StoredPose, weight: float) -> StoredPose:
     """A kept pose times a weight."""
     q = kept.attitude
-    return Kept(
+    return StoredPose(
         weight * kept.position, Quat(weight * q.w, weight * q.x, weight * q.y, weight * q.z)
     )
 
 
 @kernel
-def _share(kept: Kept, delay: float, lag: float, interval: float) -> Kept:
+def _share(kept: StoredPose, delay: float, lag: float, interval: float) -> StoredPose:
     """A kept pose times its weight in linear interpolation at a lag."""
     return _weighted(kept, positive_part(1.0 - abs(lag - delay) / interval))
 
 
 @kernel
-def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> Kept:
+def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> StoredPose:
     """What the filter now believes its pose was, some time before the last sample.
 
     At an exposure this is the pose kept there.  Elsewhere, as where motion capture is faster than
@@ -75,13 +75,13 @@ def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> Kept:
         since: Time from the newest kept pose to the last sample [s].
         lag: Before the last sample, not beyond the oldest kept pose [s].
     """
-    kept = each(_share, (track.kept, kalman.delays), (lag - since, kalman.pose_interval))
-    pose = total(kept)
+    kept = tree_map(_share, (track.kept, kalman.delays), (lag - since, kalman.pose_interval))
+    pose = tree_sum(kept)
     if lag < since:
         n, share = track.nominal, lag / since
-        now = _weighted(Kept(n.position, n.attitude), 1.0 - share)
-        pose = total((now, _weighted(track.kept[0], share)))
-    return Kept(pose.position, normalised(pose.attitude))
+        now = _weighted(StoredPose(n.position, n.attitude), 1.0 - share)
+        pose = tree_sum((now, _weighted(track.kept[0], share)))
+    return StoredPose(pose.position, normalised(pose.attitude))
 
 
 @kernel
@@ -98,14 +98,16 @@ def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
 
 
 @kernel
-def _moved(kept: Kept, delay: float, since: float, before: Nominal, after: Nominal) -> Kept:
+def _moved(
+    kept: StoredPose, delay: float, since: float, before: Nominal, after: Nominal
+) -> StoredPose:
     """A kept pose after a correction of the last sample's: at its time, δp − t δv, and the turn.
 
     Its time t before the last sample is its delay behind the newest kept pose, and since that one.
     """
     shift = after.position - before.position - (since + delay) * (after.velocity - before.velocity)
     turn = quaternion_product(after.attitude, conjugate(before.attitude))
-    return Kept(kept.position + shift, quaternion_product(turn, kept.attitude))
+    return StoredPose(kept.position + shift, quaternion_product(turn, kept.attitude))
 
 
 class _Corrected(NamedTuple):
@@ -118,7 +120,7 @@ class _Corrected(NamedTuple):
 
 @kernel
 def _with_position(
-    kalman: Kalman, pose: Pose, lag: float, then: Kept, n: Nominal, c: Covariance
+    kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
 ) -> _Corrected:
     """The position of the main body as it was some time ago.
 
@@ -127,8 +129,8 @@ def _with_position(
     r = rotation(then.attitude)
     z = pose.position - (then.position - r @ kalman.offset)
     lever = r @ skew(kalman.offset) @ (transposed(r) @ rotation(n.attitude))
-    position = along(with_position(c), with_velocity(c), -lag)
-    seen = along(position, times(with_rotation(c), transposed(lever)), 1.0)
+    position = axpy(with_position(c), with_velocity(c), -lag)
+    seen = axpy(position, times(with_rotation(c), transposed(lever)), 1.0)
     variance = isotropic(kalman.position_noise * kalman.position_noise)
     s = seen.p - lag * seen.v + lever @ seen.t + variance
     return _taken_up(n, c, seen, s, z)
@@ -136,7 +138,7 @@ def _with_position(
 
 @kernel
 def _with_attitude(
-    kalman: Kalman, pose: Pose, lag: float, then: Kept, n: Nominal, c: Covariance
+    kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
 ) -> _Corrected:
     """The attitude as it was some time ago.
 
@@ -144,13 +146,13 @@ def _with_attitude(
     """
     turn = rotation_vector(quaternion_product(conjugate(then.attitude), pose.attitude))
     z = (rotation(then.attitude) @ turn) @ rotation(n.attitude)
-    seen = along(with_rotation(c), with_gyroscope_bias(c), lag)
+    seen = axpy(with_rotation(c), with_gyroscope_bias(c), lag)
     variance = isotropic(kalman.attitude_noise * kalman.attitude_noise)
     return _taken_up(n, c, seen, seen.t + lag * seen.w + variance, z)
 
 
 @kernel
-def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat, z: Vec) -> _Corrected:
+def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corrected:
     """Section 6.1: a measurement with innovation z of covariance S, and P Hᵀ."""
     inverse = inverse_symmetric(s)
     weighed = inverse @ z
@@ -171,7 +173,7 @@ def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covarianc
     before = track.nominal
     late = positive_part(pose.age - track.waiting - kalman.inertial_lag)
     since = exposed_before(kalman, tick - track.waiting / kalman.tick)
-    lag = least((late, since + kalman.delays[-1]))
+    lag = minimum((late, since + kalman.delays[-1]))
     then = _recalled(kalman, track, since, lag)
     first = _with_position(kalman, pose, lag, then, before, c)
     then = _moved(then, lag, 0.0, before, first.nominal)
@@ -182,8 +184,8 @@ def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covarianc
         angular_velocity=track.angular_velocity + before.gyroscope_bias - after.gyroscope_bias,
         acceleration=track.acceleration,
         window=empty_window(after.attitude),
-        kept=each(_moved, (track.kept, kalman.delays), (since, before, after)),
+        kept=tree_map(_moved, (track.kept, kalman.delays), (since, before, after)),
         waiting=track.waiting,
     )
     known = Known(second.covariance, Surprise(first.surprise, second.surprise))
-    return KalmanMemory(corrected_track, Seldom(1.0, known))
+    return KalmanMemory(corrected_track, Rarely(1.0, known))

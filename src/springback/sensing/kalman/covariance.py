@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import (
-    Mat,
+    Mat3,
     Vec,
     isotropic,
     symmetric_part,
@@ -28,31 +28,31 @@ class Covariance(NamedTuple):
     Units are products of those of the errors: m, m/s, rad, m/s², rad/s.
     """
 
-    pp: Mat
-    pv: Mat
-    pt: Mat
-    pa: Mat
-    pw: Mat
-    vv: Mat
-    vt: Mat
-    va: Mat
-    vw: Mat
-    tt: Mat
-    ta: Mat
-    tw: Mat
-    aa: Mat
-    aw: Mat
-    ww: Mat
+    pp: Mat3
+    pv: Mat3
+    pt: Mat3
+    pa: Mat3
+    pw: Mat3
+    vv: Mat3
+    vt: Mat3
+    va: Mat3
+    vw: Mat3
+    tt: Mat3
+    ta: Mat3
+    tw: Mat3
+    aa: Mat3
+    aw: Mat3
+    ww: Mat3
 
 
 class Column(NamedTuple):
     """A column of five blocks: the covariance of all errors with some three numbers."""
 
-    p: Mat
-    v: Mat
-    t: Mat
-    a: Mat
-    w: Mat
+    p: Mat3
+    v: Mat3
+    t: Mat3
+    a: Mat3
+    w: Mat3
 
 
 class Transition(NamedTuple):
@@ -62,9 +62,9 @@ class Transition(NamedTuple):
     """
 
     duration: float  # T [s]
-    vt: Mat  # −[Δv]× R at the beginning, of the specific force's Δv in world axes [m/s]
-    va: Mat  # −∫ R dt [s]
-    tt: Mat  # from body axes at the beginning to body axes at the end
+    vt: Mat3  # −[Δv]× R at the beginning, of the specific force's Δv in world axes [m/s]
+    va: Mat3  # −∫ R dt [s]
+    tt: Mat3  # from body axes at the beginning to body axes at the end
 
 
 class Noise(NamedTuple):
@@ -113,7 +113,7 @@ def with_gyroscope_bias(c: Covariance) -> Column:
 
 
 @kernel
-def _across(p: Mat, v: Mat, t: Mat, a: Mat, w: Mat) -> Column:
+def _across(p: Mat3, v: Mat3, t: Mat3, a: Mat3, w: Mat3) -> Column:
     """A row of blocks, laid down as a column."""
     return Column(transposed(p), transposed(v), transposed(t), transposed(a), transposed(w))
 
@@ -160,7 +160,7 @@ def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
 
 
 @kernel
-def times(c: Column, m: Mat) -> Column:
+def times(c: Column, m: Mat3) -> Column:
     """Every block of a column times a matrix."""
     return Column(c.p @ m, c.v @ m, c.t @ m, c.a @ m, c.w @ m)
 
@@ -189,7 +189,7 @@ def correction(seen: Column, weighed: Vec) -> Correction:
 
 
 @kernel
-def corrected(c: Covariance, seen: Column, inverse: Mat) -> Covariance:
+def corrected(c: Covariance, seen: Column, inverse: Mat3) -> Covariance:
     """P ← P − K S Kᵀ = P − (P Hᵀ) S⁻¹ (P Hᵀ)ᵀ.
 
     Args:

@@ -17,7 +17,7 @@ the correction of the rotation, some 1e-3.
 from __future__ import annotations
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Seldom, largest
+from springback.kernels.trees import Rarely, maximum
 from springback.kernels.vectors import (
     Quat,
     Vec,
@@ -35,16 +35,16 @@ from springback.sensing.kalman.memory import (
     Deviations,
     Kalman,
     KalmanMemory,
-    Kept,
     Known,
     Nominal,
+    StoredPose,
     Track,
     Window,
     empty_window,
     exposed_before,
     kalman_memory,
 )
-from springback.sensing.measurement import Believed, Estimate, Inertial, Measurement, estimated
+from springback.sensing.measurement import Estimate, EstimatorStep, Inertial, Measurement, estimated
 
 __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 
@@ -55,19 +55,19 @@ AT_RANGE = 0.9
 
 @estimated.register(Kalman)
 @kernel
-def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> Believed:
+def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> EstimatorStep:
     track = memory.track
     if seen.inertial.fresh > 0.5:
         track = _followed(kalman, tick, seen.inertial, track)
     else:
         track = _waited(kalman, track)
-    after = KalmanMemory(track, Seldom(0.0, memory.known.tree))
+    after = KalmanMemory(track, Rarely(0.0, memory.known.tree))
     posed = seen.pose.fresh > 0.5
     if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
         after = _predicted(kalman, after)
         if posed:
             after = informed(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
-    return Believed(_spoken(kalman, after.track), after)
+    return EstimatorStep(_spoken(kalman, after.track), after)
 
 
 @kernel
@@ -111,13 +111,18 @@ def _begun(track: Track) -> Track:
 @kernel
 def _at_range(reading: Vec, limit: float) -> bool:
     """Whether a reading stands at its range."""
-    return largest((abs(reading.x), abs(reading.y), abs(reading.z))) > AT_RANGE * limit
+    return maximum((abs(reading.x), abs(reading.y), abs(reading.z))) > AT_RANGE * limit
 
 
 @kernel
 def _kept(
-    kalman: Kalman, tick: float, n: Nominal, omega: Vec, acceleration: Vec, kept: tuple[Kept, ...]
-) -> tuple[Kept, ...]:
+    kalman: Kalman,
+    tick: float,
+    n: Nominal,
+    omega: Vec,
+    acceleration: Vec,
+    kept: tuple[StoredPose, ...],
+) -> tuple[StoredPose, ...]:
     """The kept poses after a sample, with a new one if the cameras exposed during it.
 
     The way back to the exposure is the way that the sample has come, at steady rate and
@@ -127,7 +132,7 @@ def _kept(
     if since < (1.0 - ROUNDING) * kalman.interval:
         position = n.position - since * n.velocity + (0.5 * since * since) * acceleration
         attitude = quaternion_product(n.attitude, turned_by(-since * omega))
-        return (Kept(position, attitude), *kept[:-1])
+        return (StoredPose(position, attitude), *kept[:-1])
     return kept
 
 
@@ -204,4 +209,4 @@ def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
     track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)
     covariance = carried(known.covariance, transition, _noise(kalman, track.window))
-    return KalmanMemory(_begun(track), Seldom(1.0, Known(covariance, known.surprise)))
+    return KalmanMemory(_begun(track), Rarely(1.0, Known(covariance, known.surprise)))

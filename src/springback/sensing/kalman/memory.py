@@ -7,7 +7,7 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Seldom
+from springback.kernels.trees import Rarely
 from springback.kernels.vectors import ZERO, Quat, Vec, rotation
 from springback.sensing.kalman.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
@@ -77,7 +77,7 @@ def empty_window(attitude: Quat) -> Window:
     return Window(0.0, Vec(0.0, 0.0, 0.0), attitude, 0.0, 0.0)
 
 
-class Kept(NamedTuple):
+class StoredPose(NamedTuple):
     """A pose of the inertial sensor at an exposure, or a weighted sum of such."""
 
     position: Vec  # world [m]
@@ -98,7 +98,7 @@ class Track(NamedTuple):
     angular_velocity: Vec  # body, bias taken off [rad/s]
     acceleration: Vec  # world [m/s²]
     window: Window
-    kept: tuple[Kept, ...]  # of the last exposures, newest first
+    kept: tuple[StoredPose, ...]  # of the last exposures, newest first
     waiting: float  # time since the last inertial sample [s]
 
 
@@ -113,7 +113,7 @@ class KalmanMemory(NamedTuple):
     """What the filter remembers."""
 
     track: Track
-    known: Seldom  # Known; it changes with poses only
+    known: Rarely  # Known; it changes with poses only
 
 
 class Deviations(NamedTuple):
@@ -137,7 +137,7 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
         acceleration=ZERO,
         window=empty_window(estimate.attitude),
         kept=tuple(
-            Kept(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays
+            StoredPose(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays
         ),
         waiting=0.0,
     )
@@ -145,5 +145,5 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
 
 
 @functools.lru_cache(maxsize=64)  # the same for every flight of a campaign
-def _first_known(deviations: Deviations) -> Seldom:
-    return Seldom(0.0, Known(uncorrelated(*deviations), Surprise(0.0, 0.0)))
+def _first_known(deviations: Deviations) -> Rarely:
+    return Rarely(0.0, Known(uncorrelated(*deviations), Surprise(0.0, 0.0)))

@@ -22,14 +22,14 @@ from springback.kernels.gpu.ptx import (
     parameter,
     program,
 )
-from springback.kernels.layout import Buffer, Like, rows, structure
+from springback.kernels.layout import Buffer, TreeLayout, rows, structure
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE, own_types, shape_of, sources
 from springback.simulation.gpu.thread import fly_impact, fly_ticks
 from springback.simulation.guided import ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
-from springback.simulation.noise import deal, key_of, plan_of
-from springback.simulation.onboard import Cabin, Draw
+from springback.simulation.noise import generate, key_of, plan_of
+from springback.simulation.onboard import Avionics, Draw
 from springback.simulation.record import FLYING, Model
 from springback.simulation.ticks import GUST_NOISE, powered, ticked
 from springback.vehicle.state import State
@@ -75,7 +75,7 @@ def _constants(columns: Buffer, mask: Mask) -> list[Any]:
     return [*columns[~varies, 0].tolist(), Memory(columns[varies]), columns.shape[1]]
 
 
-class _Kind:
+class _KernelKind:
     """Kernels for flights of one structure, by what varies among them."""
 
     def __init__(self, entry: Any, parameters: Any, parts: Any, files: Any) -> None:
@@ -104,14 +104,14 @@ _FLOATS, _WORDS = np.zeros(1), np.zeros(1, dtype=np.uint64)
 
 
 @functools.cache
-def _kinds() -> dict[Any, _Kind]:
+def _kinds() -> dict[Any, _KernelKind]:
     return {}
 
 
-def _impacts(shape: Shape) -> _Kind:
+def _impacts(shape: Shape) -> _KernelKind:
     key = fly_impact, structure(shape)
     if key not in _kinds():
-        like, memory = Like(shape), Like((0.0,) * buffer_rows(shape, 1))
+        like, memory = TreeLayout(shape), TreeLayout((0.0,) * buffer_rows(shape, 1))
 
         def parameters(model: Mask) -> list[Any]:
             return [like, memory, Constants(like.model, model), _FLOATS, 1, 1]
@@ -119,31 +119,31 @@ def _impacts(shape: Shape) -> _Kind:
         def parts() -> dict[str, Any]:
             return {"advance": device_function(advance)}
 
-        _kinds()[key] = _Kind(fly_impact, parameters, parts, _files(shape.model))
+        _kinds()[key] = _KernelKind(fly_impact, parameters, parts, _files(shape.model))
     return _kinds()[key]
 
 
-def _guided(shape: Shape, cabin: Cabin, channels: int) -> _Kind:
-    key = fly_ticks, structure(shape), structure(cabin), channels
+def _guided(shape: Shape, avionics: Avionics, channels: int) -> _KernelKind:
+    key = fly_ticks, structure(shape), structure(avionics), channels
     if key not in _kinds():
-        like, aboard = Like(shape), Like(cabin)
-        noise = [Like((0.0,) * n) for n in (channels, GUST_NOISE, channels + GUST_NOISE)]
-        memory = Like((0.0,) * buffer_rows(shape, 1))
+        like, onboard = TreeLayout(shape), TreeLayout(avionics)
+        noise = [TreeLayout((0.0,) * n) for n in (channels, GUST_NOISE, channels + GUST_NOISE)]
+        memory = TreeLayout((0.0,) * buffer_rows(shape, 1))
 
-        def parameters(model: Mask, guidance: Mask) -> list[Any]:
-            constants = Constants(like.model, model), Constants(aboard.guidance, guidance)
+        def parameters(model: Mask, systems: Mask) -> list[Any]:
+            constants = Constants(like.model, model), Constants(onboard.systems, systems)
             plan = np.zeros(1, dtype=np.int64)
             return [
-                like, aboard, memory, *noise, *constants, _FLOATS, _FLOATS, 1, _WORDS, _WORDS,
+                like, onboard, memory, *noise, *constants, _FLOATS, _FLOATS, 1, _WORDS, _WORDS,
                 plan, 1, 1, 1, 1, 1.0,
             ]  # fmt: skip
 
         def parts() -> dict[str, Any]:
             between = device_function(to_tick, advance=device_function(advance))
-            alone = {each.__name__: device_function(each) for each in (ticked, powered, deal)}
+            alone = {each.__name__: device_function(each) for each in (ticked, powered, generate)}
             return {**alone, "to_tick": between}
 
-        _kinds()[key] = _Kind(fly_ticks, parameters, parts, _files(shape.model, cabin))
+        _kinds()[key] = _KernelKind(fly_ticks, parameters, parts, _files(shape.model, avionics))
     return _kinds()[key]
 
 
@@ -189,9 +189,9 @@ def fly_buffers_on_gpu(
 def fly_groups_on_gpu(
     model: Model,
     start: State,
-    cabin: Cabin,
+    avionics: Avionics,
     buffers: Buffer,
-    aboard: Buffer,
+    onboard: Buffer,
     draws: Sequence[Draw],
     seeds: Sequence[int],
     *,
@@ -204,9 +204,9 @@ def fly_groups_on_gpu(
     Args:
         model: Like those of the flights, of their duration.
         start: Like their states.
-        cabin: Like what is aboard, with their clock.
+        avionics: Like what is aboard, with their clock.
         buffers: Of the motion, shape (groups, rows x width).
-        aboard: Of what is aboard, shape (groups, rows x width).
+        onboard: Of what is aboard, shape (groups, rows x width).
         draws: When which normal numbers are drawn.
         seeds: One for each flight.
         width: Lanes in a group.
@@ -218,13 +218,13 @@ def fly_groups_on_gpu(
         PtxError: If the flights need what is not there on one.
     """
     duration, shape = model.timing.until, shape_of(model, start)
-    ticks, at = ticks_of(duration, cabin.guidance.period), places(shape, width)
+    ticks, at = ticks_of(duration, avionics.systems.period), places(shape, width)
     channels = sum(draw.channels for draw in draws) - GUST_NOISE
-    lanes, inside = (b.reshape(len(b), -1, width) for b in (buffers, aboard))
-    after, end = rows(cabin.guidance), rows(cabin)
-    kind = _guided(shape, cabin, channels)
-    models, guidance = _columns(lanes, 0, at.motion), _columns(inside, 0, after)
-    masks = kind.masks(models, guidance)
+    lanes, inside = (b.reshape(len(b), -1, width) for b in (buffers, onboard))
+    after, end = rows(avionics.systems), rows(avionics)
+    kind = _guided(shape, avionics, channels)
+    models, systems = _columns(lanes, 0, at.motion), _columns(inside, 0, after)
+    masks = kind.masks(models, systems)
     kernel = kind.kernel(*masks)
     moved = np.vstack((_columns(lanes, at.motion, at.total), _columns(lanes, at.record, at.end)))
     changed, count = _columns(inside, after, end), moved.shape[1]
@@ -233,7 +233,7 @@ def fly_groups_on_gpu(
     spare = count - len(keys)
     there, memories, plan = Memory(moved), Memory(changed), plan_of(draws)
     arguments = [
-        *_constants(models, masks[0]), *_constants(guidance, masks[1]), there, memories, count,
+        *_constants(models, masks[0]), *_constants(systems, masks[1]), there, memories, count,
         Memory(np.array(keys + keys[-1:] * spare, dtype=np.uint64)),
         Memory(np.array(numbers + numbers[-1:] * spare, dtype=np.uint64)),
         Memory(plan), len(plan),

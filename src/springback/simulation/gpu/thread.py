@@ -18,16 +18,16 @@ from springback.kernels.gpu.private_memory import (
     reached_over,
     remembered,
 )
-from springback.kernels.layout import Buffer, Like, Parted, read, rows, write
+from springback.kernels.layout import Buffer, Parted, TreeLayout, read, rows, write
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE
 from springback.simulation.lanes import places
-from springback.simulation.noise import deal
+from springback.simulation.noise import generate
 from springback.simulation.ticks import powered, ticked
 
 
 @kernel
-def take_flight(shape: Like, flights: Buffer, count: int, lane: int, b: Buffer) -> None:
+def take_flight(shape: TreeLayout, flights: Buffer, count: int, lane: int, b: Buffer) -> None:
     """Take motion and record of a flight out of shared buffers into those of a single one."""
     here, moving = places(shape, 1), rows(shape.motion)
     write(read(shape.motion, flights, 0, count, lane), b, here.motion, 1, 0)
@@ -35,7 +35,7 @@ def take_flight(shape: Like, flights: Buffer, count: int, lane: int, b: Buffer) 
 
 
 @kernel
-def put_flight(shape: Like, b: Buffer, flights: Buffer, count: int, lane: int) -> None:
+def put_flight(shape: TreeLayout, b: Buffer, flights: Buffer, count: int, lane: int) -> None:
     """Put motion and record of a flight back."""
     here, moving = places(shape, 1), rows(shape.motion)
     write(read(shape.motion, b, here.motion, 1, 0), flights, 0, count, lane)
@@ -43,8 +43,8 @@ def put_flight(shape: Like, b: Buffer, flights: Buffer, count: int, lane: int) -
 
 
 def fly_impact(
-    shape: Like,
-    memory: Like,
+    shape: TreeLayout,
+    memory: TreeLayout,
     model: Any,
     flights: Any,
     count: int,
@@ -74,16 +74,16 @@ def fly_impact(
 
 
 def fly_ticks(
-    shape: Like,
-    cabin: Like,
-    memory: Like,
-    channels: Like,
-    gusts: Like,
-    drawn: Like,
+    shape: TreeLayout,
+    avionics: TreeLayout,
+    memory: TreeLayout,
+    channels: TreeLayout,
+    gusts: TreeLayout,
+    drawn: TreeLayout,
     model: Any,
-    guidance: Any,
+    systems: Any,
     flights: Any,
-    aboard: Any,
+    onboard: Any,
     count: int,
     keys: Any,
     numbers: Any,
@@ -99,15 +99,15 @@ def fly_ticks(
 
     Args:
         shape: What lies in the buffers of the motion.
-        cabin: What is aboard.
+        avionics: What is aboard.
         memory: As many floats as the motion of a single flight takes.
         channels: Noise of the sensors at a tick.
         gusts: Noise of the gusts at a tick.
         drawn: Both, one after the other.
         model: Of the flight.
-        guidance: Of the flight.
+        systems: Of the flight.
         flights: Motion and record of all flights, shape (rows x flights,).
-        aboard: What changes aboard, of all flights, shape (rows x flights,).
+        onboard: What changes aboard, of all flights, shape (rows x flights,).
         count: Number of flights.
         keys: Seed of each flight, shape (flights,).
         numbers: Number of each flight, for its luck, shape (flights,).
@@ -124,10 +124,10 @@ def fly_ticks(
         shared, alone = reached_over(flights, 1, size)[0], private(memory)
         write(model, alone[0], 0, 1, 0)
         take_flight(shape, shared, count, lane, alone[0])
-        kept = reached_over(aboard, 1, count * rows(cabin.aboard))[0]
-        settings, mine = private(cabin.guidance), private(cabin.aboard)
-        write(guidance, settings[0], 0, 1, 0)
-        for row in range(rows(cabin.aboard)):  # `write` would leave out parts that are not new
+        kept = reached_over(onboard, 1, count * rows(avionics.onboard))[0]
+        settings, mine = private(avionics.systems), private(avionics.onboard)
+        write(systems, settings[0], 0, 1, 0)
+        for row in range(rows(avionics.onboard)):  # `write` would leave out parts that are not new
             mine[0, row] = kept[row * count + lane]
         key, number = private_words(1, 1)[0], private_words(1, 1)[0]
         key[0] = reached_over(keys, 1, count)[0, lane]
@@ -140,11 +140,11 @@ def fly_ticks(
         logged[0] = 0
         log, devices = reached_over(flights, 0, 1), reached_over(plan, device_count, 3)
         for k in range(first, end):
-            g: Any = Parted(cabin.guidance, settings[0], remembered(mine[0]))
-            deal(key, number, devices, k, noise, words, pairs)
-            ticked(shape, cabin, alone[0], g, (0,), logged, float(k), channels, noise[0], log, k)
+            g: Any = Parted(avionics.systems, settings[0], remembered(mine[0]))
+            generate(key, number, devices, k, noise, words, pairs)
+            ticked(shape, avionics, alone[0], g, (0,), logged, float(k), channels, noise[0], log, k)
             powered(
-                shape, cabin, alone[0], g, (0,), logged, float(k), duration, gusts, noise[0],
+                shape, avionics, alone[0], g, (0,), logged, float(k), duration, gusts, noise[0],
                 rows(channels),
             )  # fmt: skip
             early = 0.0 if k + 1 == ticks else 1.0
@@ -152,5 +152,5 @@ def fly_ticks(
                 pass
         put_flight(shape, alone[0], shared, count, lane)
         after = remembered(mine[0])
-        for row in range(rows(cabin.aboard)):
+        for row in range(rows(avionics.onboard)):
             kept[row * count + lane] = after[row]

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.ablation import SHADES, TITLES
-from springback.interfaces.figures.style import INK, WIDTH, HouseFigure, styled
+from springback.interfaces.figures.style import INK, WIDTH, StyledFigure, styled
 from springback.paper.choices import ROBOTS, ChoiceResults
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS
 from springback.studies.run_ups import CONDITIONS
@@ -29,7 +29,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
         f"{choice.name}{f', {duration:g} s' if several else ''}" for choice, duration in sets
     )]  # fmt: skip
     height = 0.27 * len(labels) + 1.15
-    figure = HouseFigure(figsize=(WIDTH * 1.75, height), layout="constrained")
+    figure = StyledFigure(figsize=(WIDTH * 1.75, height), layout="constrained")
     for ax, robot in zip(figure.subplots(1, 2, sharey=True), ROBOTS, strict=True):
         share = np.full((len(labels), len(ORDER)), np.nan)
         words = [[""] * len(ORDER) for _ in labels]

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from springback.interfaces.animation.bodies import (
-    Pose,
-    View,
+    SceneInstant,
+    ViewPlane,
     arm_line,
     body_outline,
     ends,
@@ -28,7 +28,7 @@ from springback.interfaces.figures.style import (
     RED,
     SHADE,
     WIDTH,
-    HouseFigure,
+    StyledFigure,
     styled,
 )
 from springback.interfaces.replay.scene import ArmShape, Scene
@@ -36,7 +36,7 @@ from springback.vehicle.library import VEHICLES
 
 NAMES = {"arq": "ARQ", "quad": "Quad"}
 COLOURS = {"arq": BLUE, "quad": RED}
-AXES = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.zeros(3))
+AXES = ViewPlane(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.zeros(3))
 """From above, body x to the right."""
 LONGEST = 0.13
 """Chosen: length of the arrow of the greatest force [m]."""
@@ -60,13 +60,13 @@ def shapes(robot: str) -> tuple[ArmShape, ...]:
 @styled
 def robots_figure() -> Figure:
     """Both robots from above, to scale: arms with their directions, springs, cages, rotors."""
-    figure = HouseFigure(figsize=(WIDTH, 2.95))
+    figure = StyledFigure(figsize=(WIDTH, 2.95))
     axes = figure.subplots(1, 2, sharex=True, sharey=True)
     for ax, robot in zip(axes, ("arq", "quad"), strict=True):
         arms = shapes(robot)
         lengths = np.array([arm.length for arm in arms])
         still = np.zeros((len(arms), 3))
-        now = Pose(np.zeros(3), np.eye(3), lengths, lengths, still, still)
+        now = SceneInstant(np.zeros(3), np.eye(3), lengths, lengths, still, still)
         _robot(ax, AXES, arms, now, COLOURS[robot])
         for j, (arm, tip) in enumerate(zip(arms, ends(arms, now), strict=True), start=1):
             ax.text(*(1.32 * tip[:2]), f"{j}", ha="center", va="center", weight="bold")
@@ -95,7 +95,9 @@ def _measured(ax: Axes, tip: Any, arm: ArmShape) -> None:
     ax.annotate("", edge, tip[:2], arrowprops={"arrowstyle": "-", "color": GREY, "lw": 0.9})
 
 
-def _robot(ax: Axes, view: View, arms: tuple[ArmShape, ...], now: Pose, colour: str) -> None:
+def _robot(
+    ax: Axes, view: ViewPlane, arms: tuple[ArmShape, ...], now: SceneInstant, colour: str
+) -> None:
     """Arms, cages and main body; names are for data alone."""
     tips = ends(arms, now)
     for j, arm in enumerate(arms, start=1):
@@ -118,10 +120,10 @@ def contact_figure(scene: Scene) -> Figure:
     """
     k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
     now, (_, view) = pose(scene, float(scene.t[k])), views(scene)
-    figure = HouseFigure(figsize=(WIDTH, 3.5))
+    figure = StyledFigure(figsize=(WIDTH, 3.5))
     ax = figure.subplots()
     _matter(ax, scene, view)
-    free = Pose(now.position, now.rotation, _free(scene), now.thrust, now.force, now.point)
+    free = SceneInstant(now.position, now.rotation, _free(scene), now.thrust, now.force, now.point)
     for j, tip in enumerate(ends(scene.arms, free)):
         rest = view(ring(tip, scene.arms[j].cage_radius, now.rotation))
         name = "cage, arm at its free length" if j == 0 else f"_free cage {j + 1}"
@@ -144,14 +146,14 @@ def _free(scene: Scene) -> Any:
     return np.array([arm.length for arm in scene.arms])
 
 
-def _matter(ax: Axes, scene: Scene, view: View) -> None:
+def _matter(ax: Axes, scene: Scene, view: ViewPlane) -> None:
     for thing in scene.obstacles:
         area = half_plane(thing, view, 0.0, 5.0) if thing.normal else None
         if area is not None:
             ax.add_patch(Polygon(area, fc=SHADE, ec=GREY, hatch="///", lw=0.9, zorder=0.5))
 
 
-def _forces(ax: Axes, scene: Scene, view: View, now: Pose) -> None:
+def _forces(ax: Axes, scene: Scene, view: ViewPlane, now: SceneInstant) -> None:
     """Normal force and friction on each cage that touches, with their sizes."""
     face = next(thing for thing in scene.obstacles if thing.normal)
     normal = np.array(face.normal)

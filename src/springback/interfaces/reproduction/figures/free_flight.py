@@ -22,8 +22,8 @@ from springback.interfaces.figures.style import (
     RED,
     SHADE,
     WIDTH,
-    HouseFigure,
     Look,
+    StyledFigure,
     styled,
 )
 from springback.paper.features import TABLE_I
@@ -80,7 +80,7 @@ def circle_flights(results: FlightResults, pace: str) -> dict[str, Flight]:
 
 def step_window(flight: Flight, axis: Axis) -> tuple[Array, Array, Array]:
     """Time since an axis was asked to step [s], where it is, and where it was asked to be [m]."""
-    c, d, begins = flight.columns, flight.diary, STEP_BEGINS[axis]
+    c, d, begins = flight.columns, flight.telemetry, STEP_BEGINS[axis]
     inside = (c["t"] >= begins - SHOWN_BEFORE) & (c["t"] < begins + DWELL)
     t = c["t"][inside]
     wanted = d[f"ref_{axis}"][np.clip(np.searchsorted(d["t"], t, "right") - 1, 0, None)]
@@ -96,7 +96,7 @@ def _drawn(t: Array, *curves: Array) -> list[Array]:
 @styled
 def steps_figure(results: FlightResults) -> Figure:
     """Each axis from the moment it is asked to step by 1 m, all robots in one panel."""
-    figure = HouseFigure(figsize=(WIDTH, 4.6))
+    figure = StyledFigure(figsize=(WIDTH, 4.6))
     axes = figure.subplots(3, 1, sharex=True)
     flown = first_flights(results.responses)
     for ax, axis in zip(axes, AXES, strict=True):
@@ -116,7 +116,7 @@ def steps_figure(results: FlightResults) -> Figure:
 
 def circle_errors_over_time(flight: Flight) -> dict[str, Array]:
     """Wanted less flown over the ticks: x, y [m], vx, vy [m/s], beside t [s]."""
-    c, d = flight.columns, flight.diary
+    c, d = flight.columns, flight.telemetry
     errors = {name: d[f"ref_{name}"] - np.interp(d["t"], c["t"], c[name]) for name in ERRORS}
     return {"t": d["t"], **errors}
 
@@ -124,7 +124,7 @@ def circle_errors_over_time(flight: Flight) -> dict[str, Array]:
 @styled
 def circles_figure(results: FlightResults) -> Figure:
     """Circles from above, and below them the errors of position and velocity over time."""
-    figure = HouseFigure(figsize=(WIDTH, 6.6))
+    figure = StyledFigure(figsize=(WIDTH, 6.6))
     above, below = figure.subfigures(2, 1, squeeze=False, height_ratios=(2.5, 4.1))[:, 0]
     planes = above.subplots(1, 2, sharey=True)
     panels = below.subplots(4, 2, sharex="col", sharey="row")
@@ -147,7 +147,7 @@ def circles_figure(results: FlightResults) -> Figure:
 
 def _circle_column(plane: Axes, column: Sequence[Axes], flown: Mapping[str, Flight]) -> None:
     for k, (robot, flight) in enumerate(flown.items()):
-        c, d, (colour, line) = flight.columns, flight.diary, FLIGHT_LOOKS[robot]
+        c, d, (colour, line) = flight.columns, flight.telemetry, FLIGHT_LOOKS[robot]
         if k == 0:
             look: dict[str, Any] = {"color": WANTED[0], "ls": WANTED[1], "lw": 0.9, "zorder": 2.5}
             plane.plot(d["ref_x"], d["ref_y"], label="reference", **look)
@@ -203,7 +203,7 @@ def table_iv(results: FlightResults) -> list[Ratio]:
 def table_iv_figure(results: FlightResults) -> Figure:
     """Every number of Table IV: ours over print, 1 is agreement; bars span the trials."""
     cells = table_iv(results)
-    figure = HouseFigure(figsize=(WIDTH, 3.7))
+    figure = StyledFigure(figsize=(WIDTH, 3.7))
     left, right = figure.subplots(1, 2)
     _ratios(left, [cell for cell in cells if cell.test in ("rise", "mse")], "step")
     _ratios(right, [cell for cell in cells if cell.test in PACES], "circle")
@@ -264,7 +264,7 @@ def endurance_points(robot: str, count: int = 60) -> tuple[Array, Array]:
 @styled
 def endurance_figure() -> Figure:
     """Hover time against payload; diamonds are printed hover times, lines printed payloads."""
-    figure = HouseFigure(figsize=(WIDTH, 2.8))
+    figure = StyledFigure(figsize=(WIDTH, 2.8))
     ax = figure.subplots()
     for robot, printed in TABLE_I.items():
         colour, line = FLIGHT_LOOKS[robot]

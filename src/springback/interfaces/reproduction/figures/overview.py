@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from springback.interfaces.figures.style import BLUE, INK, RED, SHADE, WIDTH, HouseFigure, styled
+from springback.interfaces.figures.style import BLUE, INK, RED, SHADE, WIDTH, StyledFigure, styled
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 FARTHEST = 3.0
@@ -25,7 +25,7 @@ def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
     Args:
         groups: Compared numbers by the name of their group, of which nothing was fitted.
     """
-    figure = HouseFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
+    figure = StyledFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
     ax = figure.subplots()
     within = f"within {100 * AGREEMENT:g} %"
     ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1, label="_" + within)

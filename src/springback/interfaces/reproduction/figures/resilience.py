@@ -28,8 +28,8 @@ from springback.interfaces.figures.style import (
     RED,
     SHADE,
     WIDTH,
-    HouseFigure,
     Look,
+    StyledFigure,
     styled,
 )
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS
@@ -84,7 +84,7 @@ def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
 @styled
 def success_figure(results: ResilienceResults) -> Figure:
     """Shares of recovered trials with Wilson's intervals, and what the paper prints."""
-    figure = HouseFigure(figsize=(WIDTH, 3.0))
+    figure = StyledFigure(figsize=(WIDTH, 3.0))
     ax = figure.subplots()
     order = sorted(CONDITIONS, key=lambda c: (c[1], c[0]))
     for robot, shift in zip(ROBOTS, (-0.14, 0.14), strict=True):
@@ -131,7 +131,7 @@ def _signed(degrees: float) -> str:
 @styled
 def fast_figure(sample: Sample) -> Figure:
     """Position, velocity and pitch of one collision: flown and asked for, and a close-up."""
-    figure = HouseFigure(figsize=(WIDTH, 5.0))
+    figure = StyledFigure(figsize=(WIDTH, 5.0))
     axes = figure.subplots(3, 2, sharey="row", width_ratios=(2.3, 1.0))
     curves, events = motion(sample.flight), _events(sample)
     for column, span, scale in zip(axes.T, (SPAN, CLOSE), (1.0, 1e3), strict=True):
@@ -201,7 +201,7 @@ def _collision(
 @styled
 def compared_figure(samples: Sequence[Sample]) -> Figure:
     """Position, velocity and pitch of both robots over the same collision."""
-    figure = HouseFigure(figsize=(WIDTH, 4.4))
+    figure = StyledFigure(figsize=(WIDTH, 4.4))
     axes = figure.subplots(3, 1, sharex=True)
     for sample in samples:
         curves, (colour, line) = _within(motion(sample.flight), SPAN), LOOKS[sample.robot]
@@ -225,13 +225,13 @@ def compared_figure(samples: Sequence[Sample]) -> Figure:
 def side_figure(samples: Sequence[Sample]) -> Figure:
     """Robots from the side, time as colour: away from the wall above, back to p_r below."""
     seen = [_within(motion(sample.flight), (0.0, SEEN)) for sample in samples]
-    wall = max(sample.luck.wall_distance for sample in samples)
+    wall = max(sample.noise_stream.wall_distance for sample in samples)
     left = min(float(curves["x"].min()) for curves in seen) - 0.2
     low = min(float(curves["z"].min()) for curves in seen) - 0.15
     high = max(float(curves["z"].max()) for curves in seen) + 0.15
     rows, right = 2 * len(samples), wall + 0.06
     each = DRAWN_WIDTH * (high - low) / (right - left) + 0.32
-    figure = HouseFigure(figsize=(WIDTH, 0.3 + each * rows))
+    figure = StyledFigure(figsize=(WIDTH, 0.3 + each * rows))
     axes = figure.subplots(rows, 1, sharex=True, sharey=True)
     scale = Normalize(0.0, SEEN)
     for k, (sample, curves) in enumerate(zip(samples, seen, strict=True)):
@@ -254,7 +254,7 @@ def side_figure(samples: Sequence[Sample]) -> Figure:
 def _poses(ax: Axes, sample: Sample, curves: dict[str, Array], scale: Normalize) -> None:
     """Main body, arms and e_z, again and again; arms at the paper's constant L* = L/√2."""
     reach = sample.flight.scenario.vehicle.lengths()[0] / math.sqrt(2.0)
-    wall = sample.luck.wall_distance
+    wall = sample.noise_stream.wall_distance
     ax.axvspan(wall, wall + 1.0, color=GREY, lw=0.0, label="_wall")
     t, shades = curves["t"], ScalarMappable(scale, COLOURS)
     for when in np.arange(t[0], t[-1], POSES):
@@ -281,7 +281,7 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     """Collision after collision without landing; the first second of the first one on the right."""
     flight = next(r.flight for r in results.repeated(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
-    figure = HouseFigure(figsize=(WIDTH, 3.5))
+    figure = StyledFigure(figsize=(WIDTH, 3.5))
     axes = figure.subplots(2, 2, sharex="col", sharey="row", width_ratios=(2.6, 1.0))
     close = _within(curves, (-0.1, ZOOMED))
     rows = [("x", STATES[0], 1.0), ("pitch", STATES[2], math.degrees(1.0))]
@@ -318,6 +318,6 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
 
 def _over(flight: Any) -> float:
     """A second after the last way home ended [s]."""
-    legs, t = flight.diary["leg"], flight.diary["t"]
-    changes = np.flatnonzero(np.diff(legs))
+    phases, t = flight.telemetry["phase"], flight.telemetry["t"]
+    changes = np.flatnonzero(np.diff(phases))
     return float(min(t[-1], t[changes[-1]] + 1.0)) if len(changes) else float(t[-1])

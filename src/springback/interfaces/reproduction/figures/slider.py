@@ -23,8 +23,8 @@ from springback.interfaces.figures.style import (
     RED,
     SHADE,
     WIDTH,
-    HouseFigure,
     Look,
+    StyledFigure,
     styled,
 )
 from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
@@ -75,7 +75,7 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
     if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
         labels.append("Arm length [mm]")
-    figure = HouseFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels) + _legend_room(len(looks))))
+    figure = StyledFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels) + _legend_room(len(looks))))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
         span = _slider_times(robot, surface, cases)
@@ -157,7 +157,7 @@ def sweep_figure(results: SliderResults) -> Figure:
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
     looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
     speeds = sorted({p.speed for p in results.sweep})
-    figure = HouseFigure(figsize=(WIDTH, 4.7 + 0.2 * (len(names) // 2)))
+    figure = StyledFigure(figsize=(WIDTH, 4.7 + 0.2 * (len(names) // 2)))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
     for n in names:
@@ -212,7 +212,7 @@ def readings_figure(results: SliderResults) -> Figure:
         ("travel", "travel", ""),
         ("contact\ntime", "contact_time", "time_to_return"),
     ]
-    figure = HouseFigure(figsize=(WIDTH, 2.9 + _legend_room(len(results.readings))))
+    figure = StyledFigure(figsize=(WIDTH, 2.9 + _legend_room(len(results.readings))))
     axes = figure.subplots(1, 2, sharey=True, sharex=True)
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)
@@ -253,7 +253,7 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
     cases = predictions(results, "quad", "wall") + [
         case for case in predictions(results, "arq", "wall") if case.reading.name == reading
     ]
-    figure = HouseFigure(figsize=(8.0, 3.0))
+    figure = StyledFigure(figsize=(8.0, 3.0))
     left, right = figure.subplots(1, 2)
     for case in cases:
         (t, touch), (colour, line) = _since_touch(case.flight), ROBOT_LOOKS[case.robot]
