@@ -269,3 +269,16 @@ def test_a_hull_can_be_changed_by_one_number() -> None:
     assert scenario.vehicle.hull.radius == 0.04
     lowered = fly(DROP, "vehicle.hull.offset=[0, 0, 0.02]", trajectory=False)
     assert value(lowered, "touch_time") == pytest.approx(math.sqrt(2.0 * 0.22 / 9.81), abs=1e-6)
+
+
+def test_a_campaign_varies_the_hull() -> None:
+    """Flights alike but for its radius are made ready by one pass, and are the flights alone."""
+    tables = [
+        {**flat("quad"), "vehicle": {"preset": "quad", "hull": {"radius": 0.04 + 2e-3 * k}}}
+        for k in range(12)
+    ]
+    together = fly_scenarios(tables, threads=1)
+    expected = [(0.1 - 0.04 - 2e-3 * k) / 2.0 for k in range(12)]
+    assert together.measures["touch_time"] == pytest.approx(expected, abs=1e-9)
+    alone = fly(tables[7], trajectory=False).measures
+    assert alone["separation_time"] == together.measures["separation_time"][7]
