@@ -50,10 +50,12 @@ if TYPE_CHECKING:
     from springback.vehicle.library import VEHICLES as VEHICLES
     from springback.vehicle.parameters import Arms as Arms
     from springback.vehicle.parameters import Body as Body
+    from springback.vehicle.parameters import Hull as Hull
     from springback.vehicle.parameters import Vehicle as Vehicle
 
 _PUBLIC = {
     "Vehicle": "vehicle.parameters", "Body": "vehicle.parameters", "Arms": "vehicle.parameters",
+    "Hull": "vehicle.parameters",
     "ARQ": "vehicle.library", "QUAD": "vehicle.library", "VEHICLES": "vehicle.library",
     "SurfaceSettings": "contact.parameters", "Wall": "contact.parameters",
     "Ground": "contact.parameters", "Mat": "contact.parameters",

@@ -271,3 +271,55 @@ def test_a_hull_can_be_changed_by_one_number() -> None:
     assert scenario.vehicle.hull.radius == 0.04
     lowered = fly(DROP, "vehicle.hull.offset=[0, 0, 0.02]", trajectory=False)
     assert value(lowered, "touch_time") == pytest.approx(math.sqrt(2.0 * 0.22 / 9.81), abs=1e-6)
+
+
+def test_a_campaign_varies_the_hull() -> None:
+    """Flights alike but for its radius are made ready by one pass, and are the flights alone."""
+    tables = [
+        {**flat("quad"), "vehicle": {"preset": "quad", "hull": {"radius": 0.04 + 2e-3 * k}}}
+        for k in range(12)
+    ]
+    together = fly_scenarios(tables, threads=1)
+    expected = [(0.1 - 0.04 - 2e-3 * k) / 2.0 for k in range(12)]
+    assert together.measures["touch_time"] == pytest.approx(expected, abs=1e-9)
+    alone = fly(tables[7], trajectory=False).measures
+    assert alone["separation_time"] == together.measures["separation_time"][7]
+
+
+def rough(chance: np.random.Generator, robot: str, hull: bool) -> dict[str, Any]:
+    """A robot of any attitude and spin that falls into the corner of a wall and the ground."""
+    return {
+        "vehicle": {"preset": robot, "hull": hull and {"radius": RADIUS}},
+        "world": {
+            "obstacles": [
+                {"type": "wall", "distance": 1.0, "surface": "wall"},
+                {"type": "ground", "height": -0.4, "surface": "wall"},
+            ]
+        },
+        "start": {
+            "position": [0.55, 0.0, 0.3],
+            "velocity": [chance.uniform(0.5, 6.0), *chance.uniform(-1.0, 1.0, 2).tolist()],
+            "roll": chance.uniform(-3.0, 3.0), "pitch": chance.uniform(-1.5, 1.5),
+            "yaw": chance.uniform(-3.0, 3.0),
+            "angular_velocity": chance.normal(0.0, 3.0, 3).tolist(),
+        },
+        "simulation": {"duration": 0.5},
+    }  # fmt: skip
+
+
+def test_random_flights_close_their_ledgers_and_only_bodies_that_hit_change_anything() -> None:
+    """Of 80 about half hit with their bodies; the others are what they are without a hull."""
+    measured = []
+    for hull in (True, False):
+        chance = np.random.default_rng(4)
+        tables = [rough(chance, ("arq", "quad")[k % 2], hull) for k in range(80)]
+        measured.append(fly_scenarios(tables, threads=1).measures)
+    ours, bare = measured
+    hit = np.asarray(ours["body_contacts"]) > 0.0
+    assert 20 < hit.sum() < 60
+    assert np.abs(ours["ledger_residual"]).max() < 1e-6
+    # A step may end a little earlier for a hull that comes near: all but rounding stays.
+    for name in ("peak_acceleration", "travel", "impulse_x", "impulse_z", "end_time", "contacts"):
+        with_hull, without = (np.asarray(column[name])[~hit] for column in (ours, bare))
+        assert with_hull == pytest.approx(without, rel=1e-11, abs=1e-12), name
+    assert (np.asarray(ours["impulse_z"]) != np.asarray(bare["impulse_z"]))[hit].all()

@@ -4,7 +4,8 @@ Run from the root of the repository (a quarter of an hour on two cores; not part
 
     PYTHONPATH=src python tests/oracles/mutations.py            # all
     PYTHONPATH=src python tests/oracles/mutations.py damper     # those whose name has "damper"
-    PYTHONPATH=src python tests/oracles/mutations.py --flights  # the tests that compile, too
+    PYTHONPATH=src python tests/oracles/mutations.py --flights  # all tests of the files named
+    PYTHONPATH=src python tests/oracles/mutations.py --first    # no more once one has noticed
 
 Each mutation is made in a copy of the package in a temporary folder; the repository is not touched.
 The tests that run are those named beside it, most of which look at single states in plain Python,
@@ -234,10 +235,11 @@ MUTATIONS = (
 )  # fmt: skip
 
 
-def failures(source: Path, tests: tuple[str, str]) -> set[str]:
-    """Names of those of some tests that fail with the package in ``source``."""
+def failures(source: Path, tests: tuple[str, str], first: bool) -> set[str]:
+    """Names of those of some tests, or of the first, that fail with the package in ``source``."""
     command = [sys.executable, "-m", "pytest", "-q", "--tb=no", "-rfE", "-p", "no:cacheprovider"]
     command += [*(str(ROOT / "tests" / place) for place in tests[0].split()), "-k", tests[1]]
+    command += ["-x"] if first else []
     paths = os.pathsep.join([str(source), str(ROOT / "tests")])
     environment = {**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": "1"}
     environment["SPRINGBACK_CACHE_DIR"] = str(source / "cache")
@@ -250,8 +252,10 @@ def failures(source: Path, tests: tuple[str, str]) -> set[str]:
     return failed
 
 
-def mutated(package: Path, mutation: Mutation | None, tests: tuple[str, str]) -> set[str]:
-    """Names of those of some tests that fail with one mutation, or with none."""
+def mutated(
+    package: Path, mutation: Mutation | None, tests: tuple[str, str], first: bool
+) -> set[str]:
+    """Names of those of some tests, or of the first, that fail with one mutation, or with none."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "springback"
         shutil.copytree(package, copy)
@@ -259,7 +263,7 @@ def mutated(package: Path, mutation: Mutation | None, tests: tuple[str, str]) ->
             path = copy / mutation.path
             text = path.read_text(encoding="utf-8").replace(mutation.old, mutation.new)
             path.write_text(text, encoding="utf-8")
-        return failures(Path(folder), tests)
+        return failures(Path(folder), tests, first)
 
 
 def outdated(package: Path) -> list[str]:
@@ -299,7 +303,7 @@ def main(arguments: list[str]) -> int:
             return len(complaints)
         kinds = list(dict.fromkeys(map(tests_of, chosen)))
         before = dict(
-            zip(kinds, pool.map(lambda tests: mutated(package, None, tests), kinds), strict=True)
+            zip(kinds, pool.map(lambda k: mutated(package, None, k, False), kinds), strict=True)
         )
         for tests in kinds:
             print(
@@ -308,7 +312,9 @@ def main(arguments: list[str]) -> int:
                 noticed(before[tests]) or "all pass",
                 flush=True,
             )
-        tried = pool.map(lambda m: mutated(package, m, tests_of(m)), chosen)
+        # Where a test fails anyhow, the first to fail says nothing.
+        first = "--first" in arguments and not any(before.values())
+        tried = pool.map(lambda m: mutated(package, m, tests_of(m), first), chosen)
         for mutation, failed in zip(chosen, tried, strict=True):
             found = failed - before[tests_of(mutation)]
             print(f"{mutation.name:46s}", noticed(found) or "NOBODY", flush=True)

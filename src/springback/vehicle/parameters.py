@@ -201,6 +201,7 @@ class Hull(Settings):
     """
 
     radius: quantity("m", above=0.0)  # type: ignore[valid-type]
+    """Of the sphere."""
     offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
     """Of its centre from the centre of the main body, body axes."""
 
