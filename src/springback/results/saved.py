@@ -51,6 +51,10 @@ def read_result(folder: str | Path) -> Flight:
     path = folder / "telemetry.parquet"
     if path.name in summary["files"]:
         telemetry, more = _table(path)
+        arms = range(1, scenario.vehicle.arm_count + 1)
+        _check_there(
+            path, telemetry, [f"{kind}{n}" for kind in ("command", "thrust") for n in arms]
+        )
         _check(path, telemetry, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
@@ -171,11 +175,16 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
     return columns, {name: str(known.get(name, "")) for name in columns}
 
 
-def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
-    """Refuse columns that are not those of a flight."""
+def _check_there(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
+    """Refuse columns of which some are missing."""
     missing = [name for name in wanted if name not in columns]
     if missing:
         raise InputError(f"{path}: has no column {', '.join(missing[:6])}; it is of another kind")
+
+
+def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
+    """Refuse columns that are not those of a flight."""
+    _check_there(path, columns, wanted)
     t = columns["t"]
     if len(t) < 2:
         raise InputError(f"{path}: has {len(t)} instants; a flight has at least 2")
