@@ -284,7 +284,7 @@ _DIARY = (
 )  # fmt: skip
 
 
-def _diary(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
+def _telemetry(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns of the telemetry under their file names, with units; those that the pilot told."""
     columns: dict[str, Array] = {}
     units: dict[str, str] = {}
@@ -389,12 +389,12 @@ def _guided(
             pilot=plain, trace=trajectory, executor=executor, progress=progress,
         )  # fmt: skip
     columns, units = _columns(guided.flown)
-    telemetry, diary_units = _diary(guided.telemetry, len(start.arm_length))
+    telemetry, telemetry_units = _telemetry(guided.telemetry, len(start.arm_length))
     outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
     if is_evaluated(guided):
         outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
     return Flight(
-        ready, outcome, measures, columns, units | diary_units, telemetry, _work(guided.flown)
+        ready, outcome, measures, columns, units | telemetry_units, telemetry, _work(guided.flown)
     )
 
 

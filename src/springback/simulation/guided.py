@@ -297,7 +297,7 @@ def fly_guided(
     )
     noise_stream = pregenerated(noise)
     like, like_cabin = TreeLayout(shape), TreeLayout(avionics)
-    head = (*_diary_columns(avionics),) if trace else ()
+    head = (*_telemetry_columns(avionics),) if trace else ()
     seat = _seat(avionics, avionics_list[0]) if pilot is not None else None
     telemetry = np.zeros((ticks if trace else 0, len(head)))
     next_up = np.zeros(3, dtype=np.int64)
@@ -355,7 +355,7 @@ def _asked(
     return memory
 
 
-def _diary_columns(avionics: Avionics) -> list[str]:
+def _telemetry_columns(avionics: Avionics) -> list[str]:
     """Names of the columns of the telemetry."""
     words = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
     parts = {

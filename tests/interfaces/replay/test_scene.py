@@ -207,7 +207,7 @@ def test_what_moves_fast_away_from_contacts_is_followed() -> None:
     assert departure(columns, 1, at)["arm_length"] <= ARM_BOUND
 
 
-def test_thrust_is_the_last_word_of_the_diary(recovery: Flight) -> None:
+def test_thrust_is_the_last_word_of_the_telemetry(recovery: Flight) -> None:
     scene, telemetry = scene_of(recovery), recovery.telemetry
     for i in (0, len(scene.t) // 2, len(scene.t) - 1):
         page = np.flatnonzero(telemetry["t"] <= scene.t[i])[-1]

@@ -227,7 +227,7 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
     assert len(thinned(t[:100], values[:100])[0]) == 100
 
 
-def test_the_diary_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
+def test_the_telemetry_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
     written = flight_files.write_flight(touching(flight), tmp_path, figures=False)
     assert [path.name for path in written] == [
         "summary.json", "trajectory.parquet", "telemetry.parquet",
