@@ -7,7 +7,9 @@ by a string that names a module.
 from __future__ import annotations
 
 import ast
+import itertools
 import re
+import tomllib
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from functools import cache
@@ -135,3 +137,17 @@ def test_only_those_about_the_paper_know_it() -> None:
         if other.startswith(("springback.paper", "springback.interfaces.reproduction"))
     ]  # fmt: skip
     assert found == []
+
+
+# -- what is written about them -------------------------------------------------------------------
+
+
+def test_contributing_names_every_room_in_their_order() -> None:
+    """The table's rows are the packages, each below those that it imports from."""
+    written = (SRC.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    rooms = re.findall(r"^\| `(\w+)` \| ", written, re.M)
+    assert set(rooms) == {path.parent.name for path in PACKAGE.glob("*/__init__.py")}
+    contracts = tomllib.loads((SRC.parent / "pyproject.toml").read_text(encoding="utf-8"))
+    layers = contracts["tool"]["importlinter"]["contracts"][0]["layers"][::-1]
+    depth = {room: k for k, layer in enumerate(layers) for room in layer.split(" | ")}
+    assert all(depth[a] <= depth[b] for a, b in itertools.pairwise(rooms))
