@@ -8,11 +8,13 @@ touched.
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import functools
 import hashlib
 import json
 import math
+import shutil
 import tempfile
 import zlib
 from collections.abc import Callable, Iterator
@@ -64,6 +66,7 @@ json_values = st.one_of(
 
 def _folder(fill: Callable[[Path], Any]) -> tuple[Path, Files]:
     folder = Path(tempfile.mkdtemp(prefix="stored-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
     fill(folder)
     return folder, _contents(folder)
 
