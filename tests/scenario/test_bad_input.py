@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -474,9 +475,11 @@ def test_a_copy_changes_the_keys_of_an_inner_table_that_are_named() -> None:
     assert softer.arms.model_copy(update={"stiffness": arq.arms.stiffness}) == arq.arms
 
 
-@pytest.mark.parametrize("ask", ["plot", "to_dataframe", "to_xarray"])
-def test_a_flight_without_its_trajectory_says_so(ask: str) -> None:
+@pytest.mark.parametrize(
+    "ask", [springback.plot, springback.Flight.to_dataframe, springback.Flight.to_xarray]
+)
+def test_a_flight_without_its_trajectory_says_so(ask: Callable[[Any], Any]) -> None:
     tables = {"vehicle": "arq", "simulation": {"duration": 2e-3}}
     flight = fly(tables, trajectory=False, executor="python")
     with pytest.raises(InputError, match="kept no trajectory: fly it with trajectory=True"):
-        getattr(flight, ask)()
+        ask(flight)
