@@ -210,7 +210,7 @@ MUTATIONS = (
     Mutation("peak, time mirrored", PEAKS, "-half * t.volume - t.after", "half * t.volume - t.after", PEAK),
     Mutation("peak, across a jump", PEAKS, "usable = smooth & (recent.step > 0.0)", "usable = recent.step > 0.0", PEAK),
     Mutation("peak, across a touch", RECORD, "smooth = (m.step > 0.0) & (not jumped)", "smooth = m.step > 0.0", PEAK),
-    Mutation("peak, of stale instants", RECORD, "recent=Recent(select(smooth, m.step, 0.0), latest, now)", "recent=Recent(select(smooth, m.step, 0.0), now, latest)", PEAK),
+    Mutation("peak, of stale instants", RECORD, "Recent(select(smooth, m.step, 0.0), latest, now)", "Recent(select(smooth, m.step, 0.0), now, latest)", PEAK),
     # stops, as steps see them
     Mutation("stop ahead unseen", STOPS, "(elastic > 0.0) | soon", "elastic > 0.0", FLIGHT),
     Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * elastic", "damper = -arm.stop_dissipation * elastic", FLIGHT),

@@ -167,7 +167,9 @@ def test_arq_is_slower_than_quad_and_drops_change_nothing(results: FlightResults
         assert np.mean(after) == pytest.approx(np.mean(arq), rel=0.01)
     assert len(results.drops) == len(DROP_TILTS)
     assert max(drop.stroke for drop in results.drops) > 1e-3
-    assert results.drops[-1].left < 1e-6
+    # Arms lock within 1e-5 m of their balance, drop after drop; with a hull under them robots tumble
+    # longer, and 1.7e-5 m is left of three drops (before, 1e-6).
+    assert results.drops[-1].left < 5e-5
 
 
 def test_the_start_makes_most_of_the_errors_along_y(results: FlightResults) -> None:

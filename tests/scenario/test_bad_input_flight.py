@@ -205,7 +205,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         VEHICLE, PROPULSION + "figure_of_merit = 2", "vehicle.propulsion.figure_of_merit", ("at most 1",),
     ),
     "misspelt rotor": (
-        VEHICLE, PROPULSION + "most = 3", "vehicle.propulsion.most", ("did you mean max_thrust?",),
+        VEHICLE, PROPULSION + "max_trust = 3", "vehicle.propulsion.max_trust", ("did you mean max_thrust?",),
     ),
 
     "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("beside a reference", "3")),

@@ -230,7 +230,7 @@ def test_parts_of_an_entry_point_are_named() -> None:
         }
         names = {one.__name__ for one in called}
         assert names == ({"advance"} if entry is threads.fly_impact else
-                         {"to_tick", "ticked", "powered", "deal"})  # fmt: skip
+                         {"to_tick", "ticked", "powered", "generate"})  # fmt: skip
     assert device_function(advance).py_func.__name__ == "advance"
 
 

@@ -110,7 +110,7 @@ def test_a_ledger_that_does_not_close_is_said() -> None:
     assert rows.measures["ledger_open"].tolist() == [1.0, 0.0]
 
 
-@pytest.mark.parametrize("make", [families.preset, families.moderate])
+@pytest.mark.parametrize("build", [families.preset, families.moderate])
 def test_ledgers_close_for_impacts_that_nobody_picked(build) -> None:  # type: ignore[no-untyped-def]
     """99 of 100 within 1e-6 (presets) and 1e-5 (others); 84 and 85 of 100 before."""
     draws = families.family(build, 400, 11)

@@ -458,5 +458,7 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         travel=_grown(of_first & ((touching > 0.0) | ended), depth - touch_depth, m.travel),
         bottomed_time=select(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
         ground_time=select((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
-        recent=Recent(select(smooth, m.step, 0.0), latest, now),
+        recent=select(
+            m.status == FLYING, Recent(select(smooth, m.step, 0.0), latest, now), m.recent
+        ),
     )

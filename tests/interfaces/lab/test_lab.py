@@ -28,9 +28,9 @@ from springback.interfaces.lab.scenarios import BEFORE, lab_scenario, lab_tables
 from springback.interfaces.lab.settings import (
     DEFAULTS,
     FIELDS,
-    Choice,
-    Knob,
+    ChoiceControl,
     LabSettings,
+    SliderControl,
     control_of,
     controls,
     query_of,
@@ -42,7 +42,7 @@ from springback.results.flight import fly
 from springback.scenario.files import read_scenario
 from springback.vehicle.library import ARQ
 
-KNOBS = {name: knob for name in FIELDS if isinstance(knob := control_of(name), Knob)}
+KNOBS = {name: knob for name in FIELDS if isinstance(knob := control_of(name), SliderControl)}
 
 
 def setting(**words: Any) -> LabSettings:
@@ -56,7 +56,7 @@ def any_settings() -> st.SearchStrategy[LabSettings]:
     parts: dict[str, Any] = {}
     for name in FIELDS:
         control = control_of(name)
-        if isinstance(control, Choice):
+        if isinstance(control, ChoiceControl):
             parts[name] = st.sampled_from(list(control.words))
         else:
             numbers = st.floats(control.least, control.most)

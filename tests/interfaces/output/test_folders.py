@@ -197,7 +197,7 @@ def test_a_full_disk_is_said_and_nothing_is_left(old: Path) -> None:
 STARVED = """
 import sys, errno
 from springback import command
-from springback.interfaces import cli
+from springback.interfaces.cli import app as cli
 def fail():
     {}
 cli.cli.main = lambda **_: fail()

@@ -238,9 +238,9 @@ def _series(
 
 def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
     """Where the picture cannot tell what the trajectory says."""
-    arms = loads.normal.shape[1]
-    columns = [np.stack([flight.columns[f"{k}{j}"][places] for j in range(1, arms + 1)], axis=1)
-               for k in ("fn", "ff")]  # fmt: skip
+    parts = parts_of(flight.columns)
+    columns = [np.stack([flight.columns[f"{kind}{part}"][places] for part in parts], axis=1)
+               for kind in ("fn", "ff")]  # fmt: skip
     peak = max(float(columns[0].max()), float(columns[1].max()), 1.0)
     off = max(
         float(np.abs(loads.normal - columns[0]).max()),
