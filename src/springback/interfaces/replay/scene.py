@@ -28,7 +28,7 @@ from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.replay.events import Event, events_of, impacts_of
 from springback.interfaces.replay.geometry import Drawable, drawn
-from springback.interfaces.replay.instants import departure, kept
+from springback.interfaces.replay.instants import departure, kept, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
 from springback.simulation.playback import LoadHistory, load_history
