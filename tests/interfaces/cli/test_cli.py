@@ -84,7 +84,8 @@ def test_fly_writes_summary_trajectory_and_figures(folder: Path) -> None:
     [(peak,)] = database.execute(
         f"SELECT max(sqrt(ax*ax + ay*ay + az*az)) FROM '{path}'"
     ).fetchall()
-    assert peak == pytest.approx(summary["measures"]["peak_acceleration"], rel=1e-12)
+    # A peak lies between instants.
+    assert peak == pytest.approx(summary["measures"]["peak_acceleration"], rel=1e-4)
 
 
 def test_json_is_the_summary_and_quiet_is_quiet(folder: Path) -> None:

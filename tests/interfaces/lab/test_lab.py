@@ -195,7 +195,8 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
         rows = {row["name"]: row for row in told["measures"]}
         curve = series["Acceleration", "main body"]
         assert curve.max() == pytest.approx(
-            rows["impact_peak_acceleration"]["values"][robot], rel=1e-6
+            rows["impact_peak_acceleration"]["values"][robot],
+            rel=1e-4,  # between instants
         )
         pressed = series["Arm compression", "most pressed arm"].max()
         assert pressed == pytest.approx(rows["impact_arm_stroke"]["values"][robot], abs=0.02)

@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 068dc3206df90541feb0fbecd5d737bd21fd5b02937192836e15e601db292f28
+/*! springback, MIT licence; sources 7f624b0b4e1d9f5c6e310a47d3e1fd3b602e6d7cbc8f57c38e8e9503543ac026
 
 It holds:
 
