@@ -187,6 +187,20 @@ def test_an_oblique_flat_hit_turns_and_closes_its_ledger() -> None:
     assert abs(value(flight, "ledger_residual")) < 1e-6
 
 
+@pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])
+def test_the_impulse_law_strikes_it(restitution: float) -> None:
+    """A flat hit is central: v⁺ = −e v⁻."""
+    tables = flat("quad")
+    wall = {"law": "impulse", "restitution": restitution}
+    tables["world"]["obstacles"][0]["surface"] = wall
+    flight = fly(tables)
+    assert flight.columns["vx"][-1] == pytest.approx(-2.0 * restitution, abs=1e-9)
+    assert value(flight, "impulse_x") == pytest.approx(
+        -2.0 * (1.0 + restitution) * flight.scenario.vehicle.mass, rel=1e-9
+    )
+    assert value(flight, "body_contacts") == 1.0
+
+
 def test_it_is_felt_at_the_very_touch() -> None:
     """A dashpot pushes with b v from the instant of landing on: contact is decided as for cages."""
     tables = flat("quad")
