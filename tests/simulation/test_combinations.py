@@ -70,7 +70,6 @@ def test_every_combination_flies(law: str, guide: str) -> None:
         assert m["end_time"] == pytest.approx(0.002), combination
         assert m["touch_speed"] == pytest.approx(2.0, rel=0.02), combination
         assert abs(m["ledger_residual"] or 0.0) < 1e-5, combination
-        assert (m["impulse_x"] or 0.0) < -0.1, combination
         assert m["body_contacts"] == (1.0 if combination[5] == "hull" else None), combination
 
 
