@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.validation import UNCHECKED, ReadyFlight, ready_of, scenario_with
+from springback.batch.validation import UNCHECKED, ready_of, scenario_with
 from springback.kernels.memo import FOREVER, Build, Memo
 from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced
 from springback.kernels.trees import leaves
+from springback.scenario.build import ReadyFlight
 from springback.settings import Settings
 from springback.simulation.flight import first_phase
 
