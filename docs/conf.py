@@ -1,4 +1,4 @@
-"""How the documentation is built: `build docs`."""
+"""How the documentation is built: `make docs`."""
 
 import sys
 from pathlib import Path

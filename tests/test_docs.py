@@ -62,7 +62,7 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Page]:
-    """All pages, built as `build docs` builds them."""
+    """All pages, built as `make docs` builds them."""
     out = tmp_path_factory.mktemp("docs")
     words = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(out / "kept")]
     done = subprocess.run(
