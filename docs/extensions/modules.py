@@ -1,4 +1,9 @@
-"""`.. chapter-module:: springback.contact.surfaces`: everything public that a module defines."""
+"""Directives for modules and their public names.
+
+`.. chapter-module:: springback.contact.surfaces` documents everything public that a module defines,
+`.. internal-modules::` lists modules with their first lines, `.. public-names::` what
+`import springback` provides.
+"""
 
 import importlib
 import inspect
@@ -74,6 +79,23 @@ class ChapterModule(Directive):
         return box.children
 
 
+class InternalModules(Directive):
+    """A table of the modules that the content names, each with its first line."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """The table."""
+        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 40 60", ""]
+        lines += ["   * - module", "     - subject"]
+        for name in self.content:
+            about = inspect.getdoc(importlib.import_module(name)) or ""
+            lines += [f"   * - ``{name}``", f"     - {escaped(about.splitlines()[0])}"]
+        box = nodes.container()
+        self.state.nested_parse(StringList(lines), 0, box)
+        return box.children
+
+
 class PublicNames(Directive):
     """A table of what the package itself gives."""
 
@@ -104,7 +126,8 @@ def said(path: str) -> str:
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the directive."""
+    """Register the directives."""
     app.add_directive("public-names", PublicNames)
     app.add_directive("chapter-module", ChapterModule)
+    app.add_directive("internal-modules", InternalModules)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
