@@ -19,7 +19,7 @@ from sphinx.pycode import ModuleAnalyzer
 import springback
 from springback.settings import Settings
 
-#: Names whose values speak for themselves in the code.
+#: Names whose values have no docstring.
 ABOUT = {
     "ARQ": "The compliant quadrotor as flown, with the source of every number.",
     "QUAD": "The rigid twin as flown.",
@@ -38,7 +38,7 @@ def entries(name: str) -> list[str]:
     module = importlib.import_module(name)
     analyzer = ModuleAnalyzer.for_module(name)
     analyzer.analyze()
-    told = {key for owner, key in analyzer.attr_docs if not owner}
+    documented = {key for owner, key in analyzer.attr_docs if not owner}
     lines: list[str] = []
     order = analyzer.tagorder
     names = sorted(
@@ -60,7 +60,7 @@ def entries(name: str) -> list[str]:
             lines += [f".. autofunction:: {path}", ""]
         elif member in ABOUT:
             lines += [f".. py:data:: {member}", "", f"   {ABOUT[member]}", ""]
-        elif member in told:
+        elif member in documented:
             lines += [f".. autodata:: {path}", "   :no-value:", ""]
     return lines
 
@@ -117,9 +117,9 @@ def said(path: str) -> str:
     thing = getattr(importlib.import_module(module), name)
     analyzer = ModuleAnalyzer.for_module(module)
     analyzer.analyze()
-    told = analyzer.attr_docs.get(("", name))
-    if told:
-        return escaped(" ".join(part for part in told if part))
+    comment = analyzer.attr_docs.get(("", name))
+    if comment:
+        return escaped(" ".join(part for part in comment if part))
     if not (inspect.isclass(thing) or inspect.isroutine(thing)):
         return ABOUT[name]
     return escaped((inspect.getdoc(thing) or "").split("\n\n")[0].replace("\n", " "))
