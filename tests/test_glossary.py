@@ -156,3 +156,36 @@ def test_api_pages_list_every_module() -> None:
     wanted = sorted(m for m in modules if not m.startswith("springback.interfaces.cli."))
     assert len(wanted) > 200
     assert sorted(documented + internal) == wanted
+
+
+#: Retired words that ordinary sentences do not need either, and idioms that no engineer writes.
+UNIDIOMATIC = re.compile(
+    r"\b(luck|lucky|aboard|cabin|diary|witness\w*|abreast|knobs?|nobody|whoever|lest|had better)\b",
+    re.IGNORECASE,
+)
+PAGES = [
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md")),
+    *(p for p in sorted(DOCS.rglob("*.md")) if "_build" not in p.parts),
+    *sorted((ROOT / "examples").iterdir()),
+    ROOT / "studies/README.md",
+]
+
+
+def test_pages_are_written_in_the_words_of_the_glossary() -> None:
+    """But for the two that name the words of old."""
+    pages = [
+        p for p in PAGES if p.is_file() and p.name not in ("glossary.md", "0021-rooms-and-words.md")
+    ]
+    assert len(pages) > 60
+    found = [
+        (str(page.relative_to(ROOT)), number, word)
+        for page in pages
+        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), start=1)
+        for word in UNIDIOMATIC.findall(line)
+    ]
+    assert found == []
+
+
+def test_the_readme_is_as_wide_as_the_code() -> None:
+    lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+    assert [line for line in lines if len(line) > 100 and not line.startswith("|")] == []
