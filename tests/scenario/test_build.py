@@ -93,7 +93,7 @@ def test_a_pilot_of_ones_own_is_built_for(tmp_path: Path) -> None:
     """A scenario that waits for one is no flight without: its gusts are refused then."""
     gusty = {
         "vehicle": "arq",
-        "air": {"gusts": {"wind_at_6_m": 7.7}, "body_drag": [0.1, 0.1, 0.1]},
+        "air": {"gusts": {"wind_at_6_m": 7.7, "airspeed": 5.0}, "body_drag": 0.1},
         "start": {"position": [0.0, 0.0, 1.0]},
         "simulation": {"duration": 0.002},
     }
