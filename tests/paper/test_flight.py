@@ -167,8 +167,8 @@ def test_arq_is_slower_than_quad_and_drops_change_nothing(results: FlightResults
         assert np.mean(after) == pytest.approx(np.mean(arq), rel=0.01)
     assert len(results.drops) == len(DROP_TILTS)
     assert max(drop.stroke for drop in results.drops) > 1e-3
-    # Arms lock within 1e-5 m of their balance, drop after drop; with a hull under them robots tumble
-    # longer, and 1.7e-5 m is left of three drops (before, 1e-6).
+    # On their hull robots still rock at the end of a fall of 3 s, touching, their arms not locked yet:
+    # 1.7e-5 m then; without a hull they had come to rest, and 1e-6 m was left.
     assert results.drops[-1].left < 5e-5
 
 
