@@ -12,7 +12,6 @@ from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator
 
 from springback.interfaces.figures import style as canvas
-from springback.interfaces.figures.data import axis_label
 
 LEAST = 6.5
 """Size of type in print [pt]."""
@@ -81,6 +80,16 @@ def _unlabelled(figure: Figure) -> Iterator[str]:
             label = axis_label(ax, which)
             if not label.endswith("]") and not _worded(ax, which):
                 yield f"{which} of {ax.get_title(loc='left')!r} has no unit: {label!r}"
+
+
+def axis_label(ax: Axes, which: str) -> str:
+    """The label along x or y: of a panel, of one that shares the axis, or a title with a unit."""
+    group = ax.get_shared_x_axes() if which == "x" else ax.get_shared_y_axes()
+    shared = [other for other in ax.figure.axes if other in group.get_siblings(ax)]
+    labels = [str(getattr(a, f"get_{which}label")()) for a in (ax, *shared)]
+    title = ax.get_title(loc="left")
+    labels.append(title if which == "y" and title.endswith("]") else "")
+    return next(filter(None, labels), "")
 
 
 def _worded(ax: Axes, which: str) -> bool:

@@ -9,10 +9,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from springback.errors import InputError
+from springback.interfaces.figures.chart import HIGH, LOW, Chart
 from springback.interfaces.figures.guided import guided_panels
 from springback.interfaces.figures.panels import (
     Array,
@@ -25,19 +25,8 @@ from springback.interfaces.figures.panels import (
     short,
     stacked,
 )
-from springback.interfaces.figures.style import (
-    BLUE,
-    GREEN,
-    GREY,
-    INK,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    WIDTH,
-    StyledFigure,
-    styled,
-)
+from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
 
 
@@ -148,22 +137,24 @@ def energy_figure(*flights: Flight) -> Figure:
     figure = StyledFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
     axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
     for ax, each, flight in zip(axes, steps, flights, strict=True):
-        _waterfall(ax, [step for step in each if step[0] in shown])
-        ax.set_title(short(flight.scenario.name, 50))
+        chart = Chart(ax, "Energy [J]", "category", short(flight.scenario.name, 50))
+        _waterfall(chart, [step for step in each if step[0] in shown])
     longest = max(ax.dataLim.x1 for ax in axes) if shown else 1.0
     axes[-1].set_xlim(0.0, 1.42 * longest)  # room for the numbers
-    axes[-1].set_xlabel("Energy [J]")
     return figure
 
 
-def _waterfall(ax: Axes, steps: list[tuple[str, float, str]]) -> None:
+def _waterfall(chart: Chart, steps: list[tuple[str, float, str]]) -> None:
     """A bar for each step, each beginning where the last one ended; what is left begins at zero."""
     put_in = sum(value for name, value, _ in steps if value > 0.0 and not name.startswith("left"))
-    level, leaving = 0.0, False
+    ax, level, leaving = chart.ax, 0.0, False
     for y, (name, value, colour) in enumerate(steps):
         if name.startswith("left") and not leaving:
             level, leaving = 0.0, True
         ax.barh(y, value, 0.72, left=level, color=colour)
+        low, high = sorted((level, level + value))
+        bar = {chart.y: name, chart.x: value, chart.x + LOW: low, chart.x + HIGH: high}
+        chart.record("", bar)
         share = f" ({100.0 * abs(value) / put_in:.1f} %)" if put_in > 0.0 else ""
         sign = "−" if value < 0.0 else ""
         ax.annotate(

@@ -1,33 +1,33 @@
 """The house style of figures, and how they become files.
 
 Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and
-leave no global state behind.  Colours are those of Okabe and Ito, which colour-blind readers tell
-apart; curves differ in line style, too, so that they survive a black-and-white printer.
+leave no global state behind.  Curves differ in colour and in line style.
 """
 
 from __future__ import annotations
 
 import functools
 import io
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, ParamSpec
+from typing import Any, ParamSpec, cast
 
+import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.data import csv_of
+from springback.interfaces.output.robots import BLUE, GREEN, GREY, ORANGE, PINK, SKY
+from springback.interfaces.output.tables import as_csv
 
 P = ParamSpec("P")
-Look = tuple[str, Any]
-"""Colour and line style of a curve."""
+Look = dict[str, Any]
+"""Colour and line style of a curve, as keywords."""
 
-INK, BLUE, ORANGE, GREEN = "#222222", "#0072B2", "#E69F00", "#009E73"
-PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
-SHADE = "#E4E8EE"
 LOOKS: tuple[Look, ...] = (
-    (BLUE, "-"), (ORANGE, (0, (5, 1.5))), (GREEN, (0, (5, 1.5, 1, 1.5))), (PINK, (0, (1.2, 1))),
-    (SKY, (0, (8, 2))), (GREY, (0, (3, 1, 1, 1, 1, 1))),
+    {"color": BLUE, "ls": "-"}, {"color": ORANGE, "ls": (0, (5, 1.5))},
+    {"color": GREEN, "ls": (0, (5, 1.5, 1, 1.5))}, {"color": PINK, "ls": (0, (1.2, 1))},
+    {"color": SKY, "ls": (0, (8, 2))}, {"color": GREY, "ls": (0, (3, 1, 1, 1, 1, 1))},
 )  # fmt: skip
 """Of curves in one panel, in this order."""
 WIDTH = 4.8
@@ -37,13 +37,40 @@ COLUMN, TWO_COLUMNS = 3.5, 7.16
 RESOLUTION = 200
 """Of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.springback"]
+DIGITS = 10
+"""Of numbers in CSV files, significant."""
 
 
 class StyledFigure(Figure):
-    """A figure that notebooks show without pyplot."""
+    """A figure with the table that it was drawn from; notebooks show it without pyplot."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        """A figure of matplotlib, with an empty table."""
+        super().__init__(*args, **kwargs)
+        self.table: list[Mapping[str, Any]] = []
+        """Blocks of rows: values by head, each an array, or one value for all rows."""
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """The table row by row, without those that hold a number that is not finite."""
+        for block in self.table:
+            columns = np.broadcast_arrays(*map(np.atleast_1d, block.values()))
+            for values in zip(*(column.tolist() for column in columns), strict=True):
+                if all(math.isfinite(v) for v in values if isinstance(v, float)):
+                    yield dict(zip(block, map(_plain, values), strict=True))
+
+    def csv(self) -> str:
+        """The table as comma-separated values; what a row has not is empty."""
+        heads = list(dict.fromkeys(head for block in self.table for head in block))
+        return as_csv(heads, [tuple(map(row.get, heads)) for row in self.rows()])
 
     def _repr_png_(self) -> bytes:
         return png(self)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, float):
+        return f"{value + 0.0:.{DIGITS}g}"  # no negative zero
+    return " ".join(value.split()).replace("−", "-") if isinstance(value, str) else value
 
 
 def as_written(text: str) -> str:
@@ -54,13 +81,13 @@ def as_written(text: str) -> str:
     return text.replace("$", r"\$")
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
     """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
 
     @functools.wraps(draw)
-    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> StyledFigure:
         with style.context(STYLE):
-            figure = draw(*args, **kwargs)
+            figure = cast("StyledFigure", draw(*args, **kwargs))
             figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
             figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
         return figure
@@ -68,11 +95,13 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     return drawn
 
 
-def picture(draw: Callable[P, Figure], *args: P.args, **kwargs: P.kwargs) -> tuple[bytes, str]:
+def picture(
+    draw: Callable[P, StyledFigure], *args: P.args, **kwargs: P.kwargs
+) -> tuple[bytes, str]:
     """PNG file and numbers (CSV) of a figure wanted for nothing else: laid out once, not twice."""
     with style.context(STYLE):
         figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
-        return png(figure), csv_of(figure)
+        return png(figure), figure.csv()
 
 
 def printed_width(figure: Figure) -> float:
@@ -88,7 +117,7 @@ def png(figure: Figure) -> bytes:
     return buffer.getvalue()
 
 
-def save(figure: Figure, path: Path, *, numbers: bool = True) -> list[Path]:
+def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path]:
     """Write a figure as PNG and PDF, and what it shows as CSV, with no dates in them.
 
     The same figure gives the same files.
@@ -109,5 +138,5 @@ def save(figure: Figure, path: Path, *, numbers: bool = True) -> list[Path]:
         figure.savefig(files[1], format="pdf", metadata=nobody)
     if numbers:
         files.append(path.with_name(path.name + ".csv"))
-        files[-1].write_text(csv_of(figure), encoding="utf-8")
+        files[-1].write_text(figure.csv(), encoding="utf-8")
     return files

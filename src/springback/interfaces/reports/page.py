@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
-from matplotlib.figure import Figure
 
 from springback.interfaces.figures import style
 from springback.studies.comparison import Mark
@@ -77,7 +76,7 @@ class FigureBlock:
 
     name: str
     text: str
-    figure: Figure
+    figure: style.StyledFigure
 
     @property
     def anchor(self) -> str:

@@ -6,6 +6,7 @@ The words are in ``templates/resilience.toml``.
 from __future__ import annotations
 
 from springback.interfaces.figures import envelope as plots_map
+from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import (
     Blocks,
     FigureBlock,
@@ -16,19 +17,13 @@ from springback.interfaces.reports.page import (
     plain,
 )
 from springback.interfaces.reproduction.figures import choices
-from springback.interfaces.reproduction.figures.choices import ORDER
-from springback.interfaces.reproduction.figures.resilience import NAMES
+from springback.interfaces.reproduction.figures.choices import ORDER, signed
 from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import printed_success
 from springback.paper.resilience import ROBOTS, ResilienceResults
 
 WORDS = Wording.of("resilience")
-
-
-def signed(degrees: float) -> str:
-    """An angle with its sign, as in a text."""
-    return f"{degrees:+g}".replace("-", "−") if degrees else "0"
 
 
 def condition(pitch: float, speed: float) -> str:
@@ -54,7 +49,7 @@ def choices_blocks(results: ResilienceResults) -> Blocks:
     columns = [one for one in found.flown if one[0].friction == best.choice.friction]
     lines = [
         (
-            TableCell(f"{NAMES[robot]}, {condition(*test)}"),
+            TableCell(f"{LOOKS[robot].label}, {condition(*test)}"),
             *(_fate(found.table(*one).get((robot, *test))) for one in columns),
         )
         for robot in ROBOTS
@@ -94,5 +89,6 @@ def map_blocks(results: ResilienceResults) -> Blocks:
     if envelope is None:
         return ()
     words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
-    pictured = WORDS.say("map_picture", trials=envelope.trials)
-    return (words, FigureBlock("map", pictured, plots_map.map_figure(envelope, printed_success)))
+    figure = plots_map.map_figure(envelope, printed_success)
+    figure.table += envelope.rows()
+    return (words, FigureBlock("map", WORDS.say("map_picture", trials=envelope.trials), figure))

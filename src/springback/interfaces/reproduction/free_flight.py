@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import (
     Blocks,
     FigureBlock,
@@ -25,7 +26,13 @@ from springback.interfaces.reports.page import (
     words_of_power,
 )
 from springback.interfaces.reproduction.figures import free_flight
-from springback.interfaces.reproduction.figures.free_flight import BAND, ERRORS, NAMES, PACES, Ratio
+from springback.interfaces.reproduction.figures.free_flight import (
+    BAND,
+    ERRORS,
+    PACES,
+    ROBOT_STYLES,
+    Ratio,
+)
 from springback.paper.features import TABLE_I
 from springback.paper.free_flight import (
     CIRCLE_TIME,
@@ -41,6 +48,7 @@ from springback.paper.free_flight import (
 from springback.studies.comparison import Mark, Row
 
 WORDS = Wording.of("flight")
+NAMES = {name: look.label for name, look in ROBOT_STYLES.items()}
 ANSWERS = ("features", "flight")
 """Sections that begin with a question and its answer."""
 TWICE = 2.0
@@ -122,8 +130,7 @@ def _named(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
 
 
 def _features(rows: Sequence[Row]) -> Blocks:
-    names = {"quad": "Quad", "arq": "ARQ"}
-    wrong = _named(rows, names)
+    wrong = _named(rows, {name: look.label for name, look in LOOKS.items()})
     disagreement = (
         WORDS.say("features_wrong", names=wrong) if wrong else WORDS.say("features_right")
     )

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import (
     Blocks,
     FigureBlock,
@@ -25,10 +26,10 @@ from springback.interfaces.reports.page import (
     plain,
     words_of_power,
 )
-from springback.interfaces.reproduction.choices import choices_blocks, condition, map_blocks, signed
+from springback.interfaces.reproduction.choices import choices_blocks, condition, map_blocks
 from springback.interfaces.reproduction.figures import resilience
-from springback.interfaces.reproduction.figures.choices import ORDER
-from springback.interfaces.reproduction.figures.resilience import NAMES, POSES, SEEN
+from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.resilience import POSES, SEEN
 from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
@@ -129,7 +130,7 @@ def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
 
 
 def _name(of: tuple[str, float, float]) -> TableCell:
-    return TableCell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
+    return TableCell(f"{LOOKS[of[0]].label}, {condition(*of[1:])}")
 
 
 def _row(rows: Sequence[Row], quantity: str) -> TableCell:
@@ -278,7 +279,7 @@ def _recovery(results: ResilienceResults) -> Blocks:
     again = sum((m["impacts"] or 0.0) > 1.0 for m in flown)
     low = min(results.flown, key=lambda trial: trial.measures["lowest_height"] or 0.0)
     words = WORDS.say(
-        "recovery", far=far, again=again, all=len(flown), who=NAMES[low.robot],
+        "recovery", far=far, again=again, all=len(flown), who=LOOKS[low.robot].label,
         where=condition(low.pitch, low.speed),
         height=number(low.measures["lowest_height"] or 0.0, 2),
     )  # fmt: skip
@@ -318,7 +319,7 @@ def _detection(results: ResilienceResults) -> Blocks:
                 )
                 missed = sum(t.measures["detection_delay"] is None for t in found)
                 wrong = sum(t.measures["false_alarms"] or 0.0 for t in found)
-                name = TableCell(f"{NAMES[robot]}, {plain(test[1])} m/s")
+                name = TableCell(f"{LOOKS[robot].label}, {plain(test[1])} m/s")
                 counts = (TableCell(str(missed), missed), TableCell(plain(wrong), wrong))
                 lines.append((name, *delays, *counts))
     words = WORDS.say(
@@ -387,7 +388,7 @@ def _repeated(results: ResilienceResults) -> Blocks:
         worst = max(repeat.returns) if repeat.returns else None
         counts = (repeat.collisions, repeat.recovered, repeat.alarms)
         lines.append((
-            TableCell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
+            TableCell(f"{LOOKS[repeat.robot].label}, {repeat.trial + 1}"),
             *(TableCell(str(count), count) for count in counts),
             TableCell("–") if worst is None else TableCell(number(1e3 * worst, 1), worst),
             TableCell(WORDS.say("yes" if repeat.success else "no")),

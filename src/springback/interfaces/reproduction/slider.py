@@ -10,6 +10,7 @@ from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from springback.interfaces.figures import flight
+from springback.interfaces.output.robots import ROBOTS
 from springback.interfaces.replay.scene import scene_of
 from springback.interfaces.reports.page import (
     Blocks,
@@ -138,7 +139,7 @@ def slider_sections(results: SliderResults) -> list[Section]:
 
 
 def _over_time(results: SliderResults) -> Blocks:
-    flown = {case.robot: slider.ROBOTS[case.robot] for case in results.cases}
+    flown = {case.robot: ROBOTS[case.robot].label for case in results.cases}
     return tuple(
         FigureBlock(
             f"slider_{robot}",
@@ -206,7 +207,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
             simulated, tested = _printed(row, row.printed), _tested(row)
             ours = (_ours(run.get(key)) for run in chosen.values())
             rows.append((TableCell(label), simulated, *ours, tested))
-        title = WORDS.say(caption, robot=slider.ROBOTS[robot], surface=surface)
+        title = WORDS.say(caption, robot=ROBOTS[robot].label, surface=surface)
         head = ("", "printed, simulation", *names.values(), "printed, test")
         return [Table(title, head, tuple(rows))]
 
@@ -224,7 +225,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
 def _differences() -> str:
     """What the paper says of restitution on both surfaces, against its own numbers."""
     gaps = {}
-    for robot in slider.ROBOTS:
+    for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
         gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
         gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
@@ -324,7 +325,7 @@ def _gap_words(results: SliderResults) -> dict[str, str]:
 def _energy(results: SliderResults) -> Blocks:
     cases = [
         case
-        for robot in slider.ROBOTS
+        for robot in slider.FLOWN
         for surface in slider.SURFACES
         for case in slider.predictions(results, robot, surface)
     ]
@@ -348,7 +349,7 @@ def _energy_row(case: Case) -> tuple[TableCell, ...]:
     start = measures["energy_start"] or 0.0
     parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
     shares = (TableCell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
-    robot = slider.ROBOTS[case.robot] + ("" if case.robot == "quad" else f", {case.reading.name}")
+    robot = ROBOTS[case.robot].label + ("" if case.robot == "quad" else f", {case.reading.name}")
     return (
         TableCell(f"{robot} on the {case.surface}"),
         TableCell(rounded(start, 2), start),
@@ -404,7 +405,7 @@ def _drawings(results: SliderResults) -> Blocks:
         words = WORDS.say("contact_picture", reading=DRAWN)
         if hit[0].scenario.model.contact_point == "paper":
             words += " " + WORDS.say("contact_along_arm")
-        figure = drawings.contact_figure(scene_of(hit[0], label=slider.ROBOTS["arq"]))
+        figure = drawings.contact_figure(scene_of(hit[0], label=ROBOTS["arq"].label))
         blocks.append(FigureBlock("contact_drawn", words, figure))
     return tuple(blocks)
 
