@@ -17,8 +17,8 @@ import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
+from springback.files import csv_text
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, ORANGE, PINK, SKY
-from springback.interfaces.output.tables import as_csv
 
 P = ParamSpec("P")
 Look = dict[str, Any]
@@ -61,7 +61,7 @@ class StyledFigure(Figure):
     def csv(self) -> str:
         """The table as comma-separated values; what a row has not is empty."""
         heads = list(dict.fromkeys(head for block in self.table for head in block))
-        return as_csv(heads, [tuple(map(row.get, heads)) for row in self.rows()])
+        return csv_text([heads, *([*map(row.get, heads)] for row in self.rows())])
 
     def _repr_png_(self) -> bytes:
         return png(self)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import json
 import os
 import re
 import secrets
@@ -14,7 +13,6 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 from springback.errors import InputError
 from springback.interfaces.output import interrupts
@@ -220,13 +218,3 @@ def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
         elif not (os.path.lexists(target) and os.path.samestat(source.lstat(), target.lstat())):
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.move(source, target)
-
-
-# -- JSON -----------------------------------------------------------------------------------------
-
-
-def write_json(path: Path, data: Any) -> None:
-    """Plain data as JSON, without NaN or infinity."""
-    path.write_text(
-        json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8"
-    )

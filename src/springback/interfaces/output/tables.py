@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -12,7 +10,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from springback.results.atomic_files import drafted
+from springback.files import atomic_file, csv_text
 
 Row = tuple[Any, ...]
 #: What a file of an answer may end in, and the form that this stands for.
@@ -40,12 +38,12 @@ def lines_of(
     if form == "markdown":
         yield from as_markdown(columns, []).splitlines()
     else:
-        yield as_csv(columns, []).rstrip("\n")
+        yield csv_text([columns]).rstrip("\n")
     for rows in stretches:
         if rows and form == "markdown":
             yield "\n".join(_markdown_line([shown(v) for v in row]) for row in rows)
         elif rows:
-            yield _csv_rows(rows).rstrip("\n")
+            yield csv_text(rows).rstrip("\n")
 
 
 def _table_lines(columns: Sequence[str], stretches: Iterable[Sequence[Row]]) -> Iterator[str]:
@@ -119,17 +117,6 @@ def _markdown_line(entries: Sequence[str]) -> str:
     return f"| {' | '.join(entries)} |"
 
 
-def as_csv(columns: Sequence[str], rows: Sequence[Row]) -> str:
-    """Comma-separated values; what is not there is empty."""
-    return _csv_rows([columns, *rows])
-
-
-def _csv_rows(rows: Sequence[Sequence[Any]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()
-
-
 def _plain(value: Any) -> Any:
     """A value as JSON has it: numbers that are none are null."""
     if isinstance(value, float) and not math.isfinite(value):
@@ -161,7 +148,7 @@ def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], pat
             yield rows
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    with drafted(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+    with atomic_file(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
         for line in lines_of(columns, counted(), SUFFIXES[path.suffix]):
             file.write(line + "\n")
     return count

@@ -13,7 +13,7 @@ from springback.campaign.analysis.intervals import IntervalEstimate
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal
 from springback.campaign.analysis.statistics import RobotSummary, Summary
 from springback.campaign.columns import known_columns
-from springback.interfaces.output.folders import write_json
+from springback.files import write_json
 from springback.interfaces.output.tables import as_text
 
 #: Fields of which all pairs are drawn, unless pairs are named (chosen: six maps).

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from springback.interfaces.output.folders import SUMMARY, write_json
+from springback.files import write_json
+from springback.interfaces.output.folders import SUMMARY
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, sealed

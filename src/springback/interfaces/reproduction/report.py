@@ -6,14 +6,13 @@ flight, and collisions in flight.  What the parts have in common is here.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from springback.files import write_csv, write_json
 from springback.interfaces.figures import style
-from springback.interfaces.output.folders import write_json
 from springback.interfaces.reports.page import (
     FigureBlock,
     Section,
@@ -104,10 +103,10 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
     written = [folder / name for name in ("report.html", "comparison.json", "comparison.csv")]
     written[0].write_text(page(results.title, sections, REPRODUCTION), encoding="utf-8")
     write_json(written[1], _data(results, about))
-    _write_csv(written[2], [row.as_dict() for row in results.rows])
+    write_csv(written[2], [row.as_dict() for row in results.rows])
     for name, rows in tables.items():
         written.append(folder / name)
-        _write_csv(written[-1], rows)
+        write_csv(written[-1], rows)
     for section in sections:
         for block in section.blocks:
             if isinstance(block, FigureBlock):
@@ -184,10 +183,3 @@ def _data(results: Results, about: Mapping[str, Any]) -> dict[str, Any]:
         **flight,
         **resilience,
     }
-
-
-def _write_csv(path: Path, rows: Rows) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]) if rows else [], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
