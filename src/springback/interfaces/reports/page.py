@@ -56,6 +56,13 @@ class Table:
     """Shown only when asked for, being long."""
 
 
+def table(
+    caption: str, head: Sequence[str], rows: Iterable[Sequence[Entry]], *, folded: bool = False
+) -> Table:
+    """A table of entries; see `table_cell`."""
+    return Table(caption, tuple(head), tuple(tuple(map(table_cell, row)) for row in rows), folded)
+
+
 @dataclass(frozen=True)
 class FigureBlock:
     """A figure within the page."""
@@ -203,11 +210,9 @@ def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks
     if kind == "figure":
         return (FigureBlock(entry["figure"], caption, values[entry["figure"]]),)
     lines = values[entry["table"]]
-    head, *rows = (
-        [[_said(word, values) for word in entry["head"]], *lines] if "head" in entry else lines
-    )
-    cells = tuple(tuple(map(table_cell, row)) for row in rows)
-    return (Table(caption, tuple(head), cells, entry.get("folded", False)),)
+    if "head" in entry:
+        lines = [[_said(word, values) for word in entry["head"]], *lines]
+    return (table(caption, lines[0], lines[1:], folded=entry.get("folded", False)),)
 
 
 def page(title: str, sections: Sequence[Section], lead: str) -> str:

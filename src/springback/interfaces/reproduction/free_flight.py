@@ -200,7 +200,8 @@ def _steps(results: FlightResults, rows: Sequence[Row]) -> Content:
 
 def _circles(results: FlightResults, rows: Sequence[Row]) -> Content:
     return {
-        "radius": RADIUS, "slow": PERIODS["slow"], "fast": PERIODS["fast"], "time": CIRCLE_TIME, "trials": results.trials,
+        "radius": RADIUS, "slow": PERIODS["slow"], "fast": PERIODS["fast"], "time": CIRCLE_TIME,
+        "trials": results.trials,
         "circles": free_flight.circles_figure(results),
         "compared": _table_iv(rows, 1e3, f"{THOUSANDTHS} "),
     }  # fmt: skip
