@@ -250,7 +250,9 @@ def number(value: float, decimals: int) -> str:
 
 
 def plain(value: float | None) -> str:
-    """A given or printed number with no more digits than it has."""
+    """A given or printed number with no more digits than it has; a count with all of them."""
+    if isinstance(value, int):
+        return str(value)
     return "–" if value is None else f"{value:.6g}".replace("e+0", "e")
 
 

@@ -14,18 +14,17 @@ from typing import Any
 from springback.files import write_csv, write_json
 from springback.interfaces.figures import style
 from springback.interfaces.reports.page import (
+    Content,
     FigureBlock,
     Section,
-    Table,
     TableCell,
     Wording,
     listed,
     page,
     percent,
-    plain,
     rounded,
 )
-from springback.interfaces.reproduction.figure_list import figures_table
+from springback.interfaces.reproduction.figure_list import figure_rows
 from springback.interfaces.reproduction.free_flight import (
     flight_data,
     flight_sections,
@@ -122,39 +121,32 @@ def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]
     if results.resilience is not None:
         sections += resilience_sections(results.resilience)
     parted = sum(bool(section.part) for section in sections) > 1
-    if not parted:
-        sections = [replace(section, part="") for section in sections]
     drawn = [b.name for s in sections for b in s.blocks if isinstance(b, FigureBlock)]
-    part = WORDS.title("data_part") if parted else ""
-    paper = Section("figures", WORDS.title("figures"), (figures_table(drawn),), part)
-    return [overview(results.rows, sections), *sections, paper, _everything(results, about)]
+    data = {"figures": {"figures": figure_rows(drawn)}, "data": _everything(results, about)}
+    ends = WORDS.sections(data)
+    if not parted:
+        sections, ends = ([replace(s, part="") for s in found] for found in (sections, ends))
+    return [*overview(results.rows, sections), *sections, *ends]
 
 
-def _everything(results: Results, about: Mapping[str, Any]) -> Section:
-    rows = tuple(
+def _everything(results: Results, about: Mapping[str, Any]) -> Content:
+    rows = [
         (
-            *map(TableCell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
-            *(TableCell(plain(value), value) for value in (r.ours, r.printed)),
-            TableCell(percent(r.deviation)), TableCell("", mark=r.mark), _c_a(r),
-            TableCell(r.dissipation_from),
+            r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit, r.ours, r.printed,
+            percent(r.deviation), TableCell("", mark=r.mark), _c_a(r), r.dissipation_from,
         )
         for r in results.rows
-    )  # fmt: skip
-    made_with = tuple((TableCell(str(key)), TableCell(str(value))) for key, value in about.items())
+    ]  # fmt: skip
     tables = list(_tables(results))
-    key = "files" if tables else "files_without_tables"
-    blocks = (
-        Table(WORDS.say("all_caption", count=len(rows)), WORDS.head("all"), rows, folded=True),
-        Table(WORDS.say("made_with"), WORDS.head("made_with"), made_with),
-        WORDS.say(key, tables=listed(tables)),
-    )
-    return Section("data", WORDS.title("data"), blocks)
+    curves = f", the curves and points of the figures in {listed(tables)}" if tables else ""
+    made_with = [(str(key), str(value)) for key, value in about.items()]
+    return {"count": len(rows), "all": rows, "made_with": made_with, "curves": curves}
 
 
-def _c_a(row: Row) -> TableCell:
+def _c_a(row: Row) -> TableCell | None:
     """c_a of a test in which something was hit; other numbers have none."""
     if not row.dissipation_from:
-        return TableCell("–")
+        return None
     return TableCell(rounded(row.dissipation, 3), row.dissipation)
 
 
