@@ -1,7 +1,7 @@
 """Axes that draw tidy columns, and keep these as the table of their figure.
 
-A column is named by its label with the unit.  What is drawn at a place but stands for a word, a bar
-of a group or a cell, says so in ``columns``.
+A column is named by the label of its axis, with the unit.  Where the place of a mark only
+represents a word, as on an axis of names, ``columns`` holds the word.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ LOW, HIGH = ", low", ", high"
 RULE: dict[str, Any] = {"color": GREY, "lw": 0.9, "ls": (0, (3, 2)), "zorder": 1.5}
 """A line across a panel."""
 AREA: dict[str, Any] = {"color": SHADE, "lw": 0.0, "zorder": 0.1}
-#: Light to dark with failures: colours of one hue, told apart in grey, too.
+#: Light to dark with failures: colours of one hue, distinguishable in grey, too.
 SHADES = ListedColormap(np.linspace((0.55, 0.16, 0.05), (0.97, 0.97, 0.97), 11).tolist())
 Columns = Mapping[str, Any]
 """Values by head: an array, or one value for all rows."""

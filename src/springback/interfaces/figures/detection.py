@@ -24,7 +24,7 @@ from springback.studies.detection_tables import default_threshold, sizes
 from springback.studies.roc import RocPoint
 
 WIDE = 1.55 * WIDTH
-"""Of a figure with a column for each trigger [in]."""
+"""Width of a figure with a column for each trigger [in]."""
 TRIGGERS = {
     "hall": ("Hall", 1e3, "Compression [mm]"),
     "acceleration": ("accelerometer", 1.0, "Specific force [m/s²]"),
@@ -42,8 +42,8 @@ def _charts(
 ) -> Iterator[tuple[str, str, Chart]]:
     """A chart for each robot and trigger; where a robot has no such trigger it is empty.
 
-    Words and numbers stand only where there is no panel below, or to the left.  Without ``x`` each
-    column has the axis of its trigger.
+    Labels and tick labels are shown only where no panel is below, or to the left.  Without ``x``
+    each column has the axis of its trigger.
     """
     shape = (len(FLOWN), len(SIGNALS))
     axes = figure.subplots(*shape, sharex="all" if x else "col", sharey=True)
@@ -142,7 +142,7 @@ def _legend(figure: Figure) -> None:
 
 
 SHORT = ("arms", "accel.", "wrench", "fused")
-"""Of the sources, in their order."""
+"""Labels of the sources, in their order."""
 
 
 @styled

@@ -1,4 +1,4 @@
-"""Figures of flights, in one house style.
+"""Figures of flights.
 
 Nothing here computes physics: every number shown is a measure or a trajectory column.
 """
@@ -32,10 +32,10 @@ from springback.results.flight import Flight
 
 @styled
 def flight_figure(flight: Flight) -> Figure:
-    """What there is to see of a flight, over time.
+    """A flight over time.
 
-    With a pilot aboard that is the reference beside the flight, attitude, thrusts, and the error of
-    the estimate; without one, the motion around the contacts as in `impact_figure`.
+    With a pilot: the reference beside the flight, attitude, thrusts, and the error of the estimate;
+    without one: the motion around the contacts, as in `impact_figure`.
 
     Args:
         flight: With a trajectory.
@@ -55,7 +55,7 @@ def flight_figure(flight: Flight) -> Figure:
 def impact_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
-    A flight that touches something is shown around its contacts (with a pilot aboard around the
+    A flight that touches something is shown around its contacts (with a pilot around the
     first impact), with time and position counted from the first touch; one that touches nothing is
     shown whole.  Arm lengths appear if an arm slides.
 
@@ -102,7 +102,7 @@ def _motion(flight: Flight) -> Figure:
 
 
 def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
-    """How time is shown, and which instants are: all, or those around the contacts.
+    """The scale of time, and the instants that are shown: all, or those around the contacts.
 
     With a pilot, who may push on, only the first impact is shown.
     """
@@ -120,7 +120,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
 
 @styled
 def energy_figure(*flights: Flight) -> Figure:
-    """Where the energy went: what was put in, what each loss took, what was left.
+    """The energy balance of flights: input, losses, and what remains.
 
     Shares are of what was put in: the energy at the start, the work of the rotors, and the fall.
 

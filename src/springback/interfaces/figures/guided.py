@@ -1,4 +1,4 @@
-"""Figures of flights with a pilot: what was wanted beside what was flown."""
+"""Figures of flights with a pilot: reference and flight."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
 def guided_panels(flight: Flight) -> list[Panel]:
     """Position, velocity, attitude, tilt, thrusts, arms, contact forces, error of the estimate.
 
-    What the pilot does not tell (a reference, an attitude it aims at, an estimate) is left out.
+    What the telemetry lacks (a reference, an attitude set-point, an estimate) is left out.
     """
     return [
         *_positions(flight), _velocities(flight), *_attitudes(flight), _thrusts(flight),
@@ -78,7 +78,7 @@ def _attitudes(flight: Flight) -> list[Panel]:
 
 
 def _thrusts(flight: Flight) -> Panel:
-    """Of the rotors, with the least and the most that they give."""
+    """Thrusts of the rotors, with their limits."""
     d = flight.telemetry
     t = d["t"]
     numbers = [int(name[6:]) for name in d if name.startswith("thrust")]

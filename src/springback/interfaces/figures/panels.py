@@ -1,4 +1,4 @@
-"""What figures over time are made of: panels above one another, with contacts shaded."""
+"""Figures over time: stacked panels, with contacts shaded."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ POINTS = 800
 
 
 class Curve(NamedTuple):
-    """A curve over time; without a look it gets the next of the house."""
+    """A curve over time; without a look it gets the next of `LOOKS`."""
 
     name: str
     t: Array
@@ -36,11 +36,11 @@ class Panel(NamedTuple):
     label: str
     curves: Sequence[Curve]
     min_span: float = 2.0
-    """What the vertical axis spans when the curves are flat."""
+    """Span of the vertical axis when the curves are flat."""
     flat: float = ROUNDING
     """Curves that vary less count as flat."""
     explained: bool = True
-    """Whether it has a legend."""
+    """True for a panel with a legend."""
 
 
 def stacked(
@@ -85,7 +85,7 @@ def _draw(chart: Chart, panel: Panel) -> None:
 
 
 def thinned(t: Array, values: Array) -> tuple[Array, Array]:
-    """A long curve with as many points as can be told apart, its extremes kept.
+    """A long curve with as many points as can be distinguished, its extremes kept.
 
     Of every few neighbouring points the least and the greatest stay, in their order.
     """

@@ -1,4 +1,4 @@
-"""The house style of figures, and how they become files.
+"""The style of figures, and their files.
 
 Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and
 leave no global state behind.  Curves differ in colour and in line style.
@@ -29,16 +29,16 @@ LOOKS: tuple[Look, ...] = (
     {"color": GREEN, "ls": (0, (5, 1.5, 1, 1.5))}, {"color": PINK, "ls": (0, (1.2, 1))},
     {"color": SKY, "ls": (0, (8, 2))}, {"color": GREY, "ls": (0, (3, 1, 1, 1, 1, 1))},
 )  # fmt: skip
-"""Of curves in one panel, in this order."""
+"""Looks of the curves of a panel, in this order."""
 WIDTH = 4.8
-"""Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
+"""Width of a figure [in]: type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
 COLUMN, TWO_COLUMNS = 3.5, 7.16
 """[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
 RESOLUTION = 200
-"""Of PNG files [dots per inch]."""
+"""Resolution of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.springback"]
 DIGITS = 10
-"""Of numbers in CSV files, significant."""
+"""Significant digits of numbers in CSV files."""
 
 
 class StyledFigure(Figure):
@@ -59,7 +59,7 @@ class StyledFigure(Figure):
                     yield dict(zip(block, map(_plain, values), strict=True))
 
     def csv(self) -> str:
-        """The table as comma-separated values; what a row has not is empty."""
+        """The table as comma-separated values; missing values are empty."""
         heads = list(dict.fromkeys(head for block in self.table for head in block))
         return csv_text([heads, *([*map(row.get, heads)] for row in self.rows())])
 
@@ -74,15 +74,15 @@ def _plain(value: Any) -> Any:
 
 
 def as_written(text: str) -> str:
-    r"""Text of the user's for a figure, in which ``$`` begins no formula.
+    r"""User text for a figure, in which ``$`` begins no formula.
 
-    A scenario named ``a $\foo$ b`` would be an error of the typesetter else.
+    Otherwise the typesetter would fail on a scenario named ``a $\foo$ b``.
     """
     return text.replace("$", r"\$")
 
 
 def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
-    """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
+    """Draw in springback's style, whatever the user's settings are, and leave those untouched."""
 
     @functools.wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> StyledFigure:
@@ -105,7 +105,7 @@ def picture(
 
 
 def printed_width(figure: Figure) -> float:
-    """How wide a figure is in print [in]."""
+    """Width of a figure in print [in]."""
     return COLUMN if figure.get_size_inches()[0] <= WIDTH else TWO_COLUMNS
 
 
@@ -133,9 +133,9 @@ def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path
     path.parent.mkdir(parents=True, exist_ok=True)
     files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
     files[0].write_bytes(png(figure))
-    nobody = {"Creator": None, "Producer": None, "CreationDate": None}
+    undated = {"Creator": None, "Producer": None, "CreationDate": None}
     with style.context(STYLE):
-        figure.savefig(files[1], format="pdf", metadata=nobody)
+        figure.savefig(files[1], format="pdf", metadata=undated)
     if numbers:
         files.append(path.with_name(path.name + ".csv"))
         files[-1].write_text(figure.csv(), encoding="utf-8")

@@ -17,9 +17,9 @@ from pathlib import Path
 from springback.errors import InputError
 from springback.interfaces.output import interrupts
 
-#: How names of folders end that are still being written.
+#: Suffix of folders that are still being written.
 DRAFT = ".springback-draft"
-#: A draft that nobody holds is one of a killed process, unless it is as young as this [s] (chosen).
+#: A draft without a holder is that of a killed process, unless it is as young as this [s] (chosen).
 YOUNG = 10.0
 #: The file without which a folder is no result.
 SUMMARY = "summary.json"
@@ -40,8 +40,8 @@ def output_folder(
 
     Args:
         folder: To be written.
-        force: Whether results in it may be replaced.
-        replaces: Names of files that do not outlive the results they belong to.
+        force: Replace results in it.
+        replaces: Names of files that are removed with the results they belong to.
 
     Raises:
         InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
@@ -84,7 +84,7 @@ def _hidden(anchor: Path, name: str) -> Path:
     return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
 
 
-#: What a system says when a disk takes no more.
+#: Errors of a disk that takes no more data.
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EROFS, errno.EFBIG}
 
 
@@ -101,7 +101,7 @@ def _remove(draft: Path) -> None:
 
 @contextmanager
 def _held(folder: Path) -> Iterator[None]:
-    """Hold a folder: the system lets go when this process ends, however that comes about."""
+    """Lock a folder: the system unlocks it when this process ends, however it ends."""
     if sys.platform == "win32":
         yield
         return
@@ -153,9 +153,7 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
         os.rename(draft, folder)
         return
     elsewhere = folder.stat().st_dev != draft.stat().st_dev
-    if elsewhere or Path.cwd().is_relative_to(
-        folder
-    ):  # a disk is mounted there, or one stands in it
+    if elsewhere or Path.cwd().is_relative_to(folder):  # a mount point, or the working directory
         _move_into(draft, folder, replaces)
         return
     _keep_others(folder, draft, replaces)
@@ -175,7 +173,7 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
 
 
 def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
-    """What else lies in a folder lies in its draft, too: as links, where the disk has them."""
+    """Keep the other files of a folder in its draft: as links, where the disk has them."""
     for path in folder.iterdir():
         target = draft / path.name
         if path.name in replaces or (target.exists() and not target.is_dir()):

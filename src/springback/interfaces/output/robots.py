@@ -1,7 +1,7 @@
 """Labels and looks of the robots, the same on every page and in every figure.
 
-Colours are those of Okabe and Ito, which colour-blind readers tell apart; robots differ in line and
-marker, too, so that they survive a black-and-white printer.
+Colours are those of Okabe and Ito, which colour-blind readers can distinguish; robots differ in
+line and marker, too, so that they survive a black-and-white printer.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from typing import Any, NamedTuple
 INK, BLUE, ORANGE, GREEN = "#222222", "#0072B2", "#E69F00", "#009E73"
 PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
 SHADE = "#E4E8EE"
-"""Of areas behind curves."""
+"""Colour of areas behind curves."""
 Dashes = str | tuple[float, tuple[float, ...]]
 """A line style: its sign, or offset and lengths of dashes and gaps [points]."""
 
 
 class RobotStyle(NamedTuple):
-    """What a robot is called, and how it is drawn."""
+    """The label of a robot, and its look."""
 
     label: str
     colour: str
@@ -58,5 +58,5 @@ def robot_styles(names: Iterable[str]) -> dict[str, RobotStyle]:
 
 
 def with_labels(text: str) -> str:
-    """A text in which presets stand by their labels."""
+    """A text with the labels of presets in place of their names."""
     return re.sub(rf"\b({'|'.join(ROBOTS)})\b", lambda name: ROBOTS[name[0]].label, text)

@@ -1,4 +1,4 @@
-"""Answers to questions in SQL as text and files."""
+"""Results of SQL queries as text and files."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from typing import Any
 from springback.files import atomic_file, csv_text
 
 Row = tuple[Any, ...]
-#: What a file of an answer may end in, and the form that this stands for.
+#: Suffixes of files of results, and their formats.
 SUFFIXES = {".csv": "csv", ".json": "json", ".md": "markdown"}
-#: Rows and signs of a column that a table shows at most (chosen).
+#: Rows and characters of a column that a table shows at most (chosen).
 MOST_ROWS, WIDEST = 200, 48
 
 
 def lines_of(
     columns: Sequence[str], stretches: Iterable[Sequence[Row]], form: str
 ) -> Iterator[str]:
-    """An answer as lines of text, while it comes: never more than a stretch of it is kept.
+    """A result as lines of text, as it arrives: never more than a chunk of it is kept.
 
     Args:
         columns: Names.
@@ -73,7 +73,7 @@ def _more(count: int) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value as people read it."""
+    """A value for people."""
     if value is None:
         return "-"
     if isinstance(value, float):
@@ -118,7 +118,7 @@ def _markdown_line(entries: Sequence[str]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value as JSON has it: numbers that are none are null."""
+    """A value for JSON: numbers that are not finite are null."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
     if isinstance(value, dict):
@@ -129,7 +129,7 @@ def _plain(value: Any) -> Any:
 
 
 def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], path: Path) -> int:
-    """Write an answer to a file while it comes, whole or not at all.
+    """Write a result to a file as it arrives, whole or not at all.
 
     Args:
         columns: Names.

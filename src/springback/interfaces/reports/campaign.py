@@ -46,8 +46,8 @@ def write_summary(
         found: The summary.
         folder: To write into.
         pairs: Fields to be mapped two by two; by default all of the first four.
-        scatter: Whether success along what luck deals out is shown, too.
-        figures: Whether figures are wanted.
+        scatter: Show success along the scattered parameters, too.
+        figures: Write figures and the page.
 
     Returns:
         The files written.

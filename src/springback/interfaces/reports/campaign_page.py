@@ -81,7 +81,7 @@ def words_of_map(x: str, y: str) -> str:
 
 
 def _page(found: Summary, pictures: Sequence[FigureBlock]) -> tuple[str, list[Section]]:
-    """What the page is, and its sections."""
+    """The line below the title, and the sections."""
     about = found.campaign.about
     confidence = {"confidence": 100 * CONFIDENCE}
     shares = "; ".join(f"{_plain(one.robot)} {share_text(one.success)}" for one in found.robots)

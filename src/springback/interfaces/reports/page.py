@@ -24,7 +24,7 @@ from springback.studies.comparison import Mark
 
 @dataclass(frozen=True)
 class TableCell:
-    """A cell of a table: a text and, if it stands for a number, the number itself."""
+    """A cell of a table: a text and, if it shows a number, the number itself."""
 
     text: str
     value: float | None = None
@@ -35,7 +35,7 @@ class TableCell:
 
 
 Entry = TableCell | str | float | None
-"""Of a table: a cell, or what becomes one; a number is shown with no more digits than it has."""
+"""An entry of a table: a cell, or a text or number that becomes one; None is a dash."""
 
 
 def table_cell(entry: Entry) -> TableCell:
@@ -73,7 +73,7 @@ class FigureBlock:
 
     @property
     def anchor(self) -> str:
-        """Where it stands on the page."""
+        """Its anchor on the page."""
         return f"figure-{self.name}"
 
     @property
@@ -89,7 +89,7 @@ class FigureBlock:
 
 
 class KeyPoint(NamedTuple):
-    """What a section says, in a sentence."""
+    """The answer of a section, in a sentence."""
 
     anchor: str
     name: str
@@ -98,7 +98,7 @@ class KeyPoint(NamedTuple):
 
 @dataclass(frozen=True)
 class KeyPoints:
-    """What some sections say, with links that lead there."""
+    """Answers of sections, with links to them."""
 
     points: tuple[KeyPoint, ...]
 
@@ -116,7 +116,7 @@ class Section:
     part: str = ""
     """Title of the part of the page that begins here, if one does."""
     summary: bool = False
-    """Stands before the contents, at the very top."""
+    """At the very top, before the contents."""
     answers: bool = False
     """Begins with a question and its answer, the second paragraph."""
 
@@ -128,7 +128,7 @@ class Section:
 
 
 Content = Mapping[str, Any]
-"""What the blocks of a section name: numbers, texts, rows of tables, figures."""
+"""Numbers, texts, rows of tables and figures, by the names that the blocks of a section use."""
 
 
 class _Words(string.Formatter):
@@ -175,8 +175,8 @@ class Wording:
         by ``when``, too, are left out if it is missing or empty.
 
         Args:
-            content: Of each section, by its anchor, what its blocks name: numbers for the words,
-                rows of tables, figures.  A section that is missing here, or empty, is left out.
+            content: For each section, by its anchor, the numbers, rows of tables and figures that
+                its blocks name.  A section that is missing here, or empty, is left out.
         """
         found: list[Section] = []
         for entry in self.text["sections"]:
@@ -195,7 +195,7 @@ def _said(words: str, values: Mapping[str, Any]) -> str:
 
 
 def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks:
-    """What an entry of a section's file stands for."""
+    """The blocks that an entry of a section's file describes."""
     if isinstance(entry, str):
         return (_said(entry, values),)
     kind = next(key for key in ("text", "table", "figure", "blocks") if key in entry)
@@ -221,7 +221,7 @@ def page(title: str, sections: Sequence[Section], lead: str) -> str:
     Args:
         title: Of the page.
         sections: In their order.
-        lead: What the page is, below its title.
+        lead: The line below the title.
     """
     environment = Environment(
         loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,

@@ -1,4 +1,4 @@
-"""What the result of the collisions in flight depends on, and where both robots fail.
+"""Assumptions that decide the collisions in flight, and the limits of both robots.
 
 The words are in ``templates/resilience.toml``.
 """
@@ -65,7 +65,7 @@ def _fate(cell: Chosen | None) -> TableCell | None:
 
 
 def map_content(results: ResilienceResults) -> Content:
-    """Where on a map of speed and pitch each robot recovers."""
+    """Recoveries of each robot over speed and pitch."""
     envelope = results.envelope
     if envelope is None:
         return {}

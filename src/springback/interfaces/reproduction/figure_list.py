@@ -1,4 +1,4 @@
-"""Every figure of the paper, and what stands for it here."""
+"""Every figure of the paper, and its counterpart here."""
 
 from __future__ import annotations
 

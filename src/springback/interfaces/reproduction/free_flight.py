@@ -93,7 +93,7 @@ def _label(row: Row, unit: str | None = None) -> str:
 
 
 def _set(unit: str) -> str:
-    """A unit as it stands in a text."""
+    """A unit as it is written in a text."""
     return unit.replace("^2", "²")
 
 
@@ -218,7 +218,7 @@ def _table_iv(rows: Sequence[Row], scale: float = 1.0, prefix: str = "") -> list
             row = line.get(robot)
             cells += [_printed(row, scale), replace(_ours(row, scale), detail=_ratio(row))]
         label = _label(first, prefix + first.unit)
-        lines.append([label.removeprefix(WORDS.text["told"]) if prefix else label, *cells])
+        lines.append([label.removeprefix(WORDS.text["implied"]) if prefix else label, *cells])
     return lines
 
 
@@ -286,7 +286,7 @@ def flight_data(results: FlightResults) -> dict[str, Any]:
 
 
 def flight_tables(results: FlightResults | None) -> dict[str, list[dict[str, Any]]]:
-    """What the figures show, by the name of a CSV file."""
+    """Data of the figures, by the name of a CSV file."""
     tables = {"endurance.csv": _endurance_rows()}
     if results is not None:
         tables |= {"steps.csv": _step_rows(results), "circles.csv": _circle_rows(results)}

@@ -1,4 +1,4 @@
-"""What a report begins with: the question, the answer in a sentence and a picture, part by part.
+"""The summary of a report: the question, the answer in a sentence and a picture, part by part.
 
 The words are in ``templates/overview.toml``.
 """
@@ -27,7 +27,7 @@ WORDS = Wording.of("overview")
 WITHIN = (AGREEMENT, 0.10, 0.25)
 """Chosen: shares of the printed value within which agreement is counted."""
 SHARES = ("share", "wider", "widest")
-"""What these are in the words."""
+"""Names of these in the text."""
 OWN = "ARQ's own"
 """Begins where c_a comes from in tests that ask what a fit to ARQ would take."""
 Groups = dict[str, list[Row]]
@@ -83,7 +83,7 @@ class Counts(NamedTuple):
 
 
 def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
-    """Every printed number once, with what stands for it, a row for each set of choices.
+    """Every printed number once, with its counterparts, a row for each set of choices.
 
     A number that can be defined in several ways counts by one of them: COR when the cage leaves,
     contact time until the body is back, the pitch that was flown.
@@ -106,7 +106,7 @@ def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
 
 
 def counts(rows: Sequence[Row], share: float = AGREEMENT) -> Counts:
-    """How many printed numbers agree within a share of them, each counted once.
+    """The numbers of printed values that agree within a share of them, each counted once.
 
     Args:
         rows: All compared numbers.
@@ -144,7 +144,7 @@ def _agrees(row: Row, share: float) -> bool:
 
 
 def _taken(row: Row, slider: str, estimator: str) -> bool:
-    """Whether a row belongs to a set of choices; what has no alternatives belongs to all."""
+    """True for a row of a set of choices; one without alternatives belongs to all."""
     if row.experiment in ("Table III", "Sweep"):
         return row.reading in ("Quad", slider)
     if row.experiment == "Resilience" and row.quantity == "success rate":
@@ -153,7 +153,7 @@ def _taken(row: Row, slider: str, estimator: str) -> bool:
 
 
 def within(rows: Sequence[Row], share: float) -> int:
-    """How many numbers deviate from print by at most a share of it.
+    """The number of values that deviate from print by at most a share of it.
 
     Args:
         rows: Compared numbers.
@@ -189,7 +189,7 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> list[Sect
 
 
 def _best(found: Counts) -> str:
-    """With which choices the most come out, if these are not the default ones."""
+    """The choices with which most come out, if these are not the default ones."""
     if found.best <= found.default:
         return ""
     best = []
@@ -202,7 +202,7 @@ def _best(found: Counts) -> str:
 
 
 def _failures_of(rows: Sequence[Row]) -> str:
-    """How a collision that print has failing goes with each estimator, and ARQ's beside it."""
+    """Recoveries, with each estimator, from a collision that fails in print, beside ARQ's."""
     found = {
         (row.robot, *row.reading.partition("; ")[::2]): row.ours
         for row in rows

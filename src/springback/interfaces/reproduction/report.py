@@ -46,13 +46,13 @@ from springback.studies.comparison import AGREEMENT, Row
 WORDS = Wording.of("report")
 Rows = Sequence[Mapping[str, Any]]
 
-#: What the page is.
+#: The line below the title.
 REPRODUCTION = f"A reproduction of {PAPER}"
 
 
 @dataclass(frozen=True)
 class Results:
-    """What was reproduced; a part that was not is None."""
+    """The parts of the paper that were reproduced; any other is None."""
 
     slider: SliderResults | None = None
     features: list[Row] = field(default_factory=list)
@@ -80,7 +80,7 @@ class Results:
 
     @property
     def title(self) -> str:
-        """Of the page."""
+        """Title of the page."""
         return WORDS.title(self._kind)
 
 
@@ -91,8 +91,8 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
 
     Args:
         results: What was reproduced.
-        folder: Made if it is not there.
-        about: What the results were made with, by name: versions of programs.
+        folder: Made if it does not exist.
+        about: Versions of programs, by name.
 
     Returns:
         The files written.
@@ -151,7 +151,7 @@ def _c_a(row: Row) -> TableCell | None:
 
 
 def _tables(results: Results) -> dict[str, Rows]:
-    """What the figures show, by the name of a CSV file."""
+    """Data of the figures, by the name of a CSV file."""
     tables: dict[str, Rows] = {}
     if results.slider is not None:
         tables["sweep.csv"] = sweep_rows(results.slider)

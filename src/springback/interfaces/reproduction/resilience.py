@@ -1,4 +1,4 @@
-"""Collisions in flight in the report: who survives what, and how.
+"""Collisions in flight in the report: which robot survives which, and how.
 
 The words are in ``templates/resilience.toml``.
 """
@@ -68,7 +68,7 @@ CURVES = {
     "asked_pitch": "pitch asked for [rad]",
     "aimed_pitch": "pitch asked for, with feedback [rad]",
 }  # fmt: skip
-"""What of a collision is in a CSV file, and under which head."""
+"""Columns of a collision in a CSV file, and their heads."""
 DEGREES = math.degrees(1.0)
 TRIGGERS = ("hall", "acceleration", "wrench")
 LOSSES = ("loss_contact", "loss_friction", "loss_arm")
@@ -137,7 +137,7 @@ def _name(of: tuple[str, float, float]) -> str:
 
 
 def _row(rows: Sequence[Row], quantity: str) -> TableCell:
-    """A compared pitch as it stands in a text."""
+    """A compared pitch for a text."""
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return TableCell("–", mark=Mark.CONTRADICTED)

@@ -42,7 +42,7 @@ NEAR = (AGREEMENT, 0.10)
 
 
 class Quantity(NamedTuple):
-    """How a compared quantity is shown; the scale takes SI to the unit."""
+    """The name and format of a compared quantity; the scale takes SI to the unit."""
 
     name: str
     unit: str = ""
@@ -105,7 +105,7 @@ def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | No
 
 
 def _agrees(run: Run | None, number: str) -> bool:
-    """Whether a printed number comes out, in any of its definitions."""
+    """True if a printed number comes out, in any of its definitions."""
     rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
@@ -210,7 +210,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Content:
 
 
 def _differences() -> dict[str, str]:
-    """What the paper says of restitution on both surfaces, against its own numbers."""
+    """Differences of restitution between both surfaces, in the paper's own numbers."""
     gaps = {}
     for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
@@ -252,7 +252,7 @@ def _disagreement(results: SliderResults, runs: Runs) -> Content:
 
 
 def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry]]:
-    """How many of ARQ's numbers each reading gives, and the gap of the sweep."""
+    """Counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
     gaps, lines = _gaps(results), list[Sequence[Entry]]()
     for reading in (r for r in results.readings if r.name in names):
         rows = results.counted(reading.name)
@@ -358,7 +358,7 @@ def _contact(results: SliderResults) -> Blocks:
 
 
 def slider_data(results: SliderResults) -> dict[str, Any]:
-    """What is known of the slider tests besides the compared numbers, as plain data."""
+    """The slider tests besides the compared numbers, as plain data."""
     cases = [
         {
             "robot": c.robot, "surface": c.surface, "reading": c.reading.name,

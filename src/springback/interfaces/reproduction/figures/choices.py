@@ -52,7 +52,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
 
 
 def _printed(robot: str, test: tuple[float, float]) -> str:
-    """What the paper prints of a test, as a cell has room for it."""
+    """The printed result of a test, short enough for a cell."""
     if (robot, *test) in SUCCESS:
         return f"{100 * SUCCESS[robot, *test]:g}"
     word = SUCCESS_WORDS.get((robot, *test), "")

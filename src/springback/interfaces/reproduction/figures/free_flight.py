@@ -61,7 +61,7 @@ DRAWN = 0.02
 PACES = tuple(PERIODS)
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 ERRORS = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
-"""What errs on a circle, and in which unit."""
+"""Errors on a circle, and their units."""
 
 
 def first_flights(runs: Sequence[Any]) -> dict[str, Flight]:
@@ -177,7 +177,7 @@ class Ratio(NamedTuple):
 
     @property
     def line(self) -> str:
-        """What it is called, whichever robot's."""
+        """Its name, the same for all robots."""
         kind = {"rise": "rise time", "mse": "MSE"}.get(self.test, self.test)
         return f"{kind}, {self.name}"
 

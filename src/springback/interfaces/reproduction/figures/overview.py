@@ -13,10 +13,10 @@ from springback.interfaces.output.robots import BLUE, INK, RED
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 FARTHEST = 3.0
-"""Chosen: ratios beyond this, or its inverse, stand at the edge with an arrow."""
+"""Ratios beyond this, or its inverse, are arrows at the edge (chosen)."""
 TICKS = (0.33, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0)
 ROWS = 3
-"""Marks of a line stand in so many rows, so that they hide each other less."""
+"""Rows over which the marks of a line are spread, so that they hide each other less."""
 
 
 @styled

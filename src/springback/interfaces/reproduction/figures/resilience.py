@@ -38,7 +38,7 @@ PRINTED: Look = {"color": INK, "ls": (0, (6, 2, 1, 2)), "lw": 0.9}
 SINCE = "Time from first touch [s]"
 STATES = ("Position x [m]", "Velocity x [m/s]", "Pitch [°]")
 SPAN = (-0.3, 2.2)
-"""Since first touch [s], chosen: what the figures of one collision show."""
+"""Time since first touch that the figures of one collision show [s] (chosen)."""
 
 
 class TimeView(NamedTuple):
@@ -51,7 +51,7 @@ class TimeView(NamedTuple):
 
 
 VIEWS = (TimeView(SPAN, 1.0, SINCE), TimeView((-0.008, 0.045), 1e3, "From touch [ms]"))
-"""Of a collision: the recovery, and chosen, a close-up of the contact."""
+"""The recovery, and a close-up of the contact (chosen)."""
 ZOOMED = 1.0
 """[s], as in the paper: of the repeated test's first collision, what the boxes show."""
 POSES = 0.07

@@ -38,7 +38,7 @@ STATES = ("Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length
 SPEED = "Speed at touch [m/s]"
 SINCE = "Time from first touch [ms]"
 END: Look = {"marker": "o", "mec": "white", "ms": 5, "ls": "none"}
-"""Of the end of contact."""
+"""Mark of the end of contact."""
 
 
 def predictions(results: SliderResults, robot: str, surface: str) -> list[Case]:
@@ -135,7 +135,7 @@ def _slider_curves(
 
 
 def _slider_print(charts: Sequence[Chart], robot: str, surface: str) -> None:
-    """What the paper prints, and where contact begins."""
+    """Printed values, and the beginning of contact."""
     printed = TABLE_III[robot, surface]
     after = -printed.restitution * SLIDER_SPEED
     line: Look = {"color": INK, "ls": (0, (6, 2, 1, 2)), "zorder": 2}
