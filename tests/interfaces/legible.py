@@ -13,6 +13,8 @@ from matplotlib.ticker import FixedLocator
 
 from springback.interfaces.figures import style as canvas
 
+COLUMN, TWO_COLUMNS = 3.5, 7.16
+"""Widths in print [in]: figures wider than `canvas.WIDTH` span two columns."""
 LEAST = 6.5
 """Size of type in print [pt]."""
 
@@ -54,7 +56,8 @@ def complaints(figure: Figure) -> list[str]:
     with style.context(canvas.STYLE):  # ticks that are new are made when drawn
         agg.draw()
     renderer = agg.get_renderer()
-    printed = canvas.printed_width(figure) / figure.get_size_inches()[0]
+    width = figure.get_size_inches()[0]
+    printed = (COLUMN if width <= canvas.WIDTH else TWO_COLUMNS) / width
     whole, texts = figure.bbox, _texts(figure)
     boxes = []
     for text in texts:

@@ -32,8 +32,6 @@ LOOKS: tuple[Look, ...] = (
 """Looks of the curves of a panel, in this order."""
 WIDTH = 4.8
 """Width of a figure [in]: type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
-COLUMN, TWO_COLUMNS = 3.5, 7.16
-"""[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
 RESOLUTION = 200
 """Resolution of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.springback"]
@@ -102,11 +100,6 @@ def picture(
     with style.context(STYLE):
         figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
         return png(figure), figure.csv()
-
-
-def printed_width(figure: Figure) -> float:
-    """Width of a figure in print [in]."""
-    return COLUMN if figure.get_size_inches()[0] <= WIDTH else TWO_COLUMNS
 
 
 def png(figure: Figure) -> bytes:
