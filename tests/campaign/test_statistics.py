@@ -25,7 +25,8 @@ from springback.interfaces.figures.campaign import (
     round_ticks,
     written,
 )
-from springback.interfaces.reports.campaign import summary_text, words_of_map
+from springback.interfaces.reports.campaign import summary_text
+from springback.interfaces.reports.campaign_page import words_of_map
 
 
 @pytest.fixture(scope="module")

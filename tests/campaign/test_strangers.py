@@ -21,7 +21,7 @@ from springback.campaign.design.layout import laid_out
 from springback.campaign.manifest import Part
 from springback.campaign.store import opened
 from springback.errors import InputError
-from springback.results.atomic_files import drafted
+from springback.files import atomic_file
 from springback.results.database import in_database, locked
 from springback.results.sealed_json import sealed
 
@@ -213,13 +213,13 @@ def test_drafts_have_no_foreseeable_name_and_follow_no_link(tmp_path: Path) -> N
         (tmp_path / name).symlink_to(victim)
     names = set()
     for _ in range(2):
-        with drafted(tmp_path / "x.csv") as draft:
+        with atomic_file(tmp_path / "x.csv") as draft:
             names.add(draft.name)
             draft.write_text("new")
     assert len(names) == 2
     assert (tmp_path / "x.csv").read_text() == "new"
     assert victim.read_text() == "precious"
-    with pytest.raises(OSError, match="directory"), drafted(tmp_path / "x.csv") as draft:
+    with pytest.raises(OSError, match="directory"), atomic_file(tmp_path / "x.csv") as draft:
         draft.with_name("nowhere").joinpath("x").write_text("half")
     assert (tmp_path / "x.csv").read_text() == "new"
     assert not [

@@ -169,8 +169,8 @@ def test_a_guided_flight_is_shown_beside_what_was_wanted(flight: Flight) -> None
     _, error = curve(axes["Error [mm]"], "of the estimated position")
     assert error == pytest.approx(5.0)  # 3 and 4 mm
     rotors = flight.scenario.vehicle.propulsion.rotors()  # type: ignore[union-attr]
-    bounds = {float(line.get_ydata()[0]) for line in axes["Thrust [N]"].lines}  # type: ignore[index]
-    assert {rotors.least, rotors.most} <= bounds
+    _, limits = curve(axes["Thrust [N]"], "limits")
+    assert set(limits[np.isfinite(limits)]) == {rotors.least, rotors.most}
     assert not [patch for ax in axes.values() for patch in ax.patches]
 
 
@@ -291,11 +291,11 @@ def test_circles_show_reference_less_flown(results: FlightResults) -> None:
 
 
 def test_robots_are_told_apart_by_more_than_colour() -> None:
-    looks = free_flight.FLIGHT_LOOKS
-    assert set(looks) == set(free_flight.MARKERS) == set(free_flight.NAMES) == set(ROBOTS)
-    assert len({str(line) for _, line in looks.values()}) == len(looks)
-    assert len({to_hex(colour) for colour, _ in looks.values()}) == len(looks)
-    assert len(set(free_flight.MARKERS.values())) == len(looks)
+    styles = free_flight.ROBOT_STYLES
+    assert set(styles) == set(ROBOTS)
+    for what in ("label", "line", "marker"):
+        assert len({str(getattr(one, what)) for one in styles.values()}) == len(styles)
+    assert len({to_hex(one.colour) for one in styles.values()}) == len(styles)
 
 
 def test_ratios_are_those_of_the_compared_numbers(results: FlightResults) -> None:
@@ -473,7 +473,9 @@ def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
         drawings: ("robots", "contact"),
     }.items():
         for name in names:
-            monkeypatch.setattr(module, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+            monkeypatch.setattr(
+                module, f"{name}_figure", lambda *_: style.StyledFigure(figsize=(1, 1))
+            )
 
 
 @pytest.mark.usefixtures("faked")

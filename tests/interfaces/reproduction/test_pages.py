@@ -135,7 +135,7 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
             dissipation_from="ARQ's own restitution"),
         row(1.00, 0.0, Mark.CONTRADICTED, experiment="Resilience", reading=""),
     ]  # fmt: skip
-    section = overview.overview(rows)
+    (section,) = overview.overview(rows)
     assert section.summary
     assert section.answer == (
         "Of 5 printed numbers to which nothing was fitted, each counted once, 1 agree within 5 % "
@@ -143,9 +143,9 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
     )
     words = " ".join(block for block in section.blocks if isinstance(block, str))
     assert "1 further numbers were put in as printed and 1 fitted" in words
-    worse = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
+    (worse,) = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
     assert worse.answer.startswith("Of 6 printed numbers")
-    assert "Nothing was compared" in str(overview.overview([]).blocks[0])
+    assert "Nothing was compared" in str(overview.overview([])[0].blocks[0])
 
 
 def test_every_number_that_nothing_was_fitted_to_is_in_one_part() -> None:

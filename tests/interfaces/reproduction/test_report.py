@@ -249,12 +249,50 @@ def test_the_verdict_on_collisions_follows_the_trials() -> None:
     assert "10 of 20 failed trials ended: touched the ground (10)" in as_printed
 
 
+def written_words(text: dict[str, Any]) -> list[str]:
+    """Phrases of a part, and the paragraphs, captions and heads of its sections."""
+    words = [entry for entry in text.values() if isinstance(entry, str)]
+    for section in text["sections"]:
+        for block in section["blocks"]:
+            given = {"text": block} if isinstance(block, str) else block
+            words += [given.get("text", ""), given.get("caption", ""), *given.get("head", ())]
+    return words
+
+
 def test_words_carry_no_typed_numbers() -> None:
-    for name in ("report", "slider", "flight", "resilience", "overview"):
-        for key, words in report_page.Wording.of(name).text.items():
-            if isinstance(words, str):
-                law = words.replace("1 + 1.5 c_a", "")  # the law itself
-                assert not re.search(r"\d", law), key
+    for name in ("report", "slider", "flight", "resilience", "overview", "campaign"):
+        words = written_words(report_page.Wording.of(name).text)
+        assert any("{" in word for word in words), name
+        for word in words:
+            law = word.replace("1 + 1.5 c_a", "")  # the law itself
+            assert not re.search(r"\d", re.sub(r"{[^}]*}", "", law)), (name, word)
+
+
+def test_a_part_is_laid_out_as_its_file_says_and_what_is_missing_is_left_out() -> None:
+    words = report_page.Wording({"part": "A part", "sections": [
+        {"anchor": "unflown", "title": "Unflown", "blocks": ["never"]},
+        {"anchor": "flown", "title": "Flown", "answers": True, "blocks": [
+            "{count} flights, {share:.1f} % {name.text}, {none}",
+            {"when": "count", "text": "{share}"}, {"when": "absent", "text": "no"},
+            {"table": "rows", "caption": "of {count}", "head": ["", "{share} %"]},
+            {"table": "headed", "caption": "c"}, {"table": "empty", "caption": "c"},
+            {"blocks": "made"},
+        ]},
+    ]})  # fmt: skip
+    (section,) = words.sections({"unflown": {}, "flown": {
+        "count": 2_000_000, "share": -12.3456789, "name": report_page.TableCell("won"),
+        "none": None, "rows": [("a", 1.5), ("b", None)], "headed": [("h",), ("x",)], "empty": [],
+        "made": ("a paragraph",),
+    }})  # fmt: skip
+    assert (section.part, section.title, section.answers) == ("A part", "Flown", True)
+    assert section.blocks == (
+        "2000000 flights, −12.3 % won, –", "-12.3457",
+        report_page.Table("of 2000000", ("", "-12.3457 %"), (
+            (report_page.TableCell("a"), report_page.TableCell("1.5", 1.5)),
+            (report_page.TableCell("b"), report_page.TableCell("–")),
+        )),
+        report_page.Table("c", ("h",), ((report_page.TableCell("x"),),)), "a paragraph",
+    )  # fmt: skip
 
 
 def test_numbers_are_rounded_and_signed_like_print() -> None:
