@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
+from builders.typed_lines import Typed, typed
 from springback.extras import packages
-from test_examples import Typed, typed
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"

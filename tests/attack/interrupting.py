@@ -14,7 +14,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.campaign import store
 from springback.campaign.access import Campaign
 from springback.errors import InputError

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from campaign.plans import plan
+from builders.plans import plan
 from springback.campaign import cluster
 from springback.campaign.cluster import Tls, connected, is_open
 from springback.campaign.running import run_campaign

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
+from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.design import sampling
 from springback.campaign.design.layout import Design, design_of, laid_out
 from springback.campaign.design.plan import Plan, Source, plan_from, read_plan

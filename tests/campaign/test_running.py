@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from campaign.plans import plan
+from builders.plans import plan
 from springback.campaign import workers
 from springback.campaign.access import Campaign
 from springback.campaign.cost_estimate import cost_estimate

@@ -10,8 +10,8 @@ import pytest
 import scipy.stats
 
 import springback
-from campaign.made_up import filled
-from campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
+from builders.campaign_folders import filled
+from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import paired_difference, quantile, ranks, share
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal, scale

@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
-from campaign.made_up import filled, rows
-from campaign.plans import plan
+from builders.campaign_folders import filled, rows
+from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
 from springback.campaign.design.layout import laid_out

@@ -13,8 +13,8 @@ import pytest
 
 from attack.campaigns import CONDITIONS, ESCAPES, all_said
 from attack.damage import one_byte
-from campaign.made_up import filled, rows
-from campaign.plans import plan
+from builders.campaign_folders import filled, rows
+from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import laid_out

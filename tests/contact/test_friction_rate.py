@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from contact.scenes import surface
+from builders.scenes import surface
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_distance
 from springback.dynamics.air import Still

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from contact.own_obstacles import Ball, Pole
-from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
+from builders.scenes import CAGE, LENGTH, approaching, one_arm, surface
+from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Plane, in_body_frame, outward_normal, signed_distance
 from springback.dynamics.motion import Free

@@ -12,7 +12,7 @@ import duckdb
 import numpy as np
 import pytest
 
-from campaign.made_up import filled
+from builders.campaign_folders import filled
 from springback.campaign.access import Campaign
 from springback.results.parquet import write_parquet
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from simulation.impacts import flown, towards_wall
+from builders.impacts import flown, towards_wall
 from springback.errors import LedgerWarning
 from springback.results.flight import Flight, as_scenario
 from springback.simulation.flight import fly_many, fly_one

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulation.impacts import towards_wall
-from simulation.pilots_aloft import AT_WALL, WALL, Lane, lane, same, tables
+from builders.guided_flights import AT_WALL, WALL, Lane, lane, same, tables
+from builders.impacts import towards_wall
 from springback.errors import InputError
 from springback.kernels.compiler import rebound
 from springback.kernels.gpu import cuda

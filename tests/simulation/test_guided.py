@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import springback
-from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
+from builders.guided_flights import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulation.impacts import towards_wall
+from builders.impacts import towards_wall
 from springback.kernels.layout import TreeLayout
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, normalised

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.campaign.access import Campaign
 from springback.interfaces.cli.app import main
 

@@ -12,7 +12,7 @@ import duckdb
 import pytest
 from click.testing import CliRunner
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 

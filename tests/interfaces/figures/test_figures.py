@@ -6,7 +6,6 @@ All figures that springback draws are walked, from made-up results; nothing is f
 import csv
 import io
 import math
-import runpy
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,15 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from campaign.made_up import filled
+from builders.campaign_folders import filled
+from builders.figures import plane_map, slider_figures
+from builders.paper_results import (
+    fake_free_flight_results,
+    fake_slider_flight,
+    fake_slider_results,
+    fake_steps_flight,
+    with_contact,
+)
 from interfaces.legible import complaints
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal
@@ -33,12 +40,6 @@ from springback.interfaces.reproduction.report import Results
 from springback.paper.printed import printed_success
 from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, AblationOutcome, WhyResults
 from springback.studies.run_ups import CONDITIONS
-
-HERE = Path(__file__).parent
-INTERFACES = HERE.parent
-MADE_UP = runpy.run_path(str(HERE / "test_plots.py"))
-FLIGHTS = runpy.run_path(str(INTERFACES / "reproduction/test_free_flight.py"))
-MAPS = runpy.run_path(str(INTERFACES / "cli/test_map_command.py"))
 
 
 def why_results() -> WhyResults:
@@ -78,20 +79,20 @@ def campaign_figures(folder: Path) -> dict[str, Figure]:
 def figures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Figure]:
     """Every figure; those of collisions in flight and of detection are in tests of their own, and the
     one for a front page names peaks that are one where both robots are made up alike."""
-    results, slider = FLIGHTS["made_up_results"](), MADE_UP["made_up_results"]()
+    results, slider = fake_free_flight_results(), fake_slider_results()
     rows = [*slider.rows, *results.rows()]
-    flight = FLIGHTS["made_up_steps"]("quad")
+    flight = fake_steps_flight("quad")
     return {
-        **{name: made for name, made in MADE_UP["figures"]().items() if name != "readme"},
+        **{name: made for name, made in slider_figures().items() if name != "readme"},
         "steps": free_flight.steps_figure(results),
         "circles": free_flight.circles_figure(results),
         "table iv": free_flight.table_iv_figure(results),
         "endurance": free_flight.endurance_figure(),
         "guided": plots.flight_figure(flight),
-        "touching": plots.flight_figure(FLIGHTS["touching"](flight)),
+        "touching": plots.flight_figure(with_contact(flight)),
         "overview": overview.overview_figure(report_overview.groups(rows)),
         "robots drawn": drawings.robots_figure(),
-        "map": envelope.map_figure(MAPS["plane_map"](), printed_success),
+        "map": envelope.map_figure(plane_map(), printed_success),
         "ablation": ablation.ablation_figure(why_results()),
         "ranges": ablation.ranges_figure(why_results()),
         **campaign_figures(tmp_path_factory.mktemp("campaign") / "c"),
@@ -195,12 +196,12 @@ def test_a_bar_a_band_a_cell_and_a_word_are_told_as_what_they_are() -> None:
 
 
 def test_data_are_written_beside_the_picture_and_say_the_same_again(tmp_path: Path) -> None:
-    figure = plots.energy_figure(MADE_UP["made_up_flight"]())
+    figure = plots.energy_figure(fake_slider_flight())
     files = style.save(figure, tmp_path / "energy")
     assert files[-1].read_text(encoding="utf-8") == csv_of(figure)
     assert [file.suffix for file in style.save(figure, tmp_path / "b", numbers=False)] == [".png", ".pdf"]  # fmt: skip
     with mpl.rc_context({"text.usetex": True, "font.size": 30.0}):
-        assert csv_of(plots.energy_figure(MADE_UP["made_up_flight"]())) == csv_of(figure)
+        assert csv_of(plots.energy_figure(fake_slider_flight())) == csv_of(figure)
 
 
 # -- looks
@@ -240,7 +241,7 @@ def test_every_figure_of_the_paper_has_its_counterpart_or_says_why_not() -> None
 
 
 def test_the_table_leads_to_figures_that_are_there() -> None:
-    told = Results(slider=MADE_UP["made_up_results"]())
+    told = Results(slider=fake_slider_results())
     sections = report.report_sections(told, {})
     drawn = {b.anchor for s in sections for b in s.blocks if isinstance(b, FigureBlock)}
     (section,) = [s for s in sections if s.anchor == "figures"]
