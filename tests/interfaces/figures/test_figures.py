@@ -7,6 +7,7 @@ import csv
 import io
 import math
 from collections.abc import Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from builders.campaign_folders import filled
+from builders.cases import nonempty
 from builders.figures import plane_map, slider_figures
 from builders.paper_results import (
     fake_free_flight_results,
@@ -135,7 +137,7 @@ def shown_lines(figure: Figure) -> Iterator[tuple[Any, Line2D]]:
 
 def test_picture_and_data_agree(figures: dict[str, Figure]) -> None:
     """Each point that is drawn stands in a row, under the labels of its own axes."""
-    for name, figure in figures.items():
+    for name, figure in nonempty(figures.items()):
         heads, *rows = list(csv.reader(io.StringIO(csv_of(figure))))
         assert heads[:2] == ["panel", "series"], name
         assert rows, name
@@ -161,9 +163,9 @@ def _number(text: str) -> bool:
 
 
 def test_heads_have_units(figures: dict[str, Figure]) -> None:
-    for name, figure in figures.items():
+    for name, figure in nonempty(figures.items()):
         heads, rows = as_table(figure)
-        for k, head in enumerate(heads[2:], start=2):
+        for k, head in nonempty(enumerate(heads[2:], start=2)):
             numbers = any(isinstance(row[k], float) for row in rows)
             assert not numbers or "]" in head, (name, head)
 
@@ -218,9 +220,8 @@ def test_colours_are_told_apart_by_the_colour_blind() -> None:
         [0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881],
     ])  # fmt: skip
     colours = [np.array(to_rgb(colour)) for colour in (style.BLUE, style.RED, style.ORANGE, style.GREEN)]  # fmt: skip
-    for k, one in enumerate(colours):
-        for other in colours[k + 1 :]:
-            assert np.linalg.norm(seen @ one**2.2 - seen @ other**2.2) > 0.08
+    for one, other in nonempty(combinations(colours, 2)):
+        assert np.linalg.norm(seen @ one**2.2 - seen @ other**2.2) > 0.08
 
 
 # -- figures of the paper

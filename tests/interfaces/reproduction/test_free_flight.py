@@ -14,6 +14,7 @@ from click.testing import CliRunner
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from builders.cases import nonempty
 from builders.pages import ABOUT, Page
 from builders.paper_results import (
     LAG,
@@ -189,7 +190,7 @@ def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> No
 
 def test_steps_begin_at_the_new_set_point(results: FlightResults) -> None:
     figure = free_flight.steps_figure(results)
-    for ax, axis in zip(figure.axes, ("x", "y", "z"), strict=True):
+    for ax, axis in nonempty(zip(figure.axes, ("x", "y", "z"), strict=True)):
         t, wanted = curve(ax, "set-point")
         assert t[np.argmax(wanted > STEP_FROM[axis])] == pytest.approx(0.0, abs=1e-6)
         t, flown = curve(ax, "Quad")
@@ -235,7 +236,7 @@ def test_every_axis_of_every_figure_has_its_unit(results: FlightResults) -> None
         free_flight.steps_figure(results), free_flight.circles_figure(results),
         free_flight.table_iv_figure(results), free_flight.endurance_figure(),
     ):  # fmt: skip
-        for ax in figure.axes:
+        for ax in nonempty(figure.axes):
             place = ax.get_subplotspec()
             assert place is not None
             words = [tick.get_text() for tick in ax.get_yticklabels()]
@@ -247,7 +248,7 @@ def test_every_axis_of_every_figure_has_its_unit(results: FlightResults) -> None
 
 
 def test_hover_time_falls_with_payload_from_the_printed_one() -> None:
-    for robot, printed in TABLE_I.items():
+    for robot, printed in nonempty(TABLE_I.items()):
         payloads, times = free_flight.endurance_points(robot)
         assert payloads[0] == 0.0
         assert times[0] == pytest.approx(printed.hover_time, rel=0.01)
