@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
+from builders.missing import needs
 
 ROOT = Path(__file__).parents[1]
 UNKNOWN = "error: Failed to fetch\\n  cause: invalid peer certificate: UnknownIssuer"
@@ -31,7 +31,7 @@ if [ "$PIP_FAILS" = certificate ] && [ -z "${PIP_CERT:-}" ]; then
 fi
 """
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="a shell script")
+pytestmark = needs("POSIX")
 
 
 def program(path: Path, text: str) -> None:
