@@ -37,7 +37,7 @@ QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap o
 #: peaks.
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
-GRIP = ("contact/test_grip.py contact/test_hull.py", "bound or truth or rate")
+GRIP = ("contact/test_friction_rate.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.
@@ -140,8 +140,8 @@ MUTATIONS = (
     Mutation("weight, sign", MOTION, "r @ solved.linear - Vec", "r @ solved.linear + Vec"),
     Mutation("solve, one cofactor", VECTORS, "q * r - p * f, p * r - q * d", "q * r + p * f, p * r - q * d"),
     # kinematics, energy, locking
-    Mutation("quaternion rate, one term", VECTORS, "q.y * omega.z - q.z * omega.y", "q.y * omega.z + q.z * omega.y"),
-    Mutation("rotation matrix, one term", VECTORS, "2.0 * (x * y - w * z)", "2.0 * (x * y + w * z)"),
+    Mutation("quaternion rate, one term", VECTORS, "q.y * z - q.z * y", "q.y * z + q.z * y"),
+    Mutation("rotation matrix, one term", VECTORS, "xy - wz", "xy + wz"),
     Mutation("spring energy, half", ENERGY, "springs=0.5", "springs=0.25"),
     Mutation("contact energy exponent", SURFACES, "/ (n + 1.0)", "/ (n + 2.0)"),
     Mutation("Steiner, product", ENERGY, "mass * c.x * c.y, mass * c.x * c.z", "-mass * c.x * c.y, mass * c.x * c.z"),
@@ -160,13 +160,13 @@ MUTATIONS = (
     Mutation("hull, its energy, sign", ENERGY, "so_far + tree_sum(tree_map(_hull_contact", "so_far - tree_sum(tree_map(_hull_contact", HULL),
     Mutation("hull, not in the clearance", CLEARANCE, "cages + tree_map(_of_hull, (airframe.hull,), (obstacles,))", "cages", HULL),
     Mutation("hull, friction unbounded", HULL_STATE, "return rate + hull.damper", "return rate + 0.0 * hull.damper", GRIP),
-    Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest / least_inertia", "0.0 * hull.farthest", GRIP),
+    Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest * inverse.largest", "0.0 * hull.farthest", GRIP),
     Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
     Mutation("hull, contact rate of cages only", MOTION, "            contact.press, field_of", "            a.contact.press, field_of", GRIP),
     Mutation("hull, gaps left out of steps", RECORD, "minimum(field_of(view.arms, \"gap\") + field_of(view.hull, \"gap\"))", "minimum(field_of(view.arms, \"gap\"))", RULES),
     Mutation("hull, crossings left out of steps", RECORD, "field_of(view.arms, \"crossing\") + field_of(view.hull, \"crossing\")", "field_of(view.arms, \"crossing\")", RULES),
     Mutation("hull, touch is no touch", RECORD, "maximum(arm_touching + hull_touching)", "maximum(arm_touching)", RULES),
-    Mutation("hull, its normal left out", RECORD, "        + tree_map(_touched_normal, (view.hull, hull_touching), ())", "", RULES),
+    Mutation("hull, its normal left out", MOTION, "field_of(arms, \"touched\") + field_of(hull, \"touched\")", "field_of(arms, \"touched\")", RULES),
     Mutation("hull, no impulse", RECORD, "maximum(field_of(view.arms, \"impulsive\") + field_of(view.hull, \"impulsive\"))", "maximum(field_of(view.arms, \"impulsive\"))", RULES),
     Mutation("hull, its contacts uncounted", RECORD, "_count, (m.hull_contacts, hull_touching,", "_count, (m.hull_contacts, m.hull_contacts,", RULES),
     Mutation("hull, not struck", IMPULSES, "of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, state, r))", "of_cages", IMPULSE),
@@ -185,10 +185,10 @@ MUTATIONS = (
     Mutation("settling steps in contact", RECORD, "select(pressed, timing.impact_step, timing.settle_step)", "select(pressed, timing.settle_step, timing.impact_step)", RULES),
     Mutation("crossings from afar met at once", RECORD, "time_to_crossing - 0.5 * timing.impact_step,", "time_to_crossing,", RULES),
     Mutation("crossings passed", RECORD, "step = smaller(step, larger(time_to_crossing, SHORTEST", "step = larger(step, larger(time_to_crossing, SHORTEST", RULES),
-    Mutation("friction leaves steps alone", RECORD, "larger(stiff, view.friction_rate / FRICTION_SHARE)", "stiff", RULES),
-    Mutation("contact leaves steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.slip_rate / SLIP_SHARE", RULES),
-    Mutation("slips leave steps alone", RECORD, "larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)", "view.contact_rate / CONTACT_SHARE", RULES),
-    Mutation("steps pass what is near", RECORD, "smaller(step, larger(near / haste", "larger(step, larger(near / haste", RULES),
+    Mutation("friction leaves steps alone", RECORD, "larger(stiff, view.friction_rate * PER_FRICTION_SHARE)", "stiff", RULES),
+    Mutation("contact leaves steps alone", RECORD, "larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)", "view.slip_rate * PER_SLIP_SHARE", RULES),
+    Mutation("slips leave steps alone", RECORD, "larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)", "view.contact_rate * PER_CONTACT_SHARE", RULES),
+    Mutation("steps pass what is near", RECORD, "smaller(step, larger(near * (stiff", "larger(step, larger(near * (stiff", RULES),
     Mutation("haste without arms", STATE, "fastest + maximum(tree_map(_speed, (state.arm_rate,), ()))", "fastest", RULES),
     Mutation("haste without turning", STATE, "norm(velocity) + reach(airframe) * norm(angular_velocity)", "norm(velocity)", RULES),
     Mutation("steps pass the end", RECORD, "smaller(step, left)", "step", RULES),
@@ -197,7 +197,7 @@ MUTATIONS = (
     Mutation("impact never settles", RECORD, "select(unsettled > 0.0, m.phase, FREE_FLIGHT)", "m.phase", RULES),
     Mutation("arms settle while away", RECORD, "arm.compliance if away | moving", "arm.compliance if moving", RULES),
     Mutation("arms settle while moving", RECORD, "arm.compliance if away | moving", "arm.compliance if away", RULES),
-    Mutation("settled at the free length only", RECORD, "away = view.unbalance * view.unbalance", "away = view.compression * view.compression", RULES),
+    Mutation("settled at the free length only", RECORD, "abs(view.unbalance) >", "abs(view.compression) >", RULES),
     Mutation("dwell begins at the first touch", RECORD, "m.time - last_touch > timing.dwell", "m.time - m.touch_time > timing.dwell", RULES),
     Mutation("travel goes on", RECORD, "of_first & ((touching > 0.0) | ended)", "of_first", RULES),
     Mutation("travel stops before the last instant", RECORD, "(touching > 0.0) | ended", "touching > 0.0", RULES),

@@ -243,11 +243,11 @@ def test_rate_gain_is_that_of_the_autopilot() -> None:
     assert ControlSettings().rate_gain == pytest.approx((roll + pitch) / 2.0, rel=0.02)
 
 
-def test_the_table_of_the_readme_is_the_computed_one(results: FlightResults) -> None:
+def test_the_table_of_the_reproduction_page_is_the_computed_one(results: FlightResults) -> None:
     """Written by tools/readme.py from five trials; two trials differ in the last digits only."""
     root = Path(__file__).parents[2]
     tool = runpy.run_path(str(root / "tools/readme.py"))
-    text = (root / "README.md").read_text(encoding="utf-8")
+    text = (root / "docs/paper/reproduction.md").read_text(encoding="utf-8")
     number = re.compile(r"[-\d.]+(?:e-3)?")
     wanted = tool["flight_table"](results)
     within = text.split("<!-- flight: written by tools/readme.py -->\n")[1]

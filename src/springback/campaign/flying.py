@@ -32,7 +32,7 @@ def flown(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
 def rows(design: Design, chunk: Chunk, device: Device = "cpu") -> dict[str, Any]:
     """Rows of a stretch of flights, column by column."""
     with no_collection():
-        dealt = design.dealt(*chunk)
-        ended = fly_scenarios(dealt.tables, threads=1, device=device)
+        drawn = design.slice(*chunk)
+        ended = fly_scenarios(drawn.tables, threads=1, device=device)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
-    return {**dealt.columns, **tail, **ended.measures}
+    return {**drawn.columns, **tail, **ended.measures}
