@@ -21,5 +21,6 @@ SLOW = (
     "paper/",
     "test_docs.py",
     "test_examples.py",
+    "test_mutations.py::test_a_flipped_sign_is_noticed",
     "test_readme.py",
 )
