@@ -26,7 +26,7 @@ KEEP = {
     "keys",
     "values",
 }
-#: Calls with a fixed number of cases, and where that number stands.
+#: Calls with a fixed number of cases, and the place of that number.
 COUNTED = {"linspace": 2, "random_attitudes": 0, "uniform": 2}
 
 

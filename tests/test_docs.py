@@ -148,7 +148,7 @@ def test_every_public_name_has_its_entry(built: dict[str, Page]) -> None:
 
 
 def resolved(path: str) -> Any:
-    """What a dotted name stands for; a field of settings or of a NamedTuple counts."""
+    """The object of a dotted name; a field of settings or of a NamedTuple counts."""
     parts = path.split(".")
     for k in range(len(parts), 0, -1):
         try:

@@ -41,7 +41,7 @@ def program(path: Path, text: str) -> None:
 
 
 def made(folder: Path, uv: str = "", pip: str = "") -> tuple[list[str], str]:
-    """Calls of the stand-ins, and what the user is told, of a checkout without an environment."""
+    """Calls of the stand-ins, and the output, of a checkout without an environment."""
     (folder / "tools").mkdir()
     shutil.copy(ROOT / "tools/environment", folder / "tools/environment")
     for name in ("uv.lock", "pyproject.toml"):

@@ -113,7 +113,7 @@ def test_readme_runs_from_top_to_bottom_in_an_empty_folder(tmp_path: Path) -> No
 
 
 def test_one_line_installs_all_that_follows() -> None:
-    """It stands before the first command that needs it, and its extra holds all others."""
+    """It comes before the first command that needs it, and its extra holds all others."""
     text = README.read_text()
     [line] = re.findall(r"^    (pip install .*)$", text, re.M)
     assert line == "pip install '.[all]'"

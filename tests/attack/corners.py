@@ -15,7 +15,7 @@ from springback.simulation.measures import Outcome
 IMPACT = put(
     put(WHOLE[0], ("simulation", "duration"), 0.02), ("start", "position"), [2.44, 0.0, 1.0]
 )
-#: A run-up, pilot and recovery aboard, for some ticks.
+#: A run-up with a recovering pilot, for some ticks.
 PILOTED = put(WHOLE[3], ("simulation", "duration"), 0.02)
 Corner = tuple[tuple[str | int, ...], float]
 
@@ -34,7 +34,7 @@ def is_flown(tables: dict[str, Any], corner: Corner) -> bool:
     """Whether a corner is accepted; its flight has an end with finite measures.
 
     Raises:
-        AssertionError: If it has not, or is refused in words that nobody can read.
+        AssertionError: If it has not, or is refused in words that cannot be understood.
     """
     try:
         with warnings.catch_warnings():  # that a flight is not to be trusted is well said

@@ -57,7 +57,7 @@ class Ending(NamedTuple):
     after: float  # Ctrl-C, since the start [s]; infinite if it had ended before
     code: int
     said: str
-    left: tuple[str, ...]  # drafts, which nobody is to see
+    left: tuple[str, ...]  # drafts, which are not to be seen
 
 
 def command(*words: str) -> list[str]:

@@ -149,7 +149,7 @@ def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
 
 
 def test_scatter_is_that_of_trials() -> None:
-    """The tables of a trial whose luck is what a row says."""
+    """The tables of a trial whose random numbers are those of a row."""
     base = trial_tables("arq", 0.0, 2.0, TrialNoise(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
     base["world"]["obstacles"][0] = {"type": "wall", "distance": 2.75, "surface": "wall"}
     design = laid_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))

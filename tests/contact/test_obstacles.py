@@ -60,7 +60,7 @@ def test_distance_leads_to_the_surface(shape: Any, point: Vec) -> None:
 
 
 def test_a_shape_without_functions_says_what_is_missing() -> None:
-    """A user who forgets one of the two functions is told which."""
+    """The error names the one of the two functions that is missing."""
     with pytest.raises(TypeError, match="signed_distance; register one"):
         signed_distance((1.0,), Vec(0.0, 0.0, 0.0))
     with pytest.raises(TypeError, match="outward_normal; register one"):
@@ -115,7 +115,7 @@ def test_own_obstacle_compiles_and_gives_the_same_bits() -> None:
 
 
 def test_own_obstacle_stays_out_of_the_kernels_on_disk() -> None:
-    """Kernels kept on disk must load where nobody knows the user's module, and follow his edits."""
+    """Kernels kept on disk must load where the user's module is unknown, and follow its edits."""
     fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3))
     for index in nonempty(cache_folder().rglob("*.kernel")):
         assert b"builders" not in index.read_bytes()

@@ -12,7 +12,7 @@ from springback.kernels.layout import Buffer, zeros
 
 @kernel
 def halved(lanes: Buffer) -> None:
-    """All lanes, one after another: what the compiler is to lay abreast."""
+    """All lanes, one after another: the loop that the compiler is to vectorise."""
     for i in range(np.uint64(len(lanes))):
         lanes[i] = 0.5 * lanes[i]
 

@@ -160,7 +160,7 @@ def test_arq_follows_within_a_tenth(results: FlightResults, robot: Any) -> None:
 
 
 def test_arq_is_slower_than_quad_and_drops_change_nothing(results: FlightResults) -> None:
-    """As the paper says of both; drops leave arms where they were, so only luck differs."""
+    """As the paper says of both; drops leave arms where they were, so only noise differs."""
     for axis in ("x", "y", "z"):
         quad, arq = results.rise("quad", axis), results.rise("arq", axis)  # type: ignore[arg-type]
         assert min(arq) > 1.05 * max(quad)

@@ -1,4 +1,4 @@
-"""Collisions in flight: counts, intervals, marks, luck, and what is read from a flight."""
+"""Collisions in flight: counts, intervals, marks, noise, and measures read from a flight."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def seen(
 
 
 class Story:
-    """A flight told tick by tick."""
+    """A flight given tick by tick."""
 
     def __init__(self) -> None:
         self.memory, self.time, self.contacts, self.last = (

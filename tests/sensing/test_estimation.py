@@ -35,7 +35,7 @@ TRUTH = Estimate(
 
 
 class Lane(NamedTuple):
-    """What an estimator needs of what is aboard."""
+    """The on-board systems as an estimator needs them."""
 
     estimator: Any
     seen: Measurement
@@ -92,7 +92,7 @@ def test_between_inertial_samples_the_estimate_goes_on_at_constant_rates():
 @pytest.mark.parametrize("name", ["kalman", "complementary"])
 @pytest.mark.parametrize("fresh", [(1.0, 1.0, 1.0), (0.0, 0.0, 0.0), (1.0, 0.0, 1.0)])
 def test_lanes_believe_what_each_would_alone(name, fresh):
-    """Whoever of them has a sample, and whoever waits for one."""
+    """Lanes that have a sample, and lanes that wait for one."""
     settings = EstimatorSettings(type=name)
     estimator = settings.estimator(RHYTHM, 9.81)
     memory = settings.memory(estimator, TRUTH)

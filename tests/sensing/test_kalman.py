@@ -61,7 +61,7 @@ def started(kalman, flown, deviations=START, generator=None):
 
 
 def aware(kalman, flown, every=5):
-    """The filter, told when the cameras of a flight expose: at an age before every so many ticks."""
+    """The filter, which knows when the cameras of a flight expose: at an age before every so many ticks."""
     delays = tuple(k * every * TICK for k in range(3))
     return kalman._replace(pose_interval=every * TICK, pose_phase=-flown.age, delays=delays)
 

@@ -138,7 +138,7 @@ def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.usefixtures("interpreted")
 def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Motion, record and everything aboard, from launch to launch, with each flight's own luck."""
+    """Motion, record and on-board systems, from launch to launch, with each flight's own noise."""
     monkeypatch.setattr(flying, "TICKS", 17)
     given = {"estimator": "complementary", "world": WALL}
     flights: list[Lane] = [

@@ -1,4 +1,4 @@
-"""Luck: the generator against its authors' answers, and numbers that are normal."""
+"""Noise: the generator against its authors' answers, and numbers that are normal."""
 
 import math
 

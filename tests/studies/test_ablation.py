@@ -40,7 +40,7 @@ def test_whoever_notices_nothing_does_not_recover(results: WhyResults) -> None:
 
 
 def test_a_test_that_cannot_be_flown_has_no_cell(results: WhyResults) -> None:
-    """At 110 deg/s nobody can arrive at −45°: that is no failure."""
+    """At 110 deg/s no robot can arrive at −45°: that is no failure."""
     for robot in nonempty(ROBOTS):
         assert set(results.successes(SLOW, robot)) == {(0.0, 2.0)}
         unflown = {v.name: tests for v, _, tests in results.moves(robot)}

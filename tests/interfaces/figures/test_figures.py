@@ -136,7 +136,7 @@ def shown_lines(figure: Figure) -> Iterator[tuple[Any, Line2D]]:
 
 
 def test_picture_and_data_agree(figures: dict[str, Figure]) -> None:
-    """Each point that is drawn stands in a row, under the labels of its own axes."""
+    """Each point that is drawn is in a row, under the labels of its own axes."""
     for name, figure in nonempty(figures.items()):
         heads, *rows = list(csv.reader(io.StringIO(csv_of(figure))))
         assert heads[:2] == ["panel", "series"], name

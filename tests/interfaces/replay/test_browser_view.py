@@ -208,7 +208,7 @@ def drag(driver: Any, element: Any, start: tuple[float, float], end: tuple[float
     chain.release().perform()
 
 
-#: Of every plot: the time line, whether it is hidden, where it stands and where its time is [px].
+#: Of every plot: the time line, whether it is hidden, its place and that of its time [px].
 LINES = """
 const { player } = window.springback;
 return [...document.querySelectorAll('.plot-now')].map((line) => {

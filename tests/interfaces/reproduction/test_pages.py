@@ -1,4 +1,4 @@
-"""Pages that springback writes: whole, readable without colours, and no wider than a phone."""
+"""Pages that springback writes: complete, readable without colours, and no wider than a phone."""
 
 import re
 from collections.abc import Iterator
