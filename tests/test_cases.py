@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -163,3 +164,24 @@ def test_no_case_is_no_test() -> None:
     with pytest.raises(AssertionError, match="no case"):
         nonempty(())
     assert nonempty(iter("ab")) == ["a", "b"]
+
+
+def imported(node: ast.AST) -> list[str]:
+    """Modules that a statement imports, or a script that it runs."""
+    match node:
+        case ast.Import(names=names):
+            return [name.name for name in names]
+        case ast.ImportFrom(module=str() as module):
+            return [module]
+        case ast.Call() if name_of(node) == "run_path":
+            return [ast.unparse(node)]
+    return []
+
+
+def test_no_test_imports_another() -> None:
+    """What several tests share is in `builders`."""
+    for path in nonempty(HERE.rglob("*.py")):
+        names = [
+            name for node in ast.walk(ast.parse(path.read_text("utf-8"))) for name in imported(node)
+        ]
+        assert [name for name in names if re.search(r"\btest_", name)] == [], path
