@@ -13,8 +13,8 @@ import pytest
 
 from attack.campaigns import CONDITIONS, ESCAPES, all_said
 from attack.damage import one_byte
-from campaign.made_up import filled, rows
-from campaign.plans import plan
+from builders.campaign_folders import filled, rows
+from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import laid_out
@@ -97,7 +97,7 @@ def test_conditions_are_one_expression_over_the_columns(
 
 
 def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
-    """Nobody checked it before: the folder comes as it is, its digests made to fit."""
+    """Unchecked before: the folder comes as it is, its digests made to fit."""
     text = f"true); COPY (SELECT 1) TO '{tmp_path / 'target'}'; SELECT (true"
     for parts in (0, 1):
         folder = tmp_path / f"a{parts}"

@@ -6,8 +6,8 @@ All figures that springback draws are walked, from made-up results; nothing is f
 import csv
 import io
 import math
-import runpy
 from collections.abc import Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,16 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from campaign.made_up import filled
+from builders.campaign_folders import filled
+from builders.cases import nonempty
+from builders.figures import plane_map, slider_figures
+from builders.paper_results import (
+    fake_free_flight_results,
+    fake_slider_flight,
+    fake_slider_results,
+    fake_steps_flight,
+    with_contact,
+)
 from interfaces.legible import axis_label, complaints
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal
@@ -35,12 +44,6 @@ from springback.interfaces.reproduction.report import Results
 from springback.paper.printed import printed_success
 from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, AblationOutcome, WhyResults
 from springback.studies.run_ups import CONDITIONS
-
-HERE = Path(__file__).parent
-INTERFACES = HERE.parent
-MADE_UP = runpy.run_path(str(HERE / "test_plots.py"))
-FLIGHTS = runpy.run_path(str(INTERFACES / "reproduction/test_free_flight.py"))
-MAPS = runpy.run_path(str(INTERFACES / "cli/test_map_command.py"))
 
 
 def why_results() -> WhyResults:
@@ -80,20 +83,20 @@ def campaign_figures(folder: Path) -> dict[str, StyledFigure]:
 def figures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, StyledFigure]:
     """Every figure; those of collisions in flight and of detection are in tests of their own, and the
     one for a front page names peaks that are one where both robots are made up alike."""
-    results, slider = FLIGHTS["made_up_results"](), MADE_UP["made_up_results"]()
+    results, slider = fake_free_flight_results(), fake_slider_results()
     rows = [*slider.rows, *results.rows()]
-    flight = FLIGHTS["made_up_steps"]("quad")
+    flight = fake_steps_flight("quad")
     return {
-        **{name: made for name, made in MADE_UP["figures"]().items() if name != "readme"},
+        **{name: made for name, made in slider_figures().items() if name != "readme"},
         "steps": free_flight.steps_figure(results),
         "circles": free_flight.circles_figure(results),
         "table iv": free_flight.table_iv_figure(results),
         "endurance": free_flight.endurance_figure(),
         "guided": plots.flight_figure(flight),
-        "touching": plots.flight_figure(FLIGHTS["touching"](flight)),
+        "touching": plots.flight_figure(with_contact(flight)),
         "overview": overview.overview_figure(report_overview.groups(rows)),
         "robots drawn": drawings.robots_figure(),
-        "map": envelope.map_figure(MAPS["plane_map"](), printed_success),
+        "map": envelope.map_figure(plane_map(), printed_success),
         "ablation": ablation.ablation_figure(why_results()),
         "ranges": ablation.ranges_figure(why_results()),
         **campaign_figures(tmp_path_factory.mktemp("campaign") / "c"),
@@ -143,7 +146,7 @@ def shown_lines(figure: Figure) -> Iterator[tuple[Any, Line2D]]:
 def test_picture_and_data_agree(tabled: dict[str, StyledFigure]) -> None:
     """Each point that is drawn stands in a row, under the labels of its own axes."""
     compared = 0
-    for name, figure in tabled.items():
+    for name, figure in nonempty(tabled.items()):
         heads, *rows = list(csv.reader(io.StringIO(figure.csv())))
         assert rows, name
         for ax, line in shown_lines(figure):
@@ -177,7 +180,7 @@ def test_every_series_of_a_legend_is_in_the_table(tabled: dict[str, StyledFigure
         "within 5 %", "farther off", "off the scale", "open: at return", "end of contact",
         "largest payload, printed", "hover time, printed",
     }  # fmt: skip
-    for name, figure in tabled.items():
+    for name, figure in nonempty(tabled.items()):
         legends = [*figure.legends, *(ax.get_legend() for ax in figure.axes)]
         legends += [legend for part in figure.subfigs for legend in part.legends]
         shown = {text.get_text() for legend in legends if legend for text in legend.get_texts()}
@@ -186,8 +189,8 @@ def test_every_series_of_a_legend_is_in_the_table(tabled: dict[str, StyledFigure
 
 
 def test_heads_have_units(tabled: dict[str, StyledFigure]) -> None:
-    for name, figure in tabled.items():
-        for row in (row for block in figure.table for row in block.items()):
+    for name, figure in nonempty(tabled.items()):
+        for row in nonempty([row for block in figure.table for row in block.items()]):
             numbers = np.issubdtype(np.asarray(row[1]).dtype, np.number)
             assert not numbers or "]" in row[0], (name, row[0])
 
@@ -219,12 +222,12 @@ def test_a_cell_a_band_a_bound_and_a_word_stand_in_the_table_as_what_they_are() 
 
 
 def test_data_are_written_beside_the_picture_and_say_the_same_again(tmp_path: Path) -> None:
-    figure = plots.energy_figure(MADE_UP["made_up_flight"]())
+    figure = plots.energy_figure(fake_slider_flight())
     files = style.save(figure, tmp_path / "energy")
     assert files[-1].read_text(encoding="utf-8") == figure.csv()
     assert [file.suffix for file in style.save(figure, tmp_path / "b", numbers=False)] == [".png", ".pdf"]  # fmt: skip
     with mpl.rc_context({"text.usetex": True, "font.size": 30.0}):
-        assert plots.energy_figure(MADE_UP["made_up_flight"]()).csv() == figure.csv()
+        assert plots.energy_figure(fake_slider_flight()).csv() == figure.csv()
 
 
 # -- looks
@@ -241,9 +244,8 @@ def test_colours_are_told_apart_by_the_colour_blind() -> None:
         [0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881],
     ])  # fmt: skip
     colours = [np.array(to_rgb(colour)) for colour in (robots.BLUE, robots.RED, robots.ORANGE, robots.GREEN)]  # fmt: skip
-    for k, one in enumerate(colours):
-        for other in colours[k + 1 :]:
-            assert np.linalg.norm(seen @ one**2.2 - seen @ other**2.2) > 0.08
+    for one, other in nonempty(combinations(colours, 2)):
+        assert np.linalg.norm(seen @ one**2.2 - seen @ other**2.2) > 0.08
 
 
 # -- figures of the paper
@@ -264,7 +266,7 @@ def test_every_figure_of_the_paper_has_its_counterpart_or_says_why_not() -> None
 
 
 def test_the_table_leads_to_figures_that_are_there() -> None:
-    told = Results(slider=MADE_UP["made_up_results"]())
+    told = Results(slider=fake_slider_results())
     sections = report.report_sections(told, {})
     drawn = {b.anchor for s in sections for b in s.blocks if isinstance(b, FigureBlock)}
     (section,) = [s for s in sections if s.anchor == "figures"]
