@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from springback.errors import InputError
+from springback.scenario.fields import Parameter
 from springback.scenario.scenario import scenario_from
 from springback.studies import envelope_run
-from springback.studies.axes import Axis, Parameter
+from springback.studies.axes import Axis
 from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place, stretches
 from springback.studies.envelope_run import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
 from springback.studies.trials import DURATION

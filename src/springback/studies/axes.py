@@ -7,29 +7,19 @@ scenario, such as ``control.time_constant``, ``world.obstacles.0.surface.frictio
 
 from __future__ import annotations
 
-import functools
-import inspect
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import UnionType
-from typing import Annotated, Any, Union, get_args, get_origin
-
-from pydantic import BeforeValidator
-from pydantic.fields import FieldInfo
-from pydantic_core import PydanticCustomError
+from typing import Any
 
 from springback.errors import InputError
 from springback.problems import dotted, key_path
-from springback.quantities import checked, number_in
+from springback.scenario.fields import Parameter, Path, number_at
 from springback.scenario.files import overridden
 from springback.scenario.scenario import Scenario, preset, scenario_from
-from springback.settings import Settings, meant
 from springback.studies.run_ups import run_up_scenario
 from springback.studies.trials import DURATION, NO_SCATTER, Condition, trial_tables
 from springback.vehicle.library import VEHICLES
-
-Path = tuple[str | int, ...]
 
 #: Parameters with a name of their own.
 SHORT: dict[str, Path] = {"speed": ("reference", "speed"), "pitch": ("reference", "pitch")}
@@ -47,47 +37,6 @@ DEALT = {
 SURFACE: Path = ("world", "obstacles", 0, "surface")
 #: Most values along an axis (chosen): more are a slip of the pen.
 MOST_VALUES = 200
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A number of a trial's scenario."""
-
-    name: str
-    path: Path
-    unit: str
-    """SI; empty for plain numbers."""
-    whole: bool = False
-    """Whether it must be a whole number."""
-    others: tuple[float, ...] = ()
-    """Of a vector, all its numbers, of which this is one."""
-
-    @property
-    def shown_unit(self) -> str:
-        """As people read it: angles in degrees."""
-        return {"rad": "deg", "": "-"}.get(self.unit, self.unit)
-
-    def shown(self, value: float) -> float:
-        """A value in the shown unit."""
-        return _degrees(value) if self.unit == "rad" else value
-
-    def read(self, text: str) -> float:
-        """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
-        try:
-            value = checked(number_in(text, self.unit, bare=True), self.unit)
-        except PydanticCustomError as error:
-            raise InputError(f"{self.name}: {error.message()}") from None
-        if self.whole and value != round(value):
-            raise InputError(f"{self.name}: must be a whole number (got {value:g})")
-        return value
-
-    def placed(self, tables: dict[str, Any], value: float) -> dict[str, Any]:
-        """Tables with the parameter at a value."""
-        if self.others and not isinstance(_at(tables, self.path[:-1]), list | tuple):
-            vector = f"{dotted(self.path[:-1])}={[*self.others]}"
-            tables = overridden(tables, [vector])
-        number = int(value) if self.whole else value
-        return overridden(tables, [f"{dotted(self.path)}={number!r}"])
 
 
 @dataclass(frozen=True)
@@ -137,28 +86,7 @@ def parameter(name: str, scenario: Scenario) -> Parameter | None:
             f"{name}: cannot be given, a trial places the wall; what can is {dotted(SURFACE)}, "
             f"such as {dotted(SURFACE)}.friction"
         )
-    return number_at(name, path, scenario)
-
-
-def number_at(name: str, path: Path, scenario: Scenario) -> Parameter | None:
-    """The number at a path of a scenario; None if what is there is no single number.
-
-    Args:
-        name: That it goes by.
-        path: Keys and indices, at least one.
-        scenario: That has it.
-
-    Raises:
-        InputError: If there is nothing of this path.
-    """
-    field, parent = _walked(path, name, scenario)
-    unit, whole = _number_kind(field, inside=isinstance(path[-1], int))
-    if unit is None and not whole:
-        return None
-    others = tuple(parent) if isinstance(parent, tuple) else ()
-    if any(not isinstance(entry, float | int) for entry in others):
-        return None
-    return Parameter(name, path, unit or "", whole, others)
+    return number_at(name, path, scenario, tuple(SHORT))
 
 
 def read_axis(text: str, scenario: Scenario) -> Axis:
@@ -213,7 +141,7 @@ class Fixed:
         """Tables with the setting."""
         if self.parameter is None:
             return overridden(tables, [self.word])
-        return self.parameter.placed(tables, self.value)
+        return _placed(tables, self.parameter, self.value)
 
 
 def read_fixed(word: str, scenario: Scenario) -> Fixed:
@@ -250,7 +178,7 @@ def condition(
             tables, paths = one.placed(tables), [*paths, one.path]
     for found, value in places:
         if found.name not in SHORT:
-            tables, paths = found.placed(tables, value), [*paths, found.path]
+            tables, paths = _placed(tables, found, value), [*paths, found.path]
     changes = {key: tables[key] for key in (str(path[0]) for path in paths)}
     return Condition(robot, pitch, speed, changes)
 
@@ -264,84 +192,6 @@ def example(robot: str) -> Scenario:
     return scenario_from(trial_tables(robot, 0.0, 2.0, noise_stream))
 
 
-# -- looking into settings ------------------------------------------------------------------------
-
-
-def _walked(path: Path, name: str, scenario: Scenario) -> tuple[FieldInfo | None, Any]:
-    """The field at the end of a path, and the list that an entry is in.
-
-    A table that is not there is looked up in its class.
-    """
-    field: FieldInfo | None = None
-    node: Any = scenario
-    parent: Any = None
-    for key in path:
-        kind = node if isinstance(node, type) else type(node)
-        if isinstance(key, int):
-            if not isinstance(node, tuple) or key >= len(node):
-                raise InputError(f"{name}: there is no entry {key}")
-            parent, node = node, node[key]
-        elif not issubclass(kind, Settings):
-            raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
-        elif key not in kind.model_fields:
-            near = meant(key, [*kind.model_fields, *SHORT])
-            known = "known here: " + ", ".join(kind.model_fields)
-            hint = f"did you mean {near}?" if near else known
-            raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
-        else:
-            field, parent = kind.model_fields[key], None
-            node = field.default if isinstance(node, type) else getattr(node, key)
-            if node is None:
-                node = next(_tables(field.annotation), None)
-    return field, parent
-
-
-def _leaves(annotation: Any, notes: tuple[Any, ...] = ()) -> Iterator[tuple[Any, tuple[Any, ...]]]:
-    """The plain types of an annotation, each with what `Annotated` says of it."""
-    if get_origin(annotation) is Annotated:
-        inner, *more = get_args(annotation)
-        yield from _leaves(inner, (*notes, *more))
-    elif get_origin(annotation) in (Union, UnionType):
-        for branch in get_args(annotation):
-            yield from _leaves(branch, notes)
-    else:
-        yield annotation, notes
-
-
-def _tables(annotation: Any) -> Iterator[type[Settings]]:
-    for leaf, _ in _leaves(annotation):
-        if isinstance(leaf, type) and issubclass(leaf, Settings):
-            yield leaf
-
-
-def _number_kind(field: FieldInfo | None, inside: bool) -> tuple[str | None, bool]:
-    """SI unit of a number's field, None if it has none, and whether it is a whole number's.
-
-    Args:
-        field: Any.
-        inside: Whether an entry of its list is meant.
-    """
-    if field is None:
-        return None, False
-    leaves = list(_leaves(field.annotation, tuple(field.metadata)))
-    for leaf, notes in leaves:
-        if leaf is float or (inside and get_origin(leaf) is tuple):
-            for note in notes:
-                if isinstance(note, BeforeValidator) and (unit := _unit(note.func)) is not None:
-                    return unit, False
-    return None, any(leaf is int for leaf, _ in leaves)
-
-
-def _unit(validator: Any) -> str | None:
-    """The unit that a validator of `springback.quantities` was made for."""
-    if isinstance(validator, functools.partial):
-        known: Mapping[str, Any] = validator.keywords
-    else:
-        known = inspect.getclosurevars(validator).nonlocals
-    unit = known.get("unit")
-    return unit if isinstance(unit, str) else None
-
-
 def _at(tables: Any, path: Path) -> Any:
     """What stands at a path in raw tables; None if nothing does."""
     for key in path:
@@ -352,6 +202,14 @@ def _at(tables: Any, path: Path) -> Any:
         else:
             return None
     return tables
+
+
+def _placed(tables: dict[str, Any], found: Parameter, value: float) -> dict[str, Any]:
+    """Tables with a parameter at a value."""
+    if found.others and not isinstance(_at(tables, found.path[:-1]), list | tuple):
+        tables = overridden(tables, [f"{dotted(found.path[:-1])}={[*found.others]}"])
+    number = int(value) if found.whole else value
+    return overridden(tables, [f"{dotted(found.path)}={number!r}"])
 
 
 def _degrees(angle: float) -> float:

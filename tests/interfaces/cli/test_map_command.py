@@ -15,7 +15,8 @@ from matplotlib.patches import Rectangle
 from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
-from springback.studies.axes import Axis, Parameter
+from springback.scenario.fields import Parameter
+from springback.studies.axes import Axis
 from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place
 from springback.studies.run_ups import CONDITIONS
 

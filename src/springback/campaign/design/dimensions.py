@@ -28,11 +28,10 @@ from springback.campaign.design.targets import (
     target,
 )
 from springback.errors import InputError, shown_value
+from springback.scenario.fields import Parameter, Path
 from springback.scenario.scenario import Scenario
-from springback.studies.axes import Parameter
 from springback.studies.trials import Scatter
 
-Path = tuple[str | int, ...]
 Blame = Callable[[Path, str], None]
 """Takes note of a problem: where in the plan, and what."""
 

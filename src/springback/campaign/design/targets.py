@@ -11,9 +11,10 @@ from typing import Any, NamedTuple
 
 from springback.errors import InputError
 from springback.problems import dotted, key_path
+from springback.scenario.fields import Parameter, Path, number_at
 from springback.scenario.files import replaced
 from springback.scenario.scenario import Scenario
-from springback.studies.axes import SHORT, Parameter, Path, number_at
+from springback.studies.axes import SHORT
 
 Place = Callable[[Any, Any], Any]
 """A table of the scenario and a value to the table with the value."""
@@ -74,7 +75,7 @@ def target(field: str, scenario: Scenario) -> TargetField:
         raise InputError(f"cannot be varied; {why}")
     name = column if isinstance(path[0], str) else field
     try:
-        number = number_at(name, path, scenario)
+        number = number_at(name, path, scenario, tuple(SHORT))
     except InputError as error:
         raise InputError(str(error).removeprefix(f"{name}: ")) from None
     return TargetField(column, path, number, _at_path(path, number))
