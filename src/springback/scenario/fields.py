@@ -126,15 +126,6 @@ class Parameter:
     others: tuple[float, ...] = ()
     """Of a vector, all its numbers, of which this is one."""
 
-    @property
-    def shown_unit(self) -> str:
-        """As people read it: angles in degrees."""
-        return {"rad": "deg", "": "-"}.get(self.unit, self.unit)
-
-    def shown(self, value: float) -> float:
-        """A value in the shown unit, without the last digits, which are rounding errors."""
-        return round(math.degrees(value), 9) + 0.0 if self.unit == "rad" else value
-
     def read(self, text: str) -> float:
         """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
         try:
@@ -144,6 +135,11 @@ class Parameter:
         if self.whole and value != round(value):
             raise InputError(f"{self.name}: must be a whole number (got {value:g})")
         return value
+
+
+def degrees(angle: float) -> float:
+    """Of radians, without the last digits, which are rounding errors."""
+    return round(math.degrees(angle), 9) + 0.0
 
 
 def number_at(

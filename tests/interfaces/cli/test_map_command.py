@@ -2,7 +2,6 @@
 
 import csv
 import json
-import math
 import subprocess
 import sys
 from pathlib import Path
@@ -12,12 +11,10 @@ import pytest
 from matplotlib.contour import QuadContourSet
 from matplotlib.patches import Rectangle
 
+from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, EnvelopeCell, Place
 from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
-from springback.scenario.fields import Parameter
-from springback.studies.axes import Axis
-from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place
 from springback.studies.run_ups import CONDITIONS
 
 
@@ -98,18 +95,16 @@ def test_bad_input_is_one_line_and_leaves_nothing(
 
 def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
     """share = 1.05 - 0.04 v - 0.002 θ, at most 1; the corner of fast and steep cannot be flown."""
-    x = Axis(Parameter("speed", ("reference", "speed"), "m/s"), (1.0, 2.0, 3.0, 4.0, 5.0))
-    y = Axis(Parameter("pitch", ("reference", "pitch"), "rad"), tuple(map(math.radians, (-45, -15, 15, 45))))  # fmt: skip
+    x = Axis("speed", "m/s", (1.0, 2.0, 3.0, 4.0, 5.0))
+    y = Axis("pitch", "deg", (-45.0, -15.0, 15.0, 45.0))
     cells = {}
     for robot in robots:
-        for j, pitch in enumerate(y.shown):
-            for i, speed in enumerate(x.shown):
+        for j, pitch in enumerate(y.values):
+            for i, speed in enumerate(x.values):
                 won = min(1000, round(1050 - 40 * speed - 2 * pitch))
                 ended = {"recovered": won, "hit_ground": 1000 - won}
                 corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = EnvelopeCell(
-                    Place(robot, i, j), {} if corner else ended
-                )
+                cells[Place(robot, i, j)] = EnvelopeCell({} if corner else ended)
     return Envelope(x, y, robots, 1000, 0, (), cells)
 
 
@@ -132,8 +127,8 @@ def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() 
 
 def test_a_map_of_one_colour_and_of_other_parameters_draws() -> None:
     told = plane_map(("arq",))
-    other = Axis(Parameter("air.wind[0]", ("air", "wind", 0), "m/s"), (0.0, -1.0, -2.0, -3.0))
-    full = {p: EnvelopeCell(p, {"recovered": 1000}) for p in told.cells}
+    other = Axis("air.wind[0]", "m/s", (0.0, -1.0, -2.0, -3.0))
+    full = dict.fromkeys(told.cells, EnvelopeCell({"recovered": 1000}))
     figure = map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full), printed_success)
     assert not [c for c in figure.axes[0].collections if isinstance(c, QuadContourSet)]
     assert not [t for t in figure.legends[0].get_texts() if "paper" in t.get_text()]

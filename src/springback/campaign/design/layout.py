@@ -43,12 +43,13 @@ from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
-from springback.studies.axes import MOST_VALUES
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
 #: More flights are a slip of the pen (chosen).
 MOST_FLIGHTS = 10**9
+#: Of a field with more levels only the first and the last are tried out (chosen).
+MOST_TRIED = 200
 #: Columns of every campaign that say which flight a row is.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
@@ -347,7 +348,7 @@ def _try_out(
 
     Run-ups are not sought, which may take long; a vehicle too weak for one leads to refused rows.
     """
-    few = extremes if len(extremes) <= MOST_VALUES else (extremes[0], extremes[-1])
+    few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
         for robot, base in enumerate(bases):
             shown = checked_text(value)

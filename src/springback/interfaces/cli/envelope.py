@@ -63,9 +63,9 @@ def map_command(
     springback map recovery.response.pace=0.1:0.3:5 vehicle.arms.stiffness="2 N/mm:8 N/mm:4" \\
         --set speed=3.5 --out map
     """
+    from springback.campaign.envelope import envelope_cost, fly_envelope, plan_envelope
     from springback.errors import InputError
     from springback.interfaces.output.folders import output_folder
-    from springback.studies.envelope_run import envelope_cost, fly_envelope, plan_envelope
 
     with spinner("reading", quiet):
         plan = plan_envelope(x, y, robots=robots, trials=trials, seed=seed, settings=settings)
