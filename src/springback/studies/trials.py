@@ -8,12 +8,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
 from springback.scenario.scenario import Scenario, merged, scenario_from
 from springback.simulation.measures import Outcome, told_of
+from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 
 #: The paper's start and return point, section Impact Resilience [m].
@@ -44,7 +43,7 @@ class Scatter(NamedTuple):
         Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
         """
         key = (round(1e3 * pitch) % 2**32, round(1e3 * speed) % 2**32, trial)
-        noise_stream = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
+        noise_stream = stream(seed, Purpose.TRIAL, *key)
         z = noise_stream.standard_normal(16).tolist()
         return TrialNoise(
             position=tuple(h + self.position * x for h, x in zip(HOME, z[:3], strict=True)),

@@ -27,9 +27,7 @@ from springback.campaign.design.plan import (
     with_scenario,
 )
 from springback.campaign.design.sampling import (
-    DRAWN,
     POINTS,
-    SCATTER,
     Numbers,
     grid_point,
     seeds,
@@ -43,6 +41,7 @@ from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
+from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
@@ -182,8 +181,8 @@ def _numbers(
     @functools.cache
     def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
         """Seeds and values of one repeat of all these samples."""
-        scatter = uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS)
-        more = uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn))
+        scatter = uniform_rows(plan.seed, (Purpose.SCATTER, repeat), begin, count, SLOTS)
+        more = uniform_rows(plan.seed, (Purpose.DRAWN, repeat), begin, count, len(drawn))
         found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
         found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
         for k, one in enumerate(dimensions):
