@@ -70,7 +70,7 @@ typedef struct {
 } Arm;
 
 typedef struct {
-    V mass;
+    V mass, inverse_mass;
     V inertia[9];
     Arm arm[ARMS];
     Vec normal;
@@ -348,7 +348,7 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
     /* Translation first, then 3 x 3. */
     const V mxx = m->mass - slide_xx, myy = m->mass - slide_yy;
     const V scale = all(1) / (mxx * myy - slide_xy * slide_xy);
-    const V nxx = myy * scale, nyy = mxx * scale, nxy = slide_xy * scale, nzz = all(1) / m->mass;
+    const V nxx = myy * scale, nyy = mxx * scale, nxy = slide_xy * scale, nzz = m->inverse_mass;
     const Vec alone = vec(nxx * b.x + nxy * b.y, nxy * b.x + nyy * b.y, nzz * b.z);
     const V sx = carried_x, sy = carried_y, sxx = sx * sx, sxy = sx * sy, syy = sy * sy;
     const V a00 = jxx - nzz * syy, a11 = jyy - nzz * sxx, a01 = jxy + nzz * sxy;
@@ -389,15 +389,16 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         view->mass_centre_velocity = plus(s->velocity, to_world(&r, times(moving, nzz)));
         view->touched_normal = to_world(&r, view->touched_normal);
         /* Eigenvalues of two blocks, sliding in the plane and tumbling out of it, and what couples them. */
-        const V per = all(1) / (jxx * jyy - jxy * jxy);
+        const V det = jxx * jyy - jxy * jxy, inverse = all(1) / (jzz * det);
+        const V per_z = det * inverse, per = jzz * inverse;
         const V mid = all(0.5) * per * (jyy * grip_xx + jxx * grip_yy + (jxy + jxy) * grip_xy);
         const V apart = mid * mid - per * (grip_xx * grip_yy - grip_xy * grip_xy);
         const V tumbling = mid + root(positive(apart));
-        const V in_plane = grip_all * nzz + grip_z / jzz + grip_arm;
-        const V lean = lean_all * nzz + lean_z / jzz + lean_arm;
+        const V in_plane = grip_all * nzz + grip_z * per_z + grip_arm;
+        const V lean = lean_all * nzz + lean_z * per_z + lean_arm;
         const V across = (grip_all - lean_all) * nzz + tumbling, half = all(0.5) * (in_plane - across);
         view->friction_rate = all(0.5) * (in_plane + across) + root(half * half + lean * across);
-        const V per_inertia = all(1) / smaller(smaller(jxx, jyy), jzz);
+        const V per_inertia = larger(per * larger(jxx, jyy), per_z);
         const V as_one_body = nzz + farthest * farthest * per_inertia;
         view->contact_rate = root(press_k * as_one_body + arm_k) + (press_c * as_one_body + arm_c);
         const Vec falling = minus(felt, vec(r.z.x * m->gravity, r.z.y * m->gravity, r.z.z * m->gravity));
@@ -471,10 +472,11 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
     step = smaller(step, larger(landing, shortest));
     /* No point moves faster than this, so no cage can touch unnoticed within the step. */
     const V fastest = norm(s->velocity) + reach * norm(s->omega);
-    step = smaller(step, larger(v->nearest / larger(fastest + quickest, all(TINY)), m->impact_step));
-    V stiff = larger(v->contact_rate / all(CONTACT_SHARE), v->slip_rate / all(SLIP_SHARE));
-    stiff = larger(stiff, v->friction_rate / all(FRICTION_SHARE));
-    step = smaller(step, larger(one / larger(stiff, one), shortest));
+    V stiff = larger(v->contact_rate * all(1 / CONTACT_SHARE), v->slip_rate * all(1 / SLIP_SHARE));
+    stiff = larger(larger(stiff, v->friction_rate * all(1 / FRICTION_SHARE)), one);
+    const V haste = larger(fastest + quickest, all(TINY)), both = one / (haste * stiff);
+    step = smaller(step, larger(v->nearest * (stiff * both), m->impact_step));
+    step = smaller(step, larger(haste * both, shortest));
     const V left = m->until - k->time;
     const M finished = left <= all(1e-12), flies = k->status == zero;
     const M halted = finished | (phase != k->phase) | (k->status != zero);
@@ -566,7 +568,7 @@ static D3 solve3(double a[3][3], D3 b)
     return mul3(sum, 1 / det);
 }
 
-typedef struct { double mass, inertia[9], arm[ARMS][ROWS(Arm)]; } Plain; /* the head of Model */
+typedef struct { double mass, inverse_mass, inertia[9], arm[ARMS][ROWS(Arm)]; } Plain; /* the head of Model */
 typedef struct { D3 position; double q[4]; D3 velocity, omega; double length[ARMS], rate[ARMS]; } Plainly;
 typedef struct { D3 first, drift; double second[3][3]; } Spread;
 enum { COSINE, SINE, MASS, INVERSE, STIFFNESS, DAMPING, LENGTH, SHORTEST_, STOP, STOP_D, COMPLIANCE };
@@ -675,7 +677,7 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
                 ((V *)&total)[i] += weight[stage] * ((V *)&rate)[i];
         }
         Motion next;
-        const V h = k->step / 6.0;
+        const V h = k->step * (1.0 / 6.0);
         V size = all(0);
         for (int i = 0; i < ROWS(Motion); i++) {
             const V y = ((V *)x)[i] + h * ((V *)&total)[i];
@@ -683,7 +685,8 @@ static void fly_group(const Model *m, Motion *x, Record *k, long budget)
             size += y * y;
         }
         State *s = &next.state;
-        const V scale = all(1) / root(s->qw * s->qw + s->qx * s->qx + s->qy * s->qy + s->qz * s->qz);
+        const V e = all(1) - (s->qw * s->qw + s->qx * s->qx + s->qy * s->qy + s->qz * s->qz);
+        const V scale = all(1) + e * (all(0.5) + all(0.375) * e);
         s->qw *= scale;
         s->qx *= scale;
         s->qy *= scale;

@@ -67,7 +67,7 @@ def one_arm(
         rate_tolerance=1e-3, dwell=0.02, hybrid=1.0,
     )  # fmt: skip
     return Model(
-        airframe=Airframe(mass, inertia, (free_arm,), ()),
+        airframe=Airframe(mass, 1.0 / mass, inertia, (free_arm,), ()),
         world=World((Obstacle(shape, material, 0.0),), Forces(0.0), 0.0),
         contact_point=ArmTip(0.0) if contact_point is None else contact_point,
         guide=Slider(Vec(1.0, 0.0, 0.0)) if guide is None else guide,

@@ -147,7 +147,8 @@ def airframe_of(craft: Craft) -> Airframe:
     )
     inertia = Mat3(*(vec(row) for row in craft.inertia))
     hull = () if craft.hull is None else (Sphere(vec(craft.hull.centre), craft.hull.radius),)
-    return Airframe(mass=float(craft.mass), inertia=inertia, arms=arms, hull=hull)
+    mass = float(craft.mass)
+    return Airframe(mass=mass, inverse_mass=1.0 / mass, inertia=inertia, arms=arms, hull=hull)
 
 
 def world_of(scene: Scene) -> World:

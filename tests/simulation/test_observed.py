@@ -8,7 +8,7 @@ import pytest
 
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Motion
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Quat, Vec
 from springback.scenario.model import flight_model, start_state
 from springback.scenario.scenario import scenario_from
 from springback.simulation import record as rules
@@ -59,12 +59,13 @@ def bodied(view: View, **changes: Any) -> View:
     return view._replace(hull=(view.hull[0]._replace(**changes),))
 
 
-TOUCHES: dict[str, Any] = {"engaged": (1.0,), "inward": Vec(1.0, 0.0, 0.0), "gap": -1e-4}
+TOUCHES: dict[str, Any] = {"engaged": (1.0,), "gap": -1e-4}
 EITHER = pytest.mark.parametrize("part", [armed, bodied], ids=["cage", "hull"])
 
 
 def with_(part: Any, view: View, **changes: Any) -> View:
-    """A view in which a cage, or the hull, is otherwise."""
+    """A view in which a cage, or the hull, is otherwise; what it touches lies along x."""
+    view = view._replace(touched=Vec(1.0 if "engaged" in changes else 0.0, 0.0, 0.0))
     return armed(view, 2, **changes) if part is armed else bodied(view, **changes)
 
 
@@ -271,3 +272,21 @@ def test_the_return_is_where_the_first_touch_was() -> None:
     assert coming.step == pytest.approx(0.5e-4, rel=1e-9)
     there = observed(model, Motion(out, motion.work), view, hit)
     assert (there.return_time, there.return_speed) == (0.01, -2.0)
+
+
+def test_a_view_sums_the_normals_of_what_touches() -> None:
+    """Of a robot lowered onto the ground those of its cages, or of its body; far from it, of none."""
+    scenario = scenario_from(
+        {"vehicle": "arq", "world": {"obstacles": [{"type": "ground", "surface": "mat"}]}}
+    )
+    model = flight_model(scenario)
+    state = start_state(scenario.start, scenario.vehicle)
+    on_its_belly = state._replace(position=Vec(0.0, 0.0, 0.0599))
+    on_a_cage = state._replace(attitude=Quat(0.8, 0.0, 0.6, 0.0), position=Vec(0.0, 0.0, 0.1))
+    for placed in (on_its_belly, on_a_cage):
+        seen = rates_of(model, placed, FREE_FLIGHT).seen
+        touching = [part.engaged[0] for part in (*seen.arms, *seen.hull)]
+        assert sum(touching) > 0.0
+        assert seen.touched == pytest.approx((0.0, 0.0, -sum(touching)), abs=1e-12)
+    assert [h.engaged for h in rates_of(model, on_its_belly, FREE_FLIGHT).seen.hull] == [(1.0,)]
+    assert rates_of(model, state, FREE_FLIGHT).seen.touched == pytest.approx((0.0, 0.0, 0.0))

@@ -85,6 +85,25 @@ def contact_stiffness(
     return ContactStiffness(stiffness, damper, stiffness * sliding, damper * sliding)
 
 
+class InverseInertia(NamedTuple):
+    """How easily a vehicle turns."""
+
+    about_z: float  # 1/J_zz [1/(kg m²)]
+    across: float  # 1/(J_xx J_yy − J_xy²) [1/(kg m²)²]
+    largest: float  # at least 1/J_xx, 1/J_yy and 1/J_zz [1/(kg m²)]
+
+
+@kernel
+def inverse_inertia(inertia: Mat3) -> InverseInertia:
+    """Of J about the main body, body axes [kg m²], which is symmetric; by one division."""
+    j = inertia
+    determinant = j.x.x * j.y.y - j.x.y * j.x.y
+    both = 1.0 / (j.z.z * determinant)
+    about_z, across = determinant * both, j.z.z * both
+    upright = across * (j.x.x if j.x.x > j.y.y else j.y.y)
+    return InverseInertia(about_z, across, upright if upright > about_z else about_z)
+
+
 class Stiffness(NamedTuple):
     """A spring and a damper per mass: ω² and 2 ζ ω."""
 
@@ -94,21 +113,22 @@ class Stiffness(NamedTuple):
 
 @kernel
 def contact_rate(
-    press: ContactStiffness, slides: tuple[Stiffness, ...], mass: float, inertia: Mat3, reach: float
+    press: ContactStiffness,
+    slides: tuple[Stiffness, ...],
+    inverse_mass: float,
+    inverse: InverseInertia,
+    reach: float,
 ) -> float:
     """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
 
     Args:
         press: Sum over all contacts.
         slides: Of every arm, what acts along its slide.
-        mass: m [kg].
-        inertia: J about the main body, body axes [kg m²].
+        inverse_mass: 1/m [1/kg].
+        inverse: Of the inertia about the main body.
         reach: No contact is farther from the main body [m].
     """
-    j = inertia
-    upright = j.x.x if j.x.x < j.y.y else j.y.y
-    per_inertia = 1.0 / (upright if upright < j.z.z else j.z.z)
-    as_one_body = 1.0 / mass + reach * reach * per_inertia
+    as_one_body = inverse_mass + reach * reach * inverse.largest
     spring = press.stiffness * as_one_body + maximum(field_of(slides, "spring"))
     damper = press.damper * as_one_body + maximum(field_of(slides, "damper"))
     return math.sqrt(spring) + damper
@@ -122,10 +142,9 @@ class ArmFrictionDamping(NamedTuple):
 
 
 @kernel
-def _tumbling(grip: FrictionDamping, j: Mat3) -> float:
+def _tumbling(grip: FrictionDamping, j: Mat3, per: float) -> float:
     """The larger eigenvalue of J⁻¹ K of the turns about x and y [1/s]."""
     x, y, both = grip.about_x, grip.about_y, grip.about_both
-    per = 1.0 / (j.x.x * j.y.y - j.x.y * j.x.y)
     half = 0.5 * per * (j.y.y * x + j.x.x * y + 2.0 * j.x.y * both)
     left = half * half - per * (x * y - both * both)
     return half + math.sqrt(left if left > 0.0 else 0.0)
@@ -136,8 +155,9 @@ def friction_rate_bound(
     grip: FrictionDamping,
     whole: tuple[float, ...],
     lean: tuple[float, ...],
-    mass: float,
+    inverse_mass: float,
     inertia: Mat3,
+    inverse: InverseInertia,
 ) -> float:
     """A bound on λ [1/s], exact to a few per cent where a vehicle meets a wall upright.
 
@@ -145,13 +165,13 @@ def friction_rate_bound(
         grip: Sum over all contacts.
         whole: Of every arm, see `ArmFrictionDamping`.
         lean: Likewise.
-        mass: m [kg].
+        inverse_mass: 1/m [1/kg].
         inertia: J about the main body, body axes [kg m²].
+        inverse: Of that inertia.
     """
-    j, per_mass = inertia, 1.0 / mass
-    per_turn = 1.0 / j.z.z
+    per_mass, per_turn = inverse_mass, inverse.about_z
     in_plane = grip.damper * per_mass + grip.about_z * per_turn + maximum(whole)
     lean_part = grip.lean * per_mass + grip.lean_about_z * per_turn + maximum(lean)
-    across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, j)
+    across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, inertia, inverse.across)
     half = 0.5 * (in_plane - across)
     return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)

@@ -25,11 +25,9 @@ class Crossing(NamedTuple):
 @kernel
 def crossing(value: float, rate: float) -> Crossing:
     """The crossing of a value that changes at a rate; none where it recedes, or is there."""
-    ahead = (value * rate < 0.0) & (value * value > LANDED * LANDED)
-    distance = value if value > 0.0 else -value
-    return Crossing(
-        distance if ahead else NO_CROSSING, (rate if rate > 0.0 else -rate) if ahead else 1.0
-    )
+    distance = abs(value)
+    ahead = (value * rate < 0.0) & (distance > LANDED)
+    return Crossing(distance if ahead else NO_CROSSING, abs(rate) if ahead else 1.0)
 
 
 @kernel

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.contact.cage import CageContact
+from springback.contact.friction_rate import InverseInertia
 from springback.contact.hull import hull_meeting
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, soonest
@@ -13,10 +14,10 @@ from springback.dynamics.touches import (
     Rub,
     contact_of,
     crossing_of,
-    nearest_normal,
     rub_of,
     slip_rate,
     strikes,
+    touched_normal,
     touching,
 )
 from springback.kernels.compiler import kernel
@@ -35,7 +36,6 @@ class HullView(NamedTuple):
     crossing: Crossing  # the next of a gap through zero
     engaged: tuple[float, ...]  # 1 while the hull touches, obstacle by obstacle
     impulsive: float  # 1 where it closes in on a surface of the impulse law
-    inward: Vec  # normal of the most deeply touched obstacle, world
 
 
 class HullState(NamedTuple):
@@ -43,6 +43,7 @@ class HullState(NamedTuple):
 
     contact: Contact
     seen: HullView
+    touched: Vec  # normal into what it touches, body; zero where it touches nothing
     damper: float  # that its friction amounts to [N s/m]
     farthest: float  # its point of contact is no farther from the main body [m²]
     rubs: tuple[Rub, ...]  # obstacle by obstacle
@@ -72,19 +73,20 @@ def hull_state(
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     met = tree_map(hull_meeting, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
+    engaged_now = tree_map(touching, (met,), ())
     view = HullView(
         gap=gap,
         depth=positive_part(-gap),
         normal=touch.normal,
         friction=r @ touch.friction,
         crossing=soonest(tree_map(crossing_of, (met,), ())),
-        engaged=tree_map(touching, (met,), ()),
+        engaged=engaged_now,
         impulsive=maximum(tree_map(strikes, (met,), ())),
-        inward=r @ tree_sum(tree_map(nearest_normal, (met,), (gap,))),
     )
     farthest = maximum(tree_map(_square_distance, (met,), ()))
     rubs = tree_map(rub_of, (met,), ())
-    return HullState(contact_of(touch), view, touch.grip.damper, farthest, rubs)
+    touched = touched_normal(met, gap, engaged_now)
+    return HullState(contact_of(touch), view, touched, touch.grip.damper, farthest, rubs)
 
 
 @kernel
@@ -93,7 +95,7 @@ def _square_distance(met: CageContact) -> float:
 
 
 @kernel
-def hastened(rate: float, hull: HullState, mass: float, inertia: Mat3) -> float:
+def hastened(rate: float, hull: HullState, mass: float, inverse: InverseInertia) -> float:
     """How fast friction brings parts to rest, at most, with the hull's beside the cages' [1/s].
 
     The largest eigenvalue of a sum is at most the sum of theirs, and the hull's is at most
@@ -103,11 +105,9 @@ def hastened(rate: float, hull: HullState, mass: float, inertia: Mat3) -> float:
         rate: Without the hull [1/s].
         hull: At this instant.
         mass: That does not slide on arms [kg].
-        inertia: J about the main body, body axes [kg m²].
+        inverse: Of the inertia about the main body.
     """
-    upright = inertia.x.x if inertia.x.x < inertia.y.y else inertia.y.y
-    least_inertia = upright if upright < inertia.z.z else inertia.z.z
-    return rate + hull.damper * (1.0 / mass + hull.farthest / least_inertia)
+    return rate + hull.damper * (1.0 / mass + hull.farthest * inverse.largest)
 
 
 @kernel

@@ -34,6 +34,7 @@ from springback.contact.friction_rate import (
     Stiffness,
     contact_rate,
     friction_rate_bound,
+    inverse_inertia,
 )
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.air import aerodynamics
@@ -52,10 +53,10 @@ from springback.dynamics.touches import (
     Rub,
     contact_of,
     crossing_of,
-    nearest_normal,
     rub_of,
     slip_rate,
     strikes,
+    touched_normal,
     touching,
 )
 from springback.kernels.compiler import kernel
@@ -120,7 +121,6 @@ class ArmView(NamedTuple):
     impulsive: float  # 1 where it closes in on a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     stopped: float  # 1 while an end stop is pressed
-    inward: Vec  # normal of the most deeply touched obstacle, world
 
 
 class View(NamedTuple):
@@ -130,6 +130,7 @@ class View(NamedTuple):
     specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z): what an accelerometer at the main body feels [m/s²]
     mass_centre_velocity: Vec  # world [m/s]
     contact_force: Vec  # sum over cages, world [N]
+    touched: Vec  # normals into what touches, summed over cages and hull, world
     arms: tuple[ArmView, ...]
     hull: tuple[HullView, ...]  # of the main body; empty without
     on_ground: float  # number of grounds touched
@@ -175,6 +176,7 @@ class ArmState(NamedTuple):
     share: ArmShare
     pull: ArmPull
     seen: ArmView
+    touched: Vec  # normal into what it touches, body; zero where it touches nothing
     grip: ArmFrictionDamping
     slide: Stiffness  # of what acts along the slide
     rubs: tuple[Rub, ...]  # obstacle by obstacle
@@ -268,7 +270,7 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    inward = tree_sum(tree_map(nearest_normal, (met,), (gap,)))
+    engaged_now = tree_map(touching, (met,), ())
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -277,16 +279,16 @@ def arm_state(
         compression=arm.length - length,
         unbalance=0.0,
         crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
-        engaged=tree_map(touching, (met,), ()),
+        engaged=engaged_now,
         impulsive=maximum(tree_map(strikes, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
-        inward=r @ inward,
     )
     grip = ArmFrictionDamping(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
     return ArmState(
-        share, ArmPull(h * per_mass, u), view, grip, slide, tree_map(rub_of, (met,), ())
-    )
+        share, ArmPull(h * per_mass, u), view, touched_normal(met, gap, engaged_now), grip, slide,
+        tree_map(rub_of, (met,), ()),
+    )  # fmt: skip
 
 
 @kernel
@@ -300,7 +302,7 @@ def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
     away = arm.mass * sliding + arm.damping * rate
     return ArmView(
         view.gap, view.depth, view.normal, view.friction, view.compression, away, view.crossing,
-        view.engaged, view.impulsive, view.bottomed, view.stopped, view.inward,
+        view.engaged, view.impulsive, view.bottomed, view.stopped,
     )  # fmt: skip
 
 
@@ -418,7 +420,10 @@ def rates_while(
         contact.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
     )
     moment = contact.moment + a.rotor_moment - spin_rate
-    system = System(airframe.mass, a.sliding, a.carried, inertia, force + blown.force, moment)
+    system = System(
+        airframe.mass, airframe.inverse_mass, a.sliding, a.carried, inertia, force + blown.force,
+        moment,
+    )  # fmt: skip
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
@@ -443,16 +448,18 @@ def rates_while(
         blown.loss,
         push,
     )
-    mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * (1.0 / airframe.mass))
+    mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * airframe.inverse_mass)
     views = tree_map(
         _balanced, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
     )
     on_arms = field_of(arms, "grip")
+    inverse = inverse_inertia(inertia)
     friction_rate = friction_rate_bound(
-        a.grip, field_of(on_arms, "whole"), field_of(on_arms, "lean"), airframe.mass, inertia
-    )
+        a.grip, field_of(on_arms, "whole"), field_of(on_arms, "lean"), airframe.inverse_mass,
+        inertia, inverse,
+    )  # fmt: skip
     stays = airframe.mass - a.sliding.x - a.sliding.y
-    friction_rate = fold(hastened, friction_rate, hull, (stays, inertia))
+    friction_rate = fold(hastened, friction_rate, hull, (stays, inverse))
     # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical
@@ -467,12 +474,13 @@ def rates_while(
         solved.linear,
         mass_centre_velocity,
         push,
+        r @ tree_sum(field_of(arms, "touched") + field_of(hull, "touched")),
         views,
         field_of(hull, "seen"),
         contact.on_ground,
         friction_rate,
         contact_rate(
-            contact.press, field_of(arms, "slide"), airframe.mass, inertia, reach(airframe)
+            contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
         ),
         math.sqrt(maximum(cage_slips + hull_slips)),
     )

@@ -28,6 +28,7 @@ class OneBody(NamedTuple):
     """A vehicle with its arms locked, and the thrust that acts on it."""
 
     mass: float  # m [kg]
+    inverse_mass: float  # 1/m [1/kg]
     carried: Vec  # s = Σ m_j r_j [kg m]
     inertia: Mat3  # J about the main body's centre of mass, body axes [kg m²]
     thrust: float  # collective [N]
@@ -78,7 +79,9 @@ def as_one_body(
     """A vehicle with its arms locked at some lengths [m], under rotor thrusts [N]."""
     a = tree_sum(tree_map(_part, (airframe.arms, lengths, thrust), ()))
     inertia = airframe.inertia + arms_inertia(a.inertia)
-    return OneBody(airframe.mass, a.carried, inertia, a.thrust, a.rotor_moment)
+    return OneBody(
+        airframe.mass, airframe.inverse_mass, a.carried, inertia, a.thrust, a.rotor_moment
+    )
 
 
 @kernel
@@ -99,7 +102,7 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidSt
     force = Vec(0.0, 0.0, body.thrust) + blown.force - (omega ^ turning)
     moment = body.rotor_moment - (omega ^ (body.inertia @ omega))
     still = Vec(0.0, 0.0, 0.0)
-    system = System(body.mass, still, body.carried, body.inertia, force, moment)
+    system = System(body.mass, body.inverse_mass, still, body.carried, body.inertia, force, moment)
     solved = solve(guide, system, r, gravity)
     acceleration = r @ solved.linear - Vec(0.0, 0.0, gravity)
     power = body.thrust * velocity.z + body.rotor_moment @ omega
@@ -111,7 +114,7 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidSt
         power,
         blown.loss,
     )
-    return RigidRates(rate, solved.linear, x.velocity + r @ (turning * (1.0 / body.mass)))
+    return RigidRates(rate, solved.linear, x.velocity + r @ (turning * body.inverse_mass))
 
 
 class RigidStep(NamedTuple):
@@ -221,7 +224,7 @@ def _freely_in_still_air(
     What acts on nothing is summed up once, as the same Runge–Kutta formula has it.
     """
     omega, half, sixth = x.angular_velocity, 0.5 * h, h / 6.0
-    c, lift = body.carried * (1.0 / body.mass), body.thrust * (1.0 / body.mass)
+    c, lift = body.carried * body.inverse_mass, body.thrust * body.inverse_mass
     inertia = about_mass_centre(body)
     moment = body.rotor_moment - Vec(c.y * body.thrust, -c.x * body.thrust, 0.0)
     by = _Driven(inertia, inverse_symmetric(inertia), moment, body.thrust)
@@ -260,7 +263,7 @@ def _freely_in_still_air(
 def about_mass_centre(body: OneBody) -> Mat3:
     """Inertia about the centre of mass, body axes [kg m²] (Steiner)."""
     s, j = body.carried, body.inertia
-    n = 1.0 / body.mass
+    n = body.inverse_mass
     xx, yy, xy = n * s.x * s.x, n * s.y * s.y, n * s.x * s.y
     upper = Vec(j.x.x - yy, j.x.y + xy, j.x.z)
     return Mat3(upper, Vec(upper.y, j.y.y - xx, j.y.z), Vec(j.x.z, j.y.z, j.z.z - (xx + yy)))

@@ -30,7 +30,8 @@ class Accelerations(NamedTuple):
 class System(NamedTuple):
     """The six equations of the module docstring."""
 
-    mass: float
+    mass: float  # m [kg]
+    inverse_mass: float  # 1/m [1/kg]
     sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
     carried: Vec  # s, in the body plane
     inertia: Mat3  # J
@@ -48,11 +49,11 @@ class PlanarInverse(NamedTuple):
 
 
 @kernel
-def planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
+def planar_inverse(mass: float, inverse_mass: float, sliding: Vec) -> PlanarInverse:
     """Inverse of the mass matrix of translation, arms' own accelerations eliminated [1/kg]."""
     xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
     scale = 1.0 / (xx * yy - xy * xy)
-    return PlanarInverse(yy * scale, xx * scale, -xy * scale, 1.0 / mass)
+    return PlanarInverse(yy * scale, xx * scale, -xy * scale, inverse_mass)
 
 
 @kernel
@@ -71,7 +72,7 @@ def solve(guide: Any, system: System, r: Mat3, gravity: float) -> Accelerations:
 @kernel
 def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
-    n, s = planar_inverse(system.mass, system.sliding), system.carried
+    n, s = planar_inverse(system.mass, system.inverse_mass, system.sliding), system.carried
     alone = times(n, system.force)
     j = system.inertia
     sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y

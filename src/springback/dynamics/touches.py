@@ -13,6 +13,7 @@ from springback.contact.friction_rate import ContactStiffness
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
+from springback.kernels.trees import maximum, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
@@ -74,9 +75,20 @@ def strikes(met: CageContact) -> float:
 
 
 @kernel
-def nearest_normal(met: CageContact, nearest: float) -> Vec:
-    """The normal into the obstacle, if it is the nearest; else nothing."""
-    return met.inward * (1.0 if met.gap == nearest else 0.0)
+def _normal_of(met: CageContact, nearest: float, touches: float) -> Vec:
+    return met.inward * (touches if met.gap == nearest else 0.0)
+
+
+@kernel
+def touched_normal(met: tuple[CageContact, ...], nearest: float, engaged: tuple[float, ...]) -> Vec:
+    """The normal into the nearest obstacle, if the part touches anything; else zero.
+
+    Args:
+        met: The part against each obstacle.
+        nearest: The least of their gaps [m].
+        engaged: 1 where it touches, obstacle by obstacle.
+    """
+    return tree_sum(tree_map(_normal_of, (met,), (nearest, maximum(engaged))))
 
 
 @kernel

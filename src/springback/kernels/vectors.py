@@ -216,22 +216,26 @@ def norm(a: Vec) -> float:
 @kernel
 def rotation(q: Quat) -> Mat3:
     """Rotation matrix of a unit quaternion: columns are the body axes in the world."""
-    w, x, y, z = q.w, q.x, q.y, q.z
+    x, y, z = q.x + q.x, q.y + q.y, q.z + q.z  # doubling is exact
+    xx, yy, zz = q.x * x, q.y * y, q.z * z
+    xy, xz, yz = q.x * y, q.x * z, q.y * z
+    wx, wy, wz = q.w * x, q.w * y, q.w * z
     return Mat3(
-        Vec(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
-        Vec(2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
-        Vec(2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+        Vec(1.0 - (yy + zz), xy - wz, xz + wy),
+        Vec(xy + wz, 1.0 - (xx + zz), yz - wx),
+        Vec(xz - wy, yz + wx, 1.0 - (xx + yy)),
     )
 
 
 @kernel
 def quaternion_rate(q: Quat, omega: Vec) -> Quat:
     """q̇ = ½ q ⊗ (0, ω) for ω in body axes [rad/s]."""
+    x, y, z = 0.5 * omega.x, 0.5 * omega.y, 0.5 * omega.z
     return Quat(
-        0.5 * (-q.x * omega.x - q.y * omega.y - q.z * omega.z),
-        0.5 * (q.w * omega.x + q.y * omega.z - q.z * omega.y),
-        0.5 * (q.w * omega.y + q.z * omega.x - q.x * omega.z),
-        0.5 * (q.w * omega.z + q.x * omega.y - q.y * omega.x),
+        -q.x * x - q.y * y - q.z * z,
+        q.w * x + q.y * z - q.z * y,
+        q.w * y + q.z * x - q.x * z,
+        q.w * z + q.x * y - q.y * x,
     )
 
 

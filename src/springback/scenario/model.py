@@ -160,9 +160,8 @@ def true_airframe(
     if body is None:
         return airframe
     inertia = Mat3(*(Vec(*row) for row in body.inertia))
-    return Airframe(
-        body.mass + build(masses_of, vehicle).arms, inertia, airframe.arms, airframe.hull
-    )
+    mass = body.mass + build(masses_of, vehicle).arms
+    return Airframe(mass, 1.0 / mass, inertia, airframe.arms, airframe.hull)
 
 
 # -- the rest -------------------------------------------------------------------------------------

@@ -9,7 +9,6 @@ What lies where, and how flights change lanes, is told in `springback.simulation
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses, Obstacle, World
@@ -31,7 +30,7 @@ from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import axpy, axpy_strictly, select, square, tree_map
-from springback.kernels.vectors import Quat, Vec
+from springback.kernels.vectors import Vec, renormalised
 from springback.simulation.lanes import (
     CRUISES,
     LOOKS,
@@ -62,6 +61,7 @@ DIVERGED = 1e12
 # Classical Runge–Kutta, x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄): stage i is taken at x + REACH[i] h kᵢ₋₁.
 REACH = (0.0, 0.5, 0.5, 1.0)
 WEIGHT = (1.0, 2.0, 2.0, 1.0)
+SIXTH = 1.0 / 6.0
 
 
 @rare_kernel
@@ -156,8 +156,8 @@ def hull_touches(shape: TreeLayout, b: Buffer, w: int) -> bool:
 def _without_hull(model: Model) -> Model:
     a = model.airframe
     return Model(
-        Airframe(a.mass, a.inertia, a.arms, ()), model.world, model.contact_point, model.guide,
-        model.air, model.thrust, model.timing,
+        Airframe(a.mass, a.inverse_mass, a.inertia, a.arms, ()), model.world, model.contact_point,
+        model.guide, model.air, model.thrust, model.timing,
     )  # fmt: skip
 
 
@@ -228,14 +228,14 @@ def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ..
     none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
     pressed = arm.length - length
     return ArmView(
-        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0, none
+        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0
     )
 
 
 @kernel
 def _far_hull(hull: Sphere, room: float, obstacles: tuple[Obstacle, ...]) -> HullView:
     none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
-    return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0, none)
+    return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0)
 
 
 @kernel
@@ -250,7 +250,7 @@ def cruise_view(
     arms = tree_map(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
     hull = tree_map(_far_hull, (airframe.hull,), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
-    return View(a, known.specific_force, centre, none, arms, hull, 0.0, 0.0, 0.0, 0.0)
+    return View(a, known.specific_force, centre, none, none, arms, hull, 0.0, 0.0, 0.0, 0.0)
 
 
 @guard
@@ -260,12 +260,10 @@ def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     h = b[at.step * w + i]
     old = read(shape.motion, b, at.motion, w, i)
     rate = read(shape.motion, b, at.total, w, i)
-    new = axpy_strictly(old, rate, h / 6.0)
-    good = square(new) < DIVERGED
-    q = new.state.attitude
-    scale = 1.0 / math.sqrt(square(q))
-    turned = Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
+    new = axpy_strictly(old, rate, SIXTH * h)
+    good = square(new.state) < DIVERGED
     s = new.state
+    turned = renormalised(s.attitude)
     state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
     # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
     write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)

@@ -84,9 +84,9 @@ def shape_of(model: Model, state: State) -> Shape:
     arms, obstacles = len(model.airframe.arms), len(model.world.obstacles)
     hulls, apart = len(model.airframe.hull), (0.0,) * obstacles
     none = Crossing(0.0, 0.0)
-    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0, zero)
-    hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0, zero)
-    view = View(zero, zero, zero, zero, (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0)
+    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0)
+    hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0)
+    view = View(zero, zero, zero, zero, zero, (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0)
     return Shape(model, Motion(state, still_work()), view, blank_record(arms, obstacles, hulls))
 
 

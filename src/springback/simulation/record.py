@@ -11,11 +11,10 @@ from typing import Any, NamedTuple
 from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
-from springback.dynamics.hull import HullView
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, maximum, minimum, select, tree_map, tree_sum
+from springback.kernels.trees import field_of, maximum, minimum, select, tree_map
 from springback.kernels.vectors import Vec, norm
 from springback.simulation.peaks import NOTHING_YET, PeakSample, Recent, peak_of, spacing
 from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
@@ -35,6 +34,8 @@ CONTACT_SHARE = 0.35
 #: ... and of that in which a slip changes, as it does when friction turns round (both chosen:
 #: studies/families.py).
 SLIP_SHARE = 0.25
+PER_FRICTION_SHARE, PER_CONTACT_SHARE = 1.0 / FRICTION_SHARE, 1.0 / CONTACT_SHARE
+PER_SLIP_SHARE = 1.0 / SLIP_SHARE
 #: Steps shorter than this share of the impact step are not taken to land on a crossing.
 SHORTEST = 1e-3
 #: A flight is at its end within this time [s].
@@ -162,11 +163,6 @@ def _extension(arm: ArmView) -> float:
 
 
 @kernel
-def _touched_normal(part: ArmView | HullView, touching: float) -> Vec:
-    return part.inward * touching
-
-
-@kernel
 def _change(now: float, before: float) -> float:
     return (now - before) * (now - before)
 
@@ -187,9 +183,8 @@ def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
 
     That is its free length only while the vehicle does not turn.
     """
-    most = arm.stiffness * timing.arm_tolerance
-    away = view.unbalance * view.unbalance > most * most
-    moving = rate * rate > timing.rate_tolerance * timing.rate_tolerance
+    away = abs(view.unbalance) > arm.stiffness * timing.arm_tolerance
+    moving = abs(rate) > timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
 
 
@@ -285,7 +280,7 @@ def is_quiet(
 @kernel
 def _grown(counts: bool, value: float, so_far: float) -> float:
     """The largest value so far, where this one counts."""
-    return select(counts & (value > so_far), value, so_far)
+    return select(counts, larger(value, so_far), so_far)
 
 
 class Sight(NamedTuple):
@@ -322,12 +317,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     # The first touch fixes the direction along which speeds are measured.
     never_touched = m.contacts == 0.0
     first = began & never_touched
-    met = tree_sum(
-        tree_map(_touched_normal, (view.arms, arm_touching), ())
-        + tree_map(_touched_normal, (view.hull, hull_touching), ())
-    )
-    length = norm(met)
-    inward = select(first, met * (1.0 / select(length > 0.0, length, 1.0)), m.inward)
+    length = norm(view.touched)
+    inward = select(first, view.touched * (1.0 / select(length > 0.0, length, 1.0)), m.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
     centre_speed = inward @ view.mass_centre_velocity
     touch_depth = select(first, depth, m.touch_depth)
@@ -374,10 +365,11 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
     haste = larger(fastest_cage(model.airframe, state), TINY)
-    step = smaller(step, larger(near / haste, timing.impact_step))
-    stiff = larger(view.contact_rate / CONTACT_SHARE, view.slip_rate / SLIP_SHARE)
-    stiff = larger(stiff, view.friction_rate / FRICTION_SHARE)
-    step = smaller(step, larger(1.0 / larger(stiff, 1.0), SHORTEST * timing.impact_step))
+    stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
+    stiff = larger(larger(stiff, view.friction_rate * PER_FRICTION_SHARE), 1.0)
+    both = 1.0 / (haste * stiff)  # one division for two
+    step = smaller(step, larger(near * (stiff * both), timing.impact_step))
+    step = smaller(step, larger(haste * both, SHORTEST * timing.impact_step))
     left = timing.until - m.time
     finished = left <= ARRIVED
     changed = (phase != m.phase) | strike
@@ -459,6 +451,8 @@ def observed(model: Model, motion: Motion, view: View, m: Record) -> Record:
         bottomed_time=select(bottomed & (m.bottomed_time < 0.0), m.time, m.bottomed_time),
         ground_time=select((view.on_ground > 0.0) & (m.ground_time < 0.0), m.time, m.ground_time),
         recent=select(
-            m.status == FLYING, Recent(select(smooth, m.step, 0.0), latest, now), m.recent
+            m.status == FLYING,
+            Recent(select(smooth, m.step, 0.0), latest, now),
+            m.recent,
         ),
     )

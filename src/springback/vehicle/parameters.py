@@ -304,7 +304,8 @@ class Vehicle(Settings):
             )
         i, given = self.body.inertia, self.hull
         hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
-        return Airframe(self.mass, Mat3(*(Vec(*row) for row in i)), tuple(built), hull)
+        inertia = Mat3(*(Vec(*row) for row in i))
+        return Airframe(self.mass, 1.0 / self.mass, inertia, tuple(built), hull)
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""

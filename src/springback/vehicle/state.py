@@ -46,6 +46,7 @@ class Airframe(NamedTuple):
     """Constants of a vehicle for the equations of motion."""
 
     mass: float  # m, everything [kg]
+    inverse_mass: float  # 1/m [1/kg]
     inertia: Mat3  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
     hull: tuple[Sphere, ...]  # of the main body; none: it touches nothing
