@@ -8,7 +8,7 @@ package keeps them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any
 from urllib.parse import quote
 
 from pydantic import ValidationError
@@ -33,7 +33,7 @@ When = Mapping[str, tuple[str, ...]]
 #: Letters of all settings together that are looked at at all (chosen).
 LONGEST_QUERY = 800
 
-WAYS: tuple[str, ...] = get_args(Answering.model_fields["way"].annotation)
+WAYS = fields_of(Answering)["way"].words
 
 
 _WALL, _MAT = SURFACES["wall"], SURFACES["mat"]
