@@ -54,8 +54,9 @@ def map_command(
 ) -> None:
     """Map how often robots recover from a collision, over two parameters.
 
-    speed and pitch are those at contact; any other parameter is the dotted path of a number in the
-    scenario. By default speed from 1 to 5 m/s over pitch from -60 to 60 deg, positive nose down.
+    speed and pitch are those at contact; any other parameter is a number that a campaign can vary:
+    the dotted path of a number in the scenario, friction, "wall angle". By default speed from 1 to
+    5 m/s over pitch from -60 to 60 deg, positive nose down.
 
     \b
     springback map --out map
