@@ -31,7 +31,7 @@ attack:
 	@tools/environment dev
 	cd tests && ../$(BIN)/python -m attack $(ATTACK)
 
-# Inputs as strangers write them, some 10^5 in an hour; a seed is printed with what is found.
+# Untrusted inputs, some 10^5 an hour; every finding is printed with its seed.
 CASES ?= 100000
 SEED ?= 1
 fuzz:

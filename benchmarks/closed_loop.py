@@ -102,7 +102,7 @@ def _driving(
 
 
 def parts(job: Job) -> dict[str, Callable[[], None]]:
-    """Parts of the loop by themselves, over all ticks, at a state that stands still."""
+    """Parts of the loop by themselves, over all ticks, at a constant state."""
     noise, shape = noise_stream(job), shape_of(job.model, job.start)
     timing = job.model.timing._replace(until=job.avionics.systems.period)
     short = job._replace(model=job.model._replace(timing=timing), ticks=1)

@@ -167,7 +167,7 @@ def _plan(folder: Path, flights: int) -> Any:
 
 def _tables(flights: int) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
-        return list(_plan(Path(folder), flights).dealt(0, flights).tables)
+        return list(_plan(Path(folder), flights).slice(0, flights).tables)
 
 
 def campaign(flights: int, workers: int) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """How time and memory grow: ``python -m benchmarks.growth``.
 
-Run-ups, impacts and recoveries of ARQ, many abreast, with more flights, longer flights, more arms
+Run-ups, impacts and recoveries of ARQ, in batches, with more flights, longer flights, more arms
 and more obstacles, one thing at a time.  Every point is a fresh process, so that its memory is its
 own; what has to be compiled is compiled before, by others.  Points of a round follow one another in
 an order of their own, so that a change of the machine's mood meets all of them.
@@ -28,7 +28,7 @@ from springback.interfaces.figures.style import BLUE, INK, ORANGE, StyledFigure,
 
 #: The point from which one thing is varied: flights, duration [s], arms, obstacles.
 USUAL = {"flights": 256, "duration": 6.0, "arms": 4, "obstacles": 2}
-#: Values of each, and what stands beneath the panel.
+#: Values of each, and the label below the panel.
 GROWTH: dict[str, tuple[float, ...]] = {
     "flights": (1, 8, 64, 512, 4096),
     "duration": (1.0, 3.0, 6.0, 10.0, 20.0, 30.0),
@@ -58,7 +58,7 @@ class Point(NamedTuple):
 
 
 def points(growth: Mapping[str, Sequence[float]], usual: Mapping[str, Any] = USUAL) -> list[Point]:
-    """All measurements; the usual point stands in every panel that has its value."""
+    """All measurements; the usual point is in every panel that has its value."""
     return [
         Point(name, **{**usual, name: type(usual[name])(value)})
         for name, values in growth.items()
@@ -68,9 +68,9 @@ def points(growth: Mapping[str, Sequence[float]], usual: Mapping[str, Any] = USU
 
 def contender(point: Point, estimator: str) -> Contender:
     """The program that measures a point."""
-    told = {"estimator": estimator, "task": {**STEP, "duration": point.duration}}
-    told |= {"arms": point.arms, "obstacles": point.obstacles}
-    return Contender("growth", "collision", "springback_flights", "", (), told, "", "")
+    options = {"estimator": estimator, "task": {**STEP, "duration": point.duration}}
+    options |= {"arms": point.arms, "obstacles": point.obstacles}
+    return Contender("growth", "collision", "springback_flights", "", (), options, "", "")
 
 
 def measured(

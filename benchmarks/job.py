@@ -107,12 +107,12 @@ class Outcome(NamedTuple):
 
 
 class Lanes:
-    """Our executor with many flights abreast.
+    """Our executor with many flights in lanes.
 
     Args:
         model: Of all flights.
         states: One for each flight.
-        width: Flights abreast in a group.
+        width: Lanes of a group.
     """
 
     def __init__(self, model: Model, states: list[State], width: int) -> None:

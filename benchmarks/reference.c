@@ -5,7 +5,7 @@
  * every streaming measure, the choice of steps that land on crossings, the phases and the locking of
  * settled arms.  The equations are those of springback.dynamics.motion, in body axes.
  *
- * LANES flights go abreast in one vector of the compiler's vector extension; with LANES = 1 the same
+ * LANES flights share one vector of the compiler's vector extension; with LANES = 1 the same
  * source is the scalar variant.  Nothing branches inside a stage: selections go through masks.
  *
  *     gcc -O3 -march=native -fno-math-errno -shared -fPIC -DLANES=4 reference.c -lm

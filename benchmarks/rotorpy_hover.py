@@ -1,7 +1,7 @@
 """RotorPy's own loop, hovering the vehicle that is given: ``python -m benchmarks.rotorpy_hover``.
 
 It needs RotorPy and NumPy only, so that it also runs in an environment of its own, which
-`benchmarks.closed_loop` can be told of.  Reads the vehicle as JSON on standard input, writes the
+`benchmarks.closed_loop` can report.  Reads the vehicle as JSON on standard input, writes the
 seconds that each round took, and how far the robot strayed, as JSON on standard output.
 
 RotorPy (S. Folk, J. Paulos, V. Kumar, arXiv 2306.04485): rigid body, rotor lag and geometric

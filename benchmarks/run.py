@@ -86,7 +86,7 @@ def programs(folder: Path, say: Callable[[str], None]) -> dict[str, Callable[[],
 
     Args:
         folder: For compiled C.
-        say: Told of what is missing.
+        say: Called with what is missing.
     """
     model = reference_model(until=UNTIL)
     states = starts(model, FLIGHTS)

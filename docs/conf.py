@@ -1,4 +1,4 @@
-"""How the documentation is built: `build docs`."""
+"""Sphinx configuration; `make docs` builds the pages."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""ARQ flies into a vertical pole: an obstacle of one's own in thirty lines."""
+"""ARQ flies into a vertical pole: a user-defined obstacle in thirty lines."""
 
 import math
 from typing import NamedTuple

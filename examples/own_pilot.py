@@ -1,4 +1,4 @@
-"""A pilot of one's own in plain Python: it hovers with motion capture and a gyroscope.
+"""A user-defined pilot in plain Python: it hovers with motion capture and a gyroscope.
 
 springback fly steps.toml --pilot own_pilot.py:hover --out results
 springback check own_pilot.py:hover
@@ -17,9 +17,9 @@ GRAVITY, MASS, INERTIA = 9.81, VEHICLE.mass, VEHICLE.inertia()
 PLACE = np.array([0.0, 0.0, 1.0])  # where to hover [m]
 STIFFNESS, DAMPING = 5.0, 3.5  # of position [1/s², 1/s]
 LEANING, TURNING = 6.5, 25.0  # of attitude and of rates [1/s]
-SMOOTHING = 0.2  # share of a new velocity that is believed
+SMOOTHING = 0.2  # weight of a new velocity
 
-#: What one newton of each rotor does: thrust, roll, pitch and yaw moment.
+#: Thrust, roll, pitch and yaw moment for one newton of each rotor.
 EFFECTS = np.array([
     [1.0, arm.sine * arm.length, -arm.cosine * arm.length, arm.torque_ratio]
     for arm in VEHICLE.airframe().arms
@@ -27,15 +27,15 @@ EFFECTS = np.array([
 
 
 class Memory(NamedTuple):
-    """What the pilot remembers between ticks."""
+    """State of the pilot between ticks."""
 
-    seen: float  # when motion capture last spoke [s]
+    seen: float  # time of the last pose [s]
     position: np.ndarray  # there and then [m]
     velocity: np.ndarray  # smoothed [m/s]
 
 
 def hover(time: float, measurement: Measurement, memory: Memory | None):
-    """Thrust of each rotor [N], and what to remember; memory is None at first."""
+    """Thrust of each rotor [N], and the new memory; memory is None at first."""
     pose, position = measurement.pose, np.array(measurement.pose.position)
     if memory is None:
         memory = Memory(time, position, np.zeros(3))

@@ -27,10 +27,10 @@ class Hover(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """What the pilot remembers between ticks."""
+    """State of the pilot between ticks."""
 
-    begun: float  # 0 until first asked
-    seen: float  # when motion capture last spoke [s]
+    begun: float  # 0 before the first tick
+    seen: float  # time of the last pose [s]
     position: Vec  # there and then [m]
     velocity: Vec  # smoothed [m/s]
 
@@ -65,7 +65,7 @@ def _(pilot: Hover, time: float, measurement: Measurement, memory: Memory) -> Pi
         6.5 * Vec(-wanted.y, wanted.x, -0.4 * yaw) - measurement.inertial.angular_velocity
     )
 
-    # Each rotor has a quarter of everything: front left, front right, rear right, rear left.
+    # Each rotor takes a quarter of each: front left, front right, rear right, rear left.
     thrust = 0.25 * (force @ Vec(axes.x.z, axes.y.z, axes.z.z))
     roll = 0.25 * p.inertia.x * turn.x / p.lever
     pitch = 0.25 * p.inertia.y * turn.y / p.lever

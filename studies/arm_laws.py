@@ -1,9 +1,9 @@
-"""Would a preload, free play or a damper of one direction explain ARQ's numbers on the slider?
+"""Test whether preload, free play or a one-sided damper explains ARQ's numbers on the slider.
 
     python studies/arm_laws.py
 
-Each is laid over readings B and D with one number, fitted to all eight numbers of ARQ in Table III.
-Prints the table that stands in studies/README.md.
+Each is added to readings B and D with one number, fitted to all eight numbers of ARQ in Table III.
+Prints the table in studies/README.md.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from springback.paper.arm_laws import BASES, VARIANTS, deviations, fitted
 
 
 def row(name: str, number: str, off: list[float]) -> str:
-    """A line of the table: deviations of the eight numbers, and how many are small."""
+    """A line of the table: deviations of the eight numbers, and counts of the small ones."""
     near = (sum(abs(one) <= share for one in off) for share in (0.05, 0.10))
     words = [name, number, *(f"{100 * one:+.0f} %" for one in off), *map(str, near)]
     return f"| {' | '.join(words)} |"

@@ -1,10 +1,10 @@
-"""What an impact beyond the accelerometer's range does to estimates, and for how long.
+"""Errors of the estimate after an impact beyond the accelerometer's range, and their duration.
 
     python studies/clipping.py [--out DIR]
 
 Quad flies into the paper's wall at 3.5 m/s with both estimators, with an accelerometer of 16 g and
 with one that no impact exceeds, and with a Kalman filter that trusts clipped readings and one that
-does not.  Writes ``clipping.csv`` and ``clipping.png``, and prints the table that stands in
+does not.  Writes ``clipping.csv`` and ``clipping.png``, and prints the table in
 studies/README.md.
 """
 

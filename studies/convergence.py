@@ -1,9 +1,9 @@
-"""How fine must steps be?  Impacts against step size, slip speed and the steps of the other phases.
+"""Convergence of impacts with step size, slip speed and the steps of the other phases.
 
     python studies/convergence.py [--out DIR] [--refresh]
 
-Writes ``convergence.csv``, ``influences.csv`` and ``convergence.png``, and prints the tables that
-stand in studies/README.md; ``--refresh`` puts them there.
+Writes ``convergence.csv``, ``influences.csv`` and ``convergence.png``, and prints the tables
+of studies/README.md; ``--refresh`` writes them there.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from springback.results.flight import fly
 
-#: The page with the tables, and what stands before and after them.
+#: The page with the tables, and the marks before and after them.
 PAGE = Path(__file__).with_name("README.md")
 BEGIN, END = "<!-- tables of convergence.py -->\n", "<!-- end of these tables -->\n"
 STEPS = (8e-4, 4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6)

@@ -1,10 +1,10 @@
-"""Does the energy ledger close, and are steps fine enough, for impacts that nobody picked?
+"""Energy ledger and step errors of random impacts.
 
     python studies/families.py [--preset N] [--moderate N] [--extreme N] [--out DIR]
 
 Random impacts on one wall, in three families: the preset robots and surfaces; moderate arms and
 surfaces; extreme ones, with every law of force.  Each flies at the default steps and at an eighth
-of them.  Writes ``families.csv`` and prints the tables that stand in studies/README.md.
+of them.  Writes ``families.csv`` and prints the tables in studies/README.md.
 """
 
 from __future__ import annotations
@@ -187,7 +187,7 @@ def finer(draw: Draw) -> Draw:
 
 
 def _kind(draw: Draw) -> str:
-    """What flights abreast must have in common."""
+    """Properties that the flights of a batch must share."""
     m = draw.model
     surface = m.world.obstacles[0].surface
     return f"{type(m.contact_point).__name__} {type(surface.friction_axes).__name__}"

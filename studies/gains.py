@@ -1,13 +1,13 @@
-"""Which gains answer steps as Quad does in Table IV?  And how does ARQ answer by the same rule?
+"""Gains that match Quad's step responses in Table IV, and ARQ's responses by the same rule.
 
     python studies/gains.py [--out DIR]
 
 Every number is from whole flights with sensors and estimator.  Gains are fitted to Quad alone: four
-of them, three (one damping ratio for all axes), two (one stiffness, too), and two stiffnesses with
-a damping ratio out of the textbook.  Then ARQ flies by some rules for what becomes of Quad's gains
-on a heavier robot.  The paper prints no inner loop either,
-so the fit is made again with others.  Last, what the errors on circles depend on.  Writes
-``fits.csv``, ``rules.csv``, ``inner.csv`` and ``circles.csv``, and prints them as they stand in
+of them, three (one damping ratio for all axes), two (one stiffness as well), and two stiffnesses
+with a textbook damping ratio.  Then ARQ flies by several rules for scaling Quad's gains to a
+heavier robot.  The paper prints no inner loop either, so the fit is repeated with others.  Last,
+the dependence of the errors on circles.  Writes
+``fits.csv``, ``rules.csv``, ``inner.csv`` and ``circles.csv``, and prints them as in
 studies/README.md.
 """
 

@@ -61,7 +61,7 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Page]:
-    """All pages, built as `build docs` builds them."""
+    """All pages, built as `make docs` builds them."""
     out = tmp_path_factory.mktemp("docs")
     words = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(out / "kept")]
     done = subprocess.run(
@@ -257,7 +257,7 @@ def test_scatter_is_as_told() -> None:
     assert (s.position, s.velocity, round(math.degrees(s.heading), 9)) == (0.03, 0.05, 2.0)
     assert "| wall: distance, turn | 2 cm, 1° |" in text
     assert (s.wall_distance, round(math.degrees(s.wall_yaw), 9)) == (0.02, 1.0)
-    assert "| true over believed: mass, inertia | 2 %, 5 % (logarithms) |" in text
+    assert "| true over nominal: mass, inertia | 2 %, 5 % (logarithms) |" in text
     assert (s.mass, s.inertia, s.gains) == (0.02, 0.05, 0.05)
     assert len(s.drawn("arq", 0.0, 2.0, 0, 0).gains) == 5
 

@@ -15,3 +15,11 @@ def test_every_mutation_applies() -> None:
 def test_mutations_have_names_of_their_own() -> None:
     names = [mutation.name for mutation in mutations.MUTATIONS]
     assert len(set(names)) == len(names)
+
+
+def test_the_tests_beside_them_exist() -> None:
+    """A file that moved would be no test at all."""
+    tests = Path(__file__).parent
+    named = {name for mutation in mutations.MUTATIONS for name in mutation.tests[0].split()}
+    assert named
+    assert [name for name in named if not (tests / name).exists()] == []

@@ -89,7 +89,7 @@ def test_pip_alone_does_without_uv() -> None:
 
 
 def test_the_locked_files_say_the_same() -> None:
-    """`build lock` writes all of them; a version in one and another in the next is a slip."""
+    """`make lock` writes all of them; a version in one and another in the next is a slip."""
     versions: dict[str, set[str]] = {}
     for extra in ("all", "dev", "docs"):
         for line in (ROOT / f"tools/locked/{extra}.txt").read_text().splitlines():

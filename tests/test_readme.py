@@ -1,6 +1,6 @@
 """README from top to bottom, as a newcomer types it: in an empty folder, line by line, as written.
 
-Only what belongs into the checkout is left out: `build` and the installation itself.
+Only what belongs into the checkout is left out: `make` and the installation itself.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Write the tables and figures of README.md and docs/paper/choices.md from the experiments.
+"""Write the tables and figures of README.md and of docs/paper from the experiments.
 
 usage: python tools/readme.py [--choices FOLDER] [--only slider|flight|choices]
 
@@ -42,7 +42,8 @@ from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import DURATION
 
 README = Path(__file__).parents[1] / "README.md"
-PAGE = README.parent / "docs/paper/choices.md"
+PAGE = README.parent / "docs/paper/reproduction.md"
+CHOICES_PAGE = PAGE.with_name("choices.md")
 NAMES = {"arq": "ARQ", "quad": "Quad"}
 FIGURE = README.parent / "docs/figures/slider.png"
 BEGIN = "<!-- {name}: written by tools/readme.py -->\n"
@@ -113,6 +114,21 @@ def table(results: SliderResults) -> str:
         f"| Quad less ARQ, peak at 6 m/s [m/s²] | {found_gap(gaps)} | | | {' | '.join(shown)} |"
     )
     return "\n".join(lines) + "\n"
+
+
+def headline(table: str) -> str:
+    """The rows of both robots on the wall, with the readings B and D of ARQ, for README.md."""
+    lines = [
+        "| slider, wall, 1.85 m/s | printed | Quad | ARQ, B (default) | ARQ, D |",
+        "|---|---|---|---|---|",
+    ]
+    columns = [name.strip().removeprefix("ARQ: ") for name in table.split("\n")[0].split("|")[1:-1]]
+    shown = [columns.index(name) for name in ("", "printed", "Quad", "B", "D")]
+    for line in table.splitlines():
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if ", wall: " in cells[0]:
+            lines.append(f"| {' | '.join(cells[k] for k in shown)} |")
+    return "\n".join(lines).replace(", wall: ", ": ") + "\n"
 
 
 def found_gap(gaps: dict[str, Row]) -> str:
@@ -237,7 +253,7 @@ def read_choices(folder: Path) -> ChoiceResults:
 
 
 def with_table(text: str, name: str, table: str) -> str:
-    """README with what stands between a table's marks replaced."""
+    """A page with the text between a table's marks replaced."""
     begin, end = BEGIN.format(name=name), END.format(name=name)
     before, rest = text.split(begin)
     return before + begin + table + end + rest.split(end)[1]
@@ -249,24 +265,27 @@ def main() -> None:
     parser.add_argument("--choices", type=Path, help="a folder of `springback study choices`")
     parser.add_argument("--only", choices=("slider", "flight", "choices"), help="one part")
     asked = parser.parse_args()
-    text = README.read_text(encoding="utf-8")
+    text = PAGE.read_text(encoding="utf-8")
     if asked.only in (None, "slider"):
         results = slider_experiments()
-        text = with_table(text, "reproduction", table(results))
+        slider = table(results)
+        text = with_table(text, "reproduction", slider)
+        front = README.read_text(encoding="utf-8")
+        README.write_text(with_table(front, "headline", headline(slider)), encoding="utf-8")
         FIGURE.write_bytes(png(readme_figure(results)))
     if asked.only in (None, "flight"):
         text = with_table(text, "flight", flight_table(flight_experiments()))
     if asked.only in (None, "choices"):
         chosen = read_choices(asked.choices) if asked.choices else fly_choices()
         text = with_table(text, "resilience", resilience_table(chosen))
-        page = PAGE.read_text(encoding="utf-8")
+        page = CHOICES_PAGE.read_text(encoding="utf-8")
         page = with_table(page, "agreement", agreement_table(chosen))
         for friction in (VERTICAL, BOTH):
             for estimator in (OURS, EKF2):
                 name = f"{friction}, {estimator}"
                 page = with_table(page, name, fate_table(chosen, friction, estimator))
-        PAGE.write_text(page, encoding="utf-8")
-    README.write_text(text, encoding="utf-8")
+        CHOICES_PAGE.write_text(page, encoding="utf-8")
+    PAGE.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Who takes part, what each is told, and what could not be made the same."""
+"""The contenders, their options, and what could not be made equal."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Contender(NamedTuple):
     """Name of its recipe; ours where empty."""
     tries: tuple[Try, ...]
     """The fastest of them counts, and is found before the rounds."""
-    told: dict[str, Any]
+    options: dict[str, Any]
     rates: str
     """Of its loop."""
     differs: str
@@ -51,7 +51,7 @@ def _ours(threads: int) -> list[Contender]:
                     program="springback_flights",
                     environment="",
                     tries=_tries((512,), threads),
-                    told={"estimator": estimator, "task": STEP},
+                    options={"estimator": estimator, "task": STEP},
                     rates=sensing,
                     differs="sensors with delay and noise, an estimator, and contact looked for at "
                     "every step; its time includes checking tables, setting up and reading out",
@@ -61,7 +61,7 @@ def _ours(threads: int) -> list[Contender]:
 
 
 def _rotorpy(threads: int) -> list[Contender]:
-    told = {"vehicle": quad(), "task": STEP}
+    options = {"vehicle": quad(), "task": STEP}
     made = [
         Contender(
             name=f"RotorPy, one by one, {rate} Hz",
@@ -69,7 +69,7 @@ def _rotorpy(threads: int) -> list[Contender]:
             program="rotorpy_flights",
             environment="rotorpy",
             tries=((threads, flights),),
-            told={**told, "rate": rate},
+            options={**options, "rate": rate},
             rates=f"{rate} Hz all" + (", its default" if rate == 100 else ""),
             differs="mass, inertia, rotors and lag as ours; measures, but its controller takes the "
             "truth; no ground; double precision",
@@ -83,7 +83,7 @@ def _rotorpy(threads: int) -> list[Contender]:
             program="rotorpy_batches",
             environment="rotorpy",
             tries=_tries(flights, threads),
-            told={**told, "rate": 100, "integrator": integrator},
+            options={**options, "rate": 100, "integrator": integrator},
             rates="100 Hz all",
             differs="mass, inertia, rotors and lag as ours; inertial unit only, the controller "
             "takes the truth; no ground, collision check off; double precision (PyTorch)",
@@ -102,7 +102,7 @@ def _crazyflow(threads: int) -> list[Contender]:
             program="crazyflow_flights",
             environment="crazyflow",
             tries=_tries((64, 1024, 4096), threads),
-            told={"look": look, "task": STEP},
+            options={"look": look, "task": STEP},
             rates="dynamics and attitude 500 Hz, position 100 Hz, its defaults",
             differs="its own Crazyflie and gains, explicit Euler, no sensors, the controller takes "
             "the truth; contact has no effect beyond clipping at the floor; single precision",
@@ -119,7 +119,7 @@ def _pybullet(threads: int) -> list[Contender]:
             program="pybullet_flights",
             environment="gym-pybullet-drones",
             tries=((threads, 8 * threads),),
-            told={"rate": 48, "physics_rate": 240, "task": STEP},
+            options={"rate": 48, "physics_rate": 240, "task": STEP},
             rates="physics 240 Hz, control 48 Hz, those of its examples",
             differs="its own Crazyflie and gains, no rotor lag, no sensors; Bullet's contact with "
             "the ground",
@@ -140,7 +140,7 @@ def our_impact(name: str, step: float) -> Contender:
         program="springback_impacts",
         environment="",
         tries=tuple((1, n) for n in (256, 1024, 4096)),
-        told={"step": step},
+        options={"step": step},
         rates=f"impact step {1e3 * step:g} ms, free flight {1e3 * impacts.FREE_STEP:g} ms",
         differs="energy ledger and all measures included; arms locked in free flight",
     )
@@ -155,7 +155,7 @@ def their_impact(integrator: str, step: float) -> Contender:
         program="mujoco_impacts",
         environment="mujoco",
         tries=tries,
-        told={
+        options={
             "document": impacts.document(integrator, step, False),
             "rows": impacts.rows(impacts.hits(max(n for _, n in tries))),
             "thrust": impacts.thrust(),
@@ -170,11 +170,11 @@ def their_impact(integrator: str, step: float) -> Contender:
 def judging(integrator: str | None) -> Contender:
     """A program that judges its accuracy step by step: springback's, or MuJoCo's integrator."""
     if integrator is None:
-        told: dict[str, Any] = {"steps": impacts.OUR_STEPS, "limit": impacts.OUR_LIMIT}
-        told |= {"judge": True, "hits": impacts.JUDGED}
-        return our_impact("accuracy", impacts.DEFAULT_STEP)._replace(told=told, tries=())
+        options: dict[str, Any] = {"steps": impacts.OUR_STEPS, "limit": impacts.OUR_LIMIT}
+        options |= {"judge": True, "hits": impacts.JUDGED}
+        return our_impact("accuracy", impacts.DEFAULT_STEP)._replace(options=options, tries=())
     steps = impacts.THEIR_STEPS
-    told = {
+    options = {
         "judge": True,
         "rows": impacts.rows(impacts.hits(impacts.JUDGED)),
         "thrust": impacts.thrust(),
@@ -182,4 +182,4 @@ def judging(integrator: str | None) -> Contender:
         "limit": impacts.document(impacts.LIMITING, impacts.THEIR_LIMIT, True),
         "documents": [(step, impacts.document(integrator, step, True)) for step in steps],
     }
-    return their_impact(integrator, impacts.DEFAULT_STEP)._replace(told=told, tries=())
+    return their_impact(integrator, impacts.DEFAULT_STEP)._replace(options=options, tries=())

@@ -89,7 +89,7 @@ def made(recipe: Recipe, say: Callable[[str], None]) -> Environment:
 
     Args:
         recipe: What it holds.
-        say: Told before something takes long.
+        say: Called before something that takes long.
 
     Raises:
         Missing: If it cannot be installed; nothing half-made is left.

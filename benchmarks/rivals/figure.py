@@ -54,7 +54,7 @@ def _rounded(value: float) -> str:
 
 @styled
 def contest_figure(report: Mapping[str, Any]) -> Figure:
-    """Everybody's rate, springback in colour; the machine stands below.
+    """Rates of all, springback in colour; the machine is named below.
 
     Args:
         report: As summarised.

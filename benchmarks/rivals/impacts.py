@@ -24,11 +24,11 @@ TOLERANCE, JUDGED = 0.01, 32
 HORIZON = 0.15  # [s]
 FREE_STEP = 1e-3  # [s]
 DEFAULT_STEP = 1e-4  # [s]
-#: Tried, coarsest first, and the one that stands for the limit [s].
+#: Tried, coarsest first, and the one taken as the limit [s].
 OUR_STEPS, OUR_LIMIT = (1e-3, 5e-4, 2e-4, 1e-4), 1e-5
 THEIR_STEPS, THEIR_LIMIT = (1e-3, 5e-4, 3e-4, 2e-4, 1e-4, 5e-5, 2.5e-5, 2e-5, 1e-5), 1e-5
 INTEGRATORS = ("RK4", "implicitfast")
-LIMITING = "RK4"  # whose limit stands for both, as its errors are the smaller
+LIMITING = "RK4"  # whose limit is used for both, as its errors are the smaller
 #: MuJoCo's wall: stiffness and damping, and the impedance that grows with depth.  Fitted by least
 #: squares: over the judged hits, the median of theirs over ours is 1 for each of `METRICS`.
 WALL = 'solref="-20106 -91.12" solimp="0.3072 0.95 0.01224 0.5 1" priority="1"'

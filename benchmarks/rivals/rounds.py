@@ -30,7 +30,7 @@ Say = Callable[[str], None]
 
 
 class Failed(Exception):
-    """A program did not do what it was told, and why."""
+    """A program did not fly the task, and why."""
 
 
 class Settings(NamedTuple):
@@ -83,7 +83,7 @@ def run(
         Failed: If it fails or says nothing.
     """
     job = {"judge": False, "kind": contender.kind, "threads": threads, "tries": tries}
-    job |= contender.told
+    job |= contender.options
     try:
         with tempfile.TemporaryDirectory() as elsewhere:  # some leave logs where they run
             done = subprocess.run(
@@ -112,10 +112,10 @@ def flights_a_second(tried: dict[str, Any]) -> float:
 
 
 class Field:
-    """Whoever takes part, with their interpreters; who drops out says why."""
+    """The contenders with their interpreters, and the reasons of those left out."""
 
     def __init__(self, settings: Settings, say: Say) -> None:
-        """Nobody yet."""
+        """Start empty."""
         self.settings, self.say = settings, say
         self.skipped: dict[str, str] = {}
         self.environments: dict[str, Environment | None] = {}
@@ -123,7 +123,7 @@ class Field:
         self.accuracy: dict[str, Any] = {}
 
     def wanted(self, name: str) -> bool:
-        """Whether somebody is asked for."""
+        """True if a contender is selected."""
         only = self.settings.only
         return not only or any(part.lower() in name.lower() for part in only)
 

@@ -8,7 +8,7 @@ from springback.vehicle.library import VEHICLES
 
 
 def quad() -> dict[str, Any]:
-    """Quad as plain numbers: what RotorPy is told of it.  SI units, body axes."""
+    """Quad as plain numbers: as RotorPy gets it.  SI units, body axes."""
     vehicle = VEHICLES["quad"].vehicle
     arms, rotors = vehicle.airframe().arms, vehicle.propulsion
     if rotors is None:

@@ -1,8 +1,8 @@
-"""Docstrings as they are written here, read as reStructuredText.
+"""Convert this project's docstrings to reStructuredText.
 
-Fields of a NamedTuple are told by the comments beside them, indented lines are kept as they stand,
-and a name in single backticks is a link where it has a page and code where it has none; a name that
-does not exist is an error.
+Fields of a NamedTuple are documented by the comments beside them, indented lines are kept as they
+are, and a name in single backticks is a link where it has a page and code where it has none; a name
+that does not exist is an error.
 """
 
 import builtins
@@ -29,7 +29,7 @@ CODE = re.compile(r"(``.+?``|`.+?`)")
 
 @cache
 def comments(cls: type) -> dict[str, str]:
-    """What stands beside the fields of a class."""
+    """Comments beside the fields of a class."""
     source, _ = inspect.getsourcelines(cls)
     tokens = tokenize.generate_tokens(io.StringIO("".join(source)).readline)
     beside = {t.start[0]: t.string for t in tokens if t.type == tokenize.COMMENT}
@@ -160,7 +160,7 @@ def ending(domain: Any, count: int) -> dict[str, list[str]]:
 
 
 def also_at(target: str) -> list[str]:
-    """Where a public name really stands, and the settings that a field belongs to."""
+    """Full path of a public name, and of the settings that a field belongs to."""
     first, _, rest = target.removeprefix("springback.").partition(".")
     chapter = springback._PUBLIC.get(first)
     path = f"springback.{chapter}.{first}" + (f".{rest}" if rest else "") if chapter else target

@@ -1,4 +1,4 @@
-r"""Mathematics as MathML, made when the pages are built: they need no network and no script.
+r"""Mathematics as MathML, rendered when the pages are built: no network and no script needed.
 
 `\tag{5}` puts the paper's number of an equation beside it.
 """

@@ -1,4 +1,9 @@
-"""`.. chapter-module:: springback.contact.surfaces`: everything public that a module defines."""
+"""Directives for modules and their public names.
+
+`.. chapter-module:: springback.contact.surfaces` documents everything public that a module defines,
+`.. internal-modules::` lists modules with their first lines, `.. public-names::` what
+`import springback` provides.
+"""
 
 import importlib
 import inspect
@@ -14,7 +19,7 @@ from sphinx.pycode import ModuleAnalyzer
 import springback
 from springback.settings import Settings
 
-#: Names whose values speak for themselves in the code.
+#: Names whose values have no docstring.
 ABOUT = {
     "ARQ": "The compliant quadrotor as flown, with the source of every number.",
     "QUAD": "The rigid twin as flown.",
@@ -33,7 +38,7 @@ def entries(name: str) -> list[str]:
     module = importlib.import_module(name)
     analyzer = ModuleAnalyzer.for_module(name)
     analyzer.analyze()
-    told = {key for owner, key in analyzer.attr_docs if not owner}
+    documented = {key for owner, key in analyzer.attr_docs if not owner}
     lines: list[str] = []
     order = analyzer.tagorder
     names = sorted(
@@ -55,7 +60,7 @@ def entries(name: str) -> list[str]:
             lines += [f".. autofunction:: {path}", ""]
         elif member in ABOUT:
             lines += [f".. py:data:: {member}", "", f"   {ABOUT[member]}", ""]
-        elif member in told:
+        elif member in documented:
             lines += [f".. autodata:: {path}", "   :no-value:", ""]
     return lines
 
@@ -71,6 +76,23 @@ class ChapterModule(Directive):
         lines = [f".. automodule:: {name}", "", *entries(name)]
         box = nodes.container()
         self.state.nested_parse(StringList(lines, source=name), 0, box)
+        return box.children
+
+
+class InternalModules(Directive):
+    """A table of the modules that the content names, each with its first line."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """The table."""
+        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 40 60", ""]
+        lines += ["   * - module", "     - subject"]
+        for name in self.content:
+            about = inspect.getdoc(importlib.import_module(name)) or ""
+            lines += [f"   * - ``{name}``", f"     - {escaped(about.splitlines()[0])}"]
+        box = nodes.container()
+        self.state.nested_parse(StringList(lines), 0, box)
         return box.children
 
 
@@ -95,16 +117,17 @@ def said(path: str) -> str:
     thing = getattr(importlib.import_module(module), name)
     analyzer = ModuleAnalyzer.for_module(module)
     analyzer.analyze()
-    told = analyzer.attr_docs.get(("", name))
-    if told:
-        return escaped(" ".join(part for part in told if part))
+    comment = analyzer.attr_docs.get(("", name))
+    if comment:
+        return escaped(" ".join(part for part in comment if part))
     if not (inspect.isclass(thing) or inspect.isroutine(thing)):
         return ABOUT[name]
     return escaped((inspect.getdoc(thing) or "").split("\n\n")[0].replace("\n", " "))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the directive."""
+    """Register the directives."""
     app.add_directive("public-names", PublicNames)
     app.add_directive("chapter-module", ChapterModule)
+    app.add_directive("internal-modules", InternalModules)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

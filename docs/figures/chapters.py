@@ -19,13 +19,13 @@ import matplotlib.pyplot as plt
 
 import springback
 from springback.contact.surfaces import normal_force
-from springback.interfaces.figures import style as canvas
+from springback.interfaces.figures.style import STYLE as STYLES
 from springback.recovery.response import Quintic, planned
 from springback.sensing.hall import output, resolution
 from springback.sensing.parameters import HallSettings
 
 HERE = Path(__file__).parent
-STYLE = canvas.STYLE[-1]
+STYLE = STYLES[-1]
 BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
 
 

@@ -1,1 +1,1 @@
-"""Attacks that take long; `build attack` prints their table."""
+"""Attacks that take long; `make attack` prints their table."""

@@ -1,4 +1,4 @@
-"""The table of attacks on results, stores, caches and commands: `build attack`.
+"""The table of attacks on results, stores, caches and commands: `make attack`.
 
 Counts of cases are arguments; the seeds are fixed, so that a table can be made again.
 """
@@ -247,7 +247,7 @@ def bits(folder: Path) -> Row:
 
 
 def fuzzed() -> str:
-    """What `build fuzz` says, where there is such a target."""
+    """What `make fuzz` says, where there is such a target."""
     done = subprocess.run(
         ["make", "--no-print-directory", "fuzz"],
         cwd=ROOT,

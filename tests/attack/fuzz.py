@@ -1,4 +1,4 @@
-"""Attack for as long as one likes: ``build fuzz``, or ``python -m attack.fuzz --cases 100000``.
+"""Attack for as long as one likes: ``make fuzz``, or ``python -m attack.fuzz --cases 100000``.
 
 Each round of 1000 inputs of a kind has a seed of its own, which is printed with what was found, so
 that the round can be run again: ``python -m attack.fuzz --seed 17 --kind plans --cases 1000``.

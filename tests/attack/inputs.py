@@ -255,5 +255,5 @@ def plan_tables(tables: dict[str, Any]) -> None:
     plan = plan_from(tables, Source("plan.toml", "", ()))
     design = laid_out(plan)
     plan.digest()
-    dealt = design.dealt(0, min(4, design.flights))
+    dealt = design.slice(0, min(4, design.flights))
     assert len(dealt.tables) == min(4, design.flights)

@@ -57,7 +57,7 @@ def is_flown(tables: dict[str, Any], corner: Corner) -> bool:
 
 @pytest.mark.parametrize("base", ["impact", "piloted"])
 def test_every_corner_is_flown_or_refused(base: str) -> None:
-    """With a pilot each number has one of its three corners; `build attack` flies all."""
+    """With a pilot each number has one of its three corners; `make attack` flies all."""
     tables = {"impact": IMPACT, "piloted": PILOTED}[base]
     tried = corners(tables)
     if base == "piloted":

@@ -1,6 +1,6 @@
 """2000 inputs as strangers write them: accepted with finite numbers, or refused in plain lines.
 
-The same on every machine (`derandomize` in ``conftest.py``); ``build fuzz`` goes on with seeds.
+The same on every machine (`derandomize` in ``conftest.py``); ``make fuzz`` goes on with seeds.
 """
 
 from __future__ import annotations

@@ -11,12 +11,13 @@ import pytest
 
 from springback.batch import templates
 from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, build_group, pace_of
-from springback.batch.validation import ReadyFlight, made_ready, settings_of
+from springback.batch.validation import made_ready, settings_of
 from springback.control.parameters import ControlSettings
 from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.kernels.trees import leaves
 from springback.scenario.avionics import turn_on_normals
+from springback.scenario.build import ReadyFlight
 from springback.scenario.tables import Start, WorldSettings
 from springback.studies.trials import Scatter, trial_tables
 

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.batch.validation import ReadyFlight, made_ready
+from springback.batch.validation import made_ready
 from springback.errors import InputError
 from springback.kernels.layout import structure
 from springback.kernels.memo import FOREVER, Memo
 from springback.kernels.trees import leaves
 from springback.scenario.avionics import build_avionics
+from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
 

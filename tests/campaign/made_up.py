@@ -17,7 +17,7 @@ from springback.simulation.measures import MEASURES
 
 def rows(design: Design, first: int, last: int) -> dict[str, Any]:
     """Rows of flights, each of which follows from its number alone."""
-    columns: dict[str, Any] = dict(design.dealt(first, last).columns)
+    columns: dict[str, Any] = dict(design.slice(first, last).columns)
     drawn = [
         np.frombuffer(hashlib.sha256(str(k).encode()).digest(), np.uint8) / 256.0
         for k in range(first, last)

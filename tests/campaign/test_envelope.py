@@ -140,7 +140,7 @@ def test_every_parameter_reaches_its_place_in_the_scenario() -> None:
     ):  # fmt: skip
         plan = axes("control.tilt_limit=1:1.2:2", f"{name}={value}:{1.05 * value}:2")
         changed = first(plan)
-        mass = plan.design.dealt(0, 1).columns["scatter_mass_factor"][0]
+        mass = plan.design.slice(0, 1).columns["scatter_mass_factor"][0]
         scatter = mass if name == "model_error.mass" else 1.0
         assert reached(changed) == pytest.approx(value * scatter, rel=1e-9), name
         assert changed.control.tilt_limit == 1.0
@@ -153,7 +153,7 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         "speed=2:3:2",
         settings=("control.rate_limit=200 deg/s", "pitch=15deg", "recovery.response.way=set-point"),
     )
-    scenario, noise = first(plan, 2), plan.design.dealt(4, 5).columns
+    scenario, noise = first(plan, 2), plan.design.slice(4, 5).columns
     assert scenario.control.stiffness == 10.0 * noise["scatter_stiffness_factor"][0]
     assert noise["control.stiffness"] == [10.0]
     assert scenario.control.rate_limit == pytest.approx(math.radians(200.0))
@@ -256,7 +256,7 @@ def test_a_cell_is_what_its_trials_are() -> None:
     gains = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
     for column, row in ((0, 0), (1, 1)):
         flight = plan.flight(2 * column + row, 0)
-        columns = plan.design.dealt(flight, flight + 2).columns
+        columns = plan.design.slice(flight, flight + 2).columns
         won = 0
         for k in range(2):
             noise = {name: values[k] for name, values in columns.items()}
@@ -282,7 +282,7 @@ def test_a_cell_is_what_its_trials_are() -> None:
 
 
 def test_all_robots_fly_with_the_same_noise() -> None:
-    columns = axes("speed=2:3:2", robots=("arq", "quad")).design.dealt(0, 8).columns
+    columns = axes("speed=2:3:2", robots=("arq", "quad")).design.slice(0, 8).columns
     assert columns["robot"] == ["arq", "quad"] * 4
     noise = [name for name in columns if name == "seed" or name.startswith("scatter_")]
     assert len(noise) == 17

@@ -25,7 +25,7 @@ METHODS = ("random", "latin-hypercube", "sobol")
 
 
 def columns(design: Design, *names: str) -> list[np.ndarray[Any, Any]]:
-    dealt = design.dealt(0, design.flights)
+    dealt = design.slice(0, design.flights)
     return [np.array(dealt.columns[name]) for name in names]
 
 
@@ -77,14 +77,14 @@ def test_seeds_of_samples_and_repeats_differ_and_survive_json() -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_any_stretch_of_flights_is_that_of_the_whole(method: str) -> None:
     design = laid_out(plan(method=method, repeats=3, scatter="trials"))
-    whole = design.dealt(0, design.flights)
+    whole = design.slice(0, design.flights)
     assert len(whole.tables) == design.flights == 12 * 3 * 2
     for first, last in ((0, 1), (5, 6), (7, 40), (71, 72)):
-        part = design.dealt(first, last)
+        part = design.slice(first, last)
         assert part.tables == whole.tables[first:last]
         assert part.columns == {k: v[first:last] for k, v in whole.columns.items()}
     again = design_of(design.plan.canonical())
-    assert again.dealt(3, 9) == design.dealt(3, 9)
+    assert again.slice(3, 9) == design.slice(3, 9)
 
 
 def test_robots_are_dealt_the_same_and_repeats_new_luck() -> None:
@@ -104,7 +104,7 @@ def test_robots_are_dealt_the_same_and_repeats_new_luck() -> None:
 
 def test_tables_that_are_alike_are_the_same_object() -> None:
     design = laid_out(plan(repeats=2, vary=[SURFACE, {"field": "stiffness", "values": [5e3, 6e3]}]))
-    tables = design.dealt(0, design.flights).tables
+    tables = design.slice(0, design.flights).tables
     assert len({id(one["vehicle"]) for one in tables}) <= 4
     assert len({id(one["world"]) for one in tables}) == 2
     assert len({id(one["start"]) for one in tables}) == 1
@@ -114,7 +114,7 @@ def test_tables_that_are_alike_are_the_same_object() -> None:
 
 def test_values_arrive_in_the_scenario() -> None:
     design = laid_out(plan(method="sobol", samples=8))
-    dealt = design.dealt(0, design.flights)
+    dealt = design.slice(0, design.flights)
     for k, tables in enumerate(dealt.tables):
         scenario = scenario_from(tables)
         row = {name: values[k] for name, values in dealt.columns.items()}
@@ -141,7 +141,7 @@ def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
     ]
     design = laid_out(plan(method="grid", samples=None, robots=[], vary=vary))
     assert list(design.units) == ["wall_angle", "friction", "surface"]
-    walls = [scenario_from(one).world.obstacles[0] for one in design.dealt(0, 2).tables]
+    walls = [scenario_from(one).world.obstacles[0] for one in design.slice(0, 2).tables]
     assert [wall.surface.friction for wall in walls] == [0.77, 0.77]
     assert walls[0].surface.stiffness != walls[1].surface.stiffness
     assert [wall.normal[1] for wall in walls] == [-math.sin(0.1)] * 2
@@ -152,7 +152,7 @@ def test_scatter_is_that_of_trials() -> None:
     base = trial_tables("arq", 0.0, 2.0, TrialNoise(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
     base["world"]["obstacles"][0] = {"type": "wall", "distance": 2.75, "surface": "wall"}
     design = laid_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))
-    dealt = design.dealt(0, 3)
+    dealt = design.slice(0, 3)
     row = {name: values[1] for name, values in dealt.columns.items()}
     axes = [("position", HOME), ("velocity", (0.0,) * 3)]
     place, velocity = (

@@ -251,7 +251,7 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
         store.stored_plan(tmp_path)
 
 
-#: Cases for each file; `build attack` takes more.
+#: Cases for each file; `make attack` takes more.
 CASES = int(os.environ.get("SPRINGBACK_DAMAGE", "25"))
 
 

@@ -12,7 +12,7 @@ from contact.own_obstacles import Pole
 from contact.scenes import surface
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
-from springback.contact.hull import hull_meeting
+from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Again, Obstacle, Plane
 from springback.contact.restitution import restitution
 from springback.control.runup import reach
@@ -46,7 +46,7 @@ def value(flight: Flight, name: str) -> float:
 def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADIUS) -> CageContact:
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
-    return hull_meeting(
+    return hull_contact(
         Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), velocity, omega, UP, 0.0
     )
 

@@ -37,7 +37,7 @@ QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap o
 #: peaks.
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
-GRIP = ("contact/test_grip.py contact/test_hull.py", "bound or truth or rate")
+GRIP = ("contact/test_friction_rate.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.

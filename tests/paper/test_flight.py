@@ -167,8 +167,8 @@ def test_arq_is_slower_than_quad_and_drops_change_nothing(results: FlightResults
         assert np.mean(after) == pytest.approx(np.mean(arq), rel=0.01)
     assert len(results.drops) == len(DROP_TILTS)
     assert max(drop.stroke for drop in results.drops) > 1e-3
-    # Arms lock within 1e-5 m of their balance, drop after drop; with a hull under them robots tumble
-    # longer, and 1.7e-5 m is left of three drops (before, 1e-6).
+    # On their hull robots still rock at the end of a fall of 3 s, touching, their arms not locked yet:
+    # 1.7e-5 m then; without a hull they had come to rest, and 1e-6 m was left.
     assert results.drops[-1].left < 5e-5
 
 
@@ -242,11 +242,11 @@ def test_rate_gain_is_that_of_the_autopilot() -> None:
     assert ControlSettings().rate_gain == pytest.approx((roll + pitch) / 2.0, rel=0.02)
 
 
-def test_the_table_of_the_readme_is_the_computed_one(results: FlightResults) -> None:
+def test_the_table_of_the_reproduction_page_is_the_computed_one(results: FlightResults) -> None:
     """Written by tools/readme.py from five trials; two trials differ in the last digits only."""
     root = Path(__file__).parents[2]
     tool = runpy.run_path(str(root / "tools/readme.py"))
-    text = (root / "README.md").read_text(encoding="utf-8")
+    text = (root / "docs/paper/reproduction.md").read_text(encoding="utf-8")
     number = re.compile(r"[-\d.]+(?:e-3)?")
     wanted = tool["flight_table"](results)
     within = text.split("<!-- flight: written by tools/readme.py -->\n")[1]

@@ -22,7 +22,7 @@ from springback.recovery.characterisation import (
 )
 from springback.recovery.line_of_action import level_normal, lever_of, passed, turned_back
 from springback.recovery.parameters import RecoverySettings
-from springback.recovery.wrench import Blow, ExternalWrench
+from springback.recovery.wrench import ExternalWrench, RecentImpulse
 from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose
 from springback.vehicle.library import VEHICLES
 
@@ -58,16 +58,16 @@ def rim(r: Any, arm: int, normal: Vec) -> np.ndarray[Any, Any]:
     return found
 
 
-def blow_of(r: Any, normal: Vec, pushes: dict[int, np.ndarray[Any, Any]]) -> Blow:
+def blow_of(r: Any, normal: Vec, pushes: dict[int, np.ndarray[Any, Any]]) -> RecentImpulse:
     """What an observer has summed up of forces at some cages [N s], without rotation meanwhile."""
     turn = np.array(r)
     impulse = np.sum(list(pushes.values()), axis=0)
     moment = np.sum([np.cross(rim(r, arm, normal), push) for arm, push in pushes.items()], axis=0)
     carried, turning = turn.T @ impulse, turn.T @ moment
-    return Blow(Vec(*impulse), Vec(*carried), Vec(*turning), NONE, NONE, NONE, NONE)
+    return RecentImpulse(Vec(*impulse), Vec(*carried), Vec(*turning), NONE, NONE, NONE, NONE)
 
 
-def wrench_of(blow: Blow) -> ExternalWrench:
+def wrench_of(blow: RecentImpulse) -> ExternalWrench:
     return ExternalWrench(NONE, NONE, NONE, (0.0,) * 4, NONE, NONE, blow)
 
 
@@ -180,7 +180,7 @@ def test_the_source_that_is_chosen_is_relied_on(source: str) -> None:
 def test_the_accelerometer_points_away_from_the_obstacle() -> None:
     """The wall is where the specific force comes from: the robot is pushed the other way."""
     found = no_observation(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
-    at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(Blow(*(NONE,) * 7))
+    at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(RecentImpulse(*(NONE,) * 7))
     hit = characterise(LOOK, AIRFRAME, seen(), at, words, found, NONE, NONE)
     assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
     assert hit.by_fusion == hit.by_wrench == NONE
@@ -210,9 +210,9 @@ def test_the_contact_point_is_that_of_the_circle(pitch: float) -> None:
 
 
 def test_the_lever_arm_is_moment_over_force() -> None:
-    blow = Blow(NONE, Vec(-3.0, -4.0, 9.0), Vec(0.0, 0.0, 0.5), NONE, NONE, NONE, NONE)
+    blow = RecentImpulse(NONE, Vec(-3.0, -4.0, 9.0), Vec(0.0, 0.0, 0.5), NONE, NONE, NONE, NONE)
     assert lever_of(blow) == pytest.approx(-0.1)
-    assert lever_of(Blow(NONE, NONE, Vec(0.0, 0.0, 0.5), NONE, NONE, NONE, NONE)) == 0.0
+    assert lever_of(RecentImpulse(NONE, NONE, Vec(0.0, 0.0, 0.5), NONE, NONE, NONE, NONE)) == 0.0
 
 
 def test_a_line_through_an_arm_passes_through_the_opposite_one_too_but_meets_the_front() -> None:

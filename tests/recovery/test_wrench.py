@@ -119,13 +119,13 @@ def test_wind_becomes_steady_and_is_then_no_push() -> None:
     assert norm(begun.force - begun.steady) > 0.7 * norm(wind)
     assert norm(after.force - after.steady) < 0.01 * norm(wind)
     # Nor is it an impulse: of 6 N s in 3 s less than that of a touch at 0.1 m/s is left.
-    assert norm(after.blow.impulse) < 0.1 * OBSERVER.mass
+    assert norm(after.recent.impulse) < 0.1 * OBSERVER.mass
 
 
 def test_impulses_are_force_and_moment_times_time() -> None:
     """Less what fades, 5/s, and what counts as steady, 2/s: F t (1 − (5 + 2) t/2) to first order."""
     force, moment, ticks = Vec(50.0, -20.0, 0.0), Vec(0.0, 0.0, 2.0), 20
-    blow = pushed(ticks, force, moment)[-1].blow
+    blow = pushed(ticks, force, moment)[-1].recent
     left = ticks * TICK * (1.0 - 7.0 * ticks * TICK / 2.0)
     assert norm(blow.impulse - force * left) < 0.01 * norm(force) * left
     assert blow.turning.z == pytest.approx(2.0 * left, rel=0.01)
@@ -136,7 +136,7 @@ def test_impulses_are_force_and_moment_times_time() -> None:
 def test_the_carried_impulse_is_in_the_axes_of_its_time() -> None:
     force = Vec(10.0, 0.0, 0.0)
     quarter = Quat(math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))  # body x is world Y
-    blow = pushed(20, force, Vec(0.0, 0.0, 0.0), quarter)[-1].blow
+    blow = pushed(20, force, Vec(0.0, 0.0, 0.0), quarter)[-1].recent
     assert blow.carried.y == pytest.approx(-blow.impulse.x, rel=1e-9)
     assert abs(blow.carried.x) < 1e-9
 

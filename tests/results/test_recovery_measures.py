@@ -19,7 +19,7 @@ from springback.results.recovery_measures import (
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.columns import as_columns
-from springback.simulation.measures import MEASURES, Outcome, told_of
+from springback.simulation.measures import MEASURES, Outcome, scalars_of
 from springback.simulation.record import NOT_FINITE, blank_record
 
 
@@ -36,7 +36,7 @@ def memories() -> tuple[Any, Any, Any]:
 
 
 def read(record: Any, seen: Any, memory: Any) -> dict[str, float | None]:
-    return told_of(recovery_columns(*(as_columns(tree) for tree in (record, seen, memory))))
+    return scalars_of(recovery_columns(*(as_columns(tree) for tree in (record, seen, memory))))
 
 
 def test_nothing_has_happened() -> None:

@@ -185,8 +185,8 @@ def test_flights_start_at_places_of_their_own_not_far_away() -> None:
 def test_growing_scenarios_have_as_many_arms_and_obstacles_as_asked(
     arms: int, obstacles: int
 ) -> None:
-    told = {"task": {**STEP, "duration": 1.0}, "estimator": "complementary"}
-    asked = {**told, "arms": arms, "obstacles": obstacles}
+    job = {"task": {**STEP, "duration": 1.0}, "estimator": "complementary"}
+    asked = {**job, "arms": arms, "obstacles": obstacles}
     first, second = springback_flights.collision_tables(asked, 2)
     scenario = scenario_from(first)
     assert scenario.vehicle.arm_count == arms

@@ -130,9 +130,11 @@ def test_wall_by_distance_and_by_position() -> None:
 def test_hover_thrust_is_the_weight() -> None:
     """Shared by all rotors; none without gravity."""
     scenario = as_scenario(BASE, ("thrust=hover",))
-    assert sum(scenario.thrusts()) == pytest.approx(scenario.vehicle.mass * 9.81)
-    assert as_scenario(BASE, ("thrust=hover", "world.gravity=0")).thrusts() == (0.0,) * 4
-    single = as_scenario(BASE, ('thrust=["1 N", 2, 3, "0.004 kN"]',)).thrusts()
+    assert sum(scenario.flight_model().thrust) == pytest.approx(scenario.vehicle.mass * 9.81)
+    assert (
+        as_scenario(BASE, ("thrust=hover", "world.gravity=0")).flight_model().thrust == (0.0,) * 4
+    )
+    single = as_scenario(BASE, ('thrust=["1 N", 2, 3, "0.004 kN"]',)).flight_model().thrust
     assert single == pytest.approx((1.0, 2.0, 3.0, 4.0))
 
 

@@ -25,7 +25,7 @@ def test_payload_and_model_error_change_the_truth_and_not_the_belief() -> None:
     loaded = scenario_from({**BASE, "thrust": "hover", "payload": load, "model_error": error})
     believed, true = plain.vehicle, loaded.true_vehicle()
     assert loaded.vehicle == believed
-    assert loaded.thrusts() == plain.thrusts()
+    assert loaded.flight_model().thrust == plain.flight_model().thrust
     assert true.mass == pytest.approx(1.05 * believed.mass + 0.2, rel=1e-12)
     np.testing.assert_allclose(
         true.inertia(), 1.1 * believed.inertia() + np.diag([1e-4, 2e-4, 3e-4]), rtol=1e-12

@@ -1,4 +1,4 @@
-"""Crazyflow (JAX, on processors), worlds abreast, flying the step that it is told.
+"""Crazyflow (JAX, on processors), worlds in batches, flying the given step.
 
 Its own drone, dynamics from first principles, its own controllers for state, attitude and torque,
 default rates and integrator, single precision.  A flight is scanned within compiled code, and so
@@ -19,7 +19,7 @@ import protocol
 
 @functools.lru_cache(maxsize=4)
 def made(count: int, look: int) -> tuple[Any, Callable[..., Any], Callable[..., Any]]:
-    """Worlds at their start, a compiled second of flight, and how a set-point is told.
+    """Worlds at their start, a compiled second of flight, and a function that sets the target.
 
     Args:
         count: Worlds.
@@ -54,20 +54,20 @@ def made(count: int, look: int) -> tuple[Any, Callable[..., Any], Callable[..., 
 
         return jax.lax.scan(between_looks, (data, hit), length=sim.freq // look)[0]
 
-    def told(data: Any, place: list[float]) -> Any:
+    def aim(data: Any, place: list[float]) -> Any:
         command = jnp.zeros((count, 1, 16)).at[..., :3].set(jnp.array(place)).at[..., 12].set(1.0)
         return functional.state_control(data, command)
 
-    return sim.data, second, told
+    return sim.data, second, aim
 
 
 def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
-    """Flights abreast; how far from its target the worst one ends [m]."""
+    """A batch of flights; how far from its target the worst one ends [m]."""
     import numpy as np
 
     job, places = asked
     task, count = job["task"], len(places)
-    blank, second, told = made(count, job["look"])
+    blank, second, aim = made(count, job["look"])
     import jax.numpy as jnp
 
     start = jnp.array(task["start"]) + jnp.array([[*p, 0.0] for p in places])
@@ -75,27 +75,27 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
     data, hit = blank.replace(states=states), jnp.zeros(count, bool)
     for k in range(round(task["duration"])):  # set-points change at whole seconds here
         data, hit = second(
-            told(data, task["target"] if k >= task["step_at"] else task["start"]), hit
+            aim(data, task["target"] if k >= task["step_at"] else task["start"]), hit
         )
     end = np.asarray(data.states.pos).reshape(count, 3)
     return float(np.linalg.norm(end - np.array(task["target"]), axis=-1).max())
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     with contextlib.redirect_stdout(io.StringIO()):
         import crazyflow.sim  # noqa: F401
 
-    imported = protocol.since(told)
-    alone: Any = (told, protocol.scatter(1))
+    imported = protocol.since(job)
+    alone: Any = (job, protocol.scatter(1))
     fly(alone)
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = protocol.repeated(lambda: fly(alone))
-    many, missed = protocol.many(told, fly)
+    many, missed = protocol.many(job, fly)
     protocol.answer(
         versions=protocol.versions("crazyflow", "jax", "mujoco-mjx"), imported=imported,
         first=first, latency=latency, many=many, missed=missed,
-        memory=protocol.peak_memory(told["threads"] if told["tries"][0][0] > 1 else 0),
+        memory=protocol.peak_memory(job["threads"] if job["tries"][0][0] > 1 else 0),
     )  # fmt: skip
 
 

@@ -82,33 +82,33 @@ class Program:
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     import mujoco
     import numpy as np
 
-    imported = protocol.since(told)
-    fixed = told["thrust"], told["horizon"]
+    imported = protocol.since(job)
+    fixed = job["thrust"], job["horizon"]
 
     def metrics(document: str) -> Any:
-        program = Program(document, told["rows"], *fixed, told["threads"])
+        program = Program(document, job["rows"], *fixed, job["threads"])
         program.run()
         return program.metrics()
 
-    if told["judge"]:
-        limit = metrics(told["limit"])
+    if job["judge"]:
+        limit = metrics(job["limit"])
         errors = [
             (step, np.abs(metrics(document) / limit - 1.0).max(axis=1).tolist())
-            for step, document in told["documents"]
+            for step, document in job["documents"]
         ]
         protocol.answer(converged=limit.tolist(), errors=errors)
         return
-    alone = Program(told["document"], told["rows"][:1], *fixed, 1)
+    alone = Program(job["document"], job["rows"][:1], *fixed, 1)
     alone.run()
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = protocol.repeated(alone.run)
     many = []
-    for _, flights in told["tries"]:
-        program = Program(told["document"], told["rows"][:flights], *fixed, told["threads"])
+    for _, flights in job["tries"]:
+        program = Program(job["document"], job["rows"][:flights], *fixed, job["threads"])
         program.run()
         seconds = sorted(protocol.timed(program.run)[0] for _ in range(3))[1]
         many.append({"processes": 1, "flights": flights, "seconds": seconds})

@@ -1,4 +1,4 @@
-"""How a program is told what to fly, and says what it took: JSON in, one line of JSON out.
+"""The protocol of the programs: the job as JSON in, the cost as one line of JSON out.
 
 Only the standard library, so that it runs in every environment.
 """
@@ -22,8 +22,8 @@ Work = Callable[[Any], Any]
 
 def job() -> dict[str, Any]:
     """What to fly."""
-    told: dict[str, Any] = json.load(sys.stdin)
-    return told
+    job: dict[str, Any] = json.load(sys.stdin)
+    return job
 
 
 def answer(**found: Any) -> None:
@@ -31,9 +31,9 @@ def answer(**found: Any) -> None:
     sys.stdout.write("\n" + json.dumps(found) + "\n")
 
 
-def since(told: dict[str, Any]) -> float:
-    """Seconds since this process was started by the one that told it what to fly."""
-    return time.time() - float(told["started"])
+def since(job: dict[str, Any]) -> float:
+    """Seconds since this process was started by the one that gave it the job."""
+    return time.time() - float(job["started"])
 
 
 def timed(run: Callable[[], T]) -> tuple[float, T]:
@@ -119,12 +119,12 @@ class Crew:
             member.join()
 
 
-def many(told: dict[str, Any], work: Work, first: bool = True) -> tuple[list[dict[str, Any]], Any]:
+def many(job: dict[str, Any], work: Work, first: bool = True) -> tuple[list[dict[str, Any]], Any]:
     """Fly many flights at once, in each of the ways that are asked for.
 
     Args:
-        told: ``tries`` are numbers of processes and of flights, all together.
-        work: Flies; told the job and the places of the flights, says the largest miss [m].
+        job: ``tries`` are numbers of processes and of flights, all together.
+        work: Flies; given the job and the starts of the flights, returns the largest miss [m].
         first: Do it once before the clock runs, as whatever compiles has then compiled; else
             every process flies one flight before.
 
@@ -132,15 +132,15 @@ def many(told: dict[str, Any], work: Work, first: bool = True) -> tuple[list[dic
         Seconds of each try, and the largest miss of all.
     """
     found, missed = [], 0.0
-    for processes, flights in told["tries"]:
+    for processes, flights in job["tries"]:
         places = scatter(flights)
-        tasks = [(told, places[k::processes]) for k in range(processes)]
+        tasks = [(job, places[k::processes]) for k in range(processes)]
         crew = Crew(processes, work) if processes > 1 else None
         run = functools.partial(crew.each, tasks) if crew else lambda: [work(tasks[0])]  # noqa: B023
         if first:
             run()
         elif crew:  # whatever is imported late has then been
-            crew.each([(told, places[:1])] * processes)
+            crew.each([(job, places[:1])] * processes)
         seconds, misses = timed(run)
         if crew:
             crew.close()

@@ -1,4 +1,4 @@
-"""RotorPy's batched loop (PyTorch), flying the step that it is told.
+"""RotorPy's batched loop (PyTorch), flying the given step.
 
 Its batched loop has an inertial unit, but neither motion capture nor an estimator; its own batched
 trajectories go through the flights one by one in Python, so it is given one that does not.
@@ -51,12 +51,12 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
     from rotorpy.wind.default_winds import BatchedNoWind
     from rotorpy.world import World
 
-    told, places = asked
+    job, places = asked
     count = len(places)
     if not count:
         return 0.0
-    torch.set_num_threads(told["torch_threads"])
-    task, device, quad = told["task"], torch.device("cpu"), parameters(told["vehicle"])
+    torch.set_num_threads(job["torch_threads"])
+    task, device, quad = job["task"], torch.device("cpu"), parameters(job["vehicle"])
     speed = float(np.sqrt(quad["mass"] * 9.81 / 4.0 / quad["k_eta"]))
     batch = BatchedMultirotorParams([quad] * count, count, device)
     start = _doubles(count, 3, task["start"])
@@ -68,12 +68,12 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
     }  # fmt: skip
     vehicles = BatchedMultirotor(
         batch, count, states, device, control_abstraction="cmd_motor_speeds",
-        integrator=told["integrator"],
+        integrator=job["integrator"],
     )  # fmt: skip
     found = simulate_batch(
         World.empty((-5.0, 5.0, -5.0, 5.0, -5.0, 5.0)), states, vehicles,
         BatchedSE3Control(batch, count, device), Steps(task, count), BatchedNoWind(count),
-        BatchedImu(count, device=device), np.full(count, task["duration"]), 1.0 / told["rate"],
+        BatchedImu(count, device=device), np.full(count, task["duration"]), 1.0 / job["rate"],
         0.25, terminate=False, check_collisions=False,
     )  # fmt: skip
     end = found[1]["x"][-1]
@@ -81,27 +81,27 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     import rotorpy.simulate  # noqa: F401
 
-    imported = protocol.since(told)
-    told["torch_threads"] = told["threads"]
-    alone: Any = (told, protocol.scatter(1))
+    imported = protocol.since(job)
+    job["torch_threads"] = job["threads"]
+    alone: Any = (job, protocol.scatter(1))
     seconds, _ = protocol.timed(lambda: fly(alone))
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = [seconds]  # nothing compiles, so the first counts
     if seconds < LONG:
         latency += protocol.repeated(lambda: fly(alone), most=2)
     found, missed = [], 0.0
-    for processes, flights in told["tries"]:
-        one_try = {**told, "tries": [[processes, flights]]}
-        one_try["torch_threads"] = max(1, told["threads"] // processes)
+    for processes, flights in job["tries"]:
+        one_try = {**job, "tries": [[processes, flights]]}
+        one_try["torch_threads"] = max(1, job["threads"] // processes)
         seconds_of, misses = protocol.many(one_try, fly, first=False)
         found, missed = [*found, *seconds_of], max(missed, misses)
     protocol.answer(
         versions=protocol.versions("rotorpy", "torch", "torchdiffeq"), imported=imported,
         first=first, latency=latency, many=found, missed=missed,
-        memory=protocol.peak_memory(told["threads"] if told["tries"][0][0] > 1 else 0),
+        memory=protocol.peak_memory(job["threads"] if job["tries"][0][0] > 1 else 0),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""RotorPy's loop, one flight at a time on every core, flying the step that it is told.
+"""RotorPy's loop, one flight at a time on every core, flying the given step.
 
 RotorPy (S. Folk, J. Paulos, V. Kumar, arXiv 2306.04485): rigid body, rotor lag and geometric
 controller, with one rate for everything; at each step it measures with an inertial unit and motion
@@ -37,7 +37,7 @@ def parameters(vehicle: dict[str, Any]) -> dict[str, Any]:
         "k_d": 0.0, "k_z": 0.0, "k_h": 0.0, "k_flap": 0.0,
         "tau_m": vehicle["rotor_lag"],
         "rotor_speed_min": 0.0, "rotor_speed_max": speed, "motor_noise_std": 0.0,
-        "kp_att": 310.0, "kd_att": 57.0,  # the loop for one flight takes these unless told
+        "kp_att": 310.0, "kd_att": 57.0,  # defaults of the loop for one flight
     }  # fmt: skip
 
 
@@ -65,8 +65,8 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
     from rotorpy.environments import Environment
     from rotorpy.vehicles.multirotor import Multirotor
 
-    told, places = asked
-    task, quad, missed = told["task"], parameters(told["vehicle"]), 0.0
+    job, places = asked
+    task, quad, missed = job["task"], parameters(job["vehicle"]), 0.0
     speed = np.sqrt(quad["mass"] * 9.81 / 4.0 / quad["k_eta"])
     for beside in places:
         start = {
@@ -78,7 +78,7 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
             vehicle=Multirotor(quad, initial_state=start, control_abstraction="cmd_motor_speeds"),
             controller=SE3Control(quad),
             trajectory=Step(task),
-            sim_rate=told["rate"],
+            sim_rate=job["rate"],
         )
         result = loop.run(t_final=task["duration"], terminate=False)
         end = result["state"]["x"][-1]
@@ -87,20 +87,20 @@ def fly(asked: tuple[dict[str, Any], list[tuple[float, float]]]) -> float:
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     import rotorpy.environments  # noqa: F401
 
-    imported = protocol.since(told)
-    alone: Any = (told, protocol.scatter(1))
+    imported = protocol.since(job)
+    alone: Any = (job, protocol.scatter(1))
     seconds, _ = protocol.timed(lambda: fly(alone))
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = [seconds]  # nothing compiles, so the first counts
     if seconds < LONG:
         latency += protocol.repeated(lambda: fly(alone), most=3)
-    many, missed = protocol.many(told, fly, first=False)
+    many, missed = protocol.many(job, fly, first=False)
     protocol.answer(
         versions=protocol.versions("rotorpy", "numpy", "scipy"), imported=imported, first=first,
-        latency=latency, many=many, missed=missed, memory=protocol.peak_memory(told["threads"]),
+        latency=latency, many=many, missed=missed, memory=protocol.peak_memory(job["threads"]),
     )  # fmt: skip
 
 

@@ -19,23 +19,23 @@ SPEED, PITCH = 2.0, 0.0
 
 
 def flown(tables: Sequence[Mapping[str, Any]], threads: int) -> list[str]:
-    """Fly scenarios abreast; how each ended, in a word.
+    """Fly scenarios as a batch; the outcome of each, in a word.
 
     This is all that these benchmarks ask of springback for many flights with a pilot.
     """
     return list(fly_scenarios(tables, threads=threads).outcomes)
 
 
-def step_tables(told: Mapping[str, Any], places: Sequence[Sequence[float]]) -> list[dict[str, Any]]:
+def step_tables(job: Mapping[str, Any], places: Sequence[Sequence[float]]) -> list[dict[str, Any]]:
     """The step that everybody flies, from each of the places; one sub-table for all where equal."""
-    task = told["task"]
+    task = job["task"]
     common: dict[str, Any] = {
         "vehicle": "quad",
         "reference": {
             "type": "steps", "positions": [task["start"], task["target"]],
             "dwell": task["step_at"],
         },
-        "estimator": {"type": told["estimator"]},
+        "estimator": {"type": job["estimator"]},
         "world": {"obstacles": [{"type": "ground", "surface": "wall"}]},
         "simulation": {"duration": task["duration"]},
     }  # fmt: skip
@@ -46,27 +46,27 @@ def step_tables(told: Mapping[str, Any], places: Sequence[Sequence[float]]) -> l
     ]
 
 
-def collision_tables(told: Mapping[str, Any], count: int) -> list[dict[str, Any]]:
-    """Run-up, impact and recovery of ARQ, luck drawn as in the paper's tests.
+def collision_tables(job: Mapping[str, Any], count: int) -> list[dict[str, Any]]:
+    """Run-up, impact and recovery of ARQ, with the draws of the paper's tests.
 
     Args:
-        told: With ``arms`` or ``obstacles``, where those are not ARQ's and the test's own.
+        job: With ``arms`` or ``obstacles``, where those are not ARQ's and the test's own.
         count: Flights.
     """
     from springback.studies.trials import Scatter, trial_tables
 
     changes = {
-        "simulation": {"duration": told["task"]["duration"]},
-        "estimator": {"type": told["estimator"]},
+        "simulation": {"duration": job["task"]["duration"]},
+        "estimator": {"type": job["estimator"]},
     }
     lucks = (Scatter().drawn("arq", PITCH, SPEED, k, 0) for k in range(count))
     tables = [trial_tables("arq", PITCH, SPEED, noise_stream, changes) for noise_stream in lucks]
     for one in tables:
-        if told.get("arms", 4) != 4:
-            one["vehicle"] = with_arms(told["arms"])
-        if "obstacles" in told:
+        if job.get("arms", 4) != 4:
+            one["vehicle"] = with_arms(job["arms"])
+        if "obstacles" in job:
             world = one["world"]
-            one["world"] = {**world, "obstacles": obstacles(world["obstacles"], told["obstacles"])}
+            one["world"] = {**world, "obstacles": obstacles(world["obstacles"], job["obstacles"])}
     first = tables[0]
     return [
         {name: first[name] if part == first[name] else part for name, part in one.items()}
@@ -84,7 +84,7 @@ def with_arms(count: int) -> dict[str, Any]:
 
 
 def obstacles(own: Sequence[Any], count: int) -> list[Any]:
-    """So many obstacles: the wall, the ground, then walls 4 m away that nobody comes near."""
+    """So many obstacles: the wall, the ground, then walls 4 m away that no flight comes near."""
     turns = [2.0 * math.pi * (k + 1) / (count + 1) for k in range(max(0, count - len(own)))]
     far = [
         {
@@ -107,33 +107,33 @@ def missed(tables: Mapping[str, Any], target: Sequence[float]) -> float:
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     import springback
 
-    imported = protocol.since(told)
-    collides = told["kind"] == "collision"
+    imported = protocol.since(job)
+    collides = job["kind"] == "collision"
 
     def tables(count: int) -> list[dict[str, Any]]:
         if collides:
-            return collision_tables(told, count)
-        return step_tables(told, protocol.scatter(count))
+            return collision_tables(job, count)
+        return step_tables(job, protocol.scatter(count))
 
     alone = tables(1)
     springback.fly(alone[0], trajectory=False)
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = protocol.repeated(lambda: springback.fly(alone[0], trajectory=False))
     many, outcomes = [], {}
-    for _, flights in told["tries"]:
+    for _, flights in job["tries"]:
         given = tables(flights)
-        flown(given[:8], told["threads"])  # compiles
-        seconds, ended = protocol.timed(lambda given=given: flown(given, told["threads"]))
+        flown(given[:8], job["threads"])  # compiles
+        seconds, ended = protocol.timed(lambda given=given: flown(given, job["threads"]))
         many.append({"processes": 1, "flights": flights, "seconds": seconds})
         outcomes = {word: ended.count(word) for word in sorted(set(ended))}
     memory = protocol.peak_memory()
     protocol.answer(
         versions=protocol.versions("numba", "numpy") | {"springback": springback.__version__},
         imported=imported, first=first, latency=latency, many=many, memory=memory,
-        missed=None if collides else missed(alone[0], told["task"]["target"]), outcomes=outcomes,
+        missed=None if collides else missed(alone[0], job["task"]["target"]), outcomes=outcomes,
     )  # fmt: skip
 
 

@@ -22,7 +22,7 @@ def metrics(values: dict[str, Any]) -> Any:
     )
 
 
-def judged(told: dict[str, Any]) -> dict[str, Any]:
+def judged(job: dict[str, Any]) -> dict[str, Any]:
     """Worst errors of every step against the finest one."""
     import numpy as np
     from benchmarks.job import Lanes
@@ -30,38 +30,38 @@ def judged(told: dict[str, Any]) -> dict[str, Any]:
 
     from springback.simulation.flight import LANES
 
-    states = hits(told["hits"])
+    states = hits(job["hits"])
 
     def at(step: float) -> Any:
-        return metrics(Lanes(model(step), states, LANES).run(told["threads"]).values)
+        return metrics(Lanes(model(step), states, LANES).run(job["threads"]).values)
 
-    limit = at(told["limit"])
-    errors = [(step, np.abs(at(step) / limit - 1.0).max(axis=1).tolist()) for step in told["steps"]]
+    limit = at(job["limit"])
+    errors = [(step, np.abs(at(step) / limit - 1.0).max(axis=1).tolist()) for step in job["steps"]]
     return {"converged": limit.tolist(), "errors": errors}
 
 
 def main() -> None:
-    told = protocol.job()
+    job = protocol.job()
     from benchmarks.job import Lanes
     from benchmarks.rivals.impacts import hits, model
 
     from springback.simulation.flight import LANES
     from springback.version import __version__
 
-    if told["judge"]:
-        protocol.answer(**judged(told))
+    if job["judge"]:
+        protocol.answer(**judged(job))
         return
-    imported = protocol.since(told)
-    numbers = model(told["step"])
+    imported = protocol.since(job)
+    numbers = model(job["step"])
     alone = Lanes(numbers, hits(1), 1)
     alone.run(1)
-    first = protocol.since(told)
+    first = protocol.since(job)
     latency = protocol.repeated(lambda: alone.run(1))
     many = []
-    for _, flights in told["tries"]:
+    for _, flights in job["tries"]:
         lanes = Lanes(numbers, hits(flights), LANES)
-        lanes.run(told["threads"])
-        seconds = sorted(lanes.run(told["threads"]).seconds for _ in range(3))[1]
+        lanes.run(job["threads"])
+        seconds = sorted(lanes.run(job["threads"]).seconds for _ in range(3))[1]
         many.append({"processes": 1, "flights": flights, "seconds": seconds})
     protocol.answer(
         versions=protocol.versions("numba", "numpy") | {"springback": __version__},

@@ -17,7 +17,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from springback.batch.templates import BuiltGroup, ScenarioGroup, build_group, pace_of
-from springback.batch.validation import UNCHECKED, ReadyFlight, made_ready, settings_of
+from springback.batch.validation import UNCHECKED, made_ready, settings_of
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.memo import Memo
@@ -28,6 +28,7 @@ from springback.results.recovery_measures import (
     recovery_outcomes,
 )
 from springback.scenario.avionics import turn_on_normals
+from springback.scenario.build import ReadyFlight
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups

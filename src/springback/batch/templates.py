@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.validation import UNCHECKED, ReadyFlight, ready_of, scenario_with
+from springback.batch.validation import UNCHECKED, ready_of, scenario_with
 from springback.kernels.memo import FOREVER, Build, Memo
 from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced
 from springback.kernels.trees import leaves
+from springback.scenario.build import ReadyFlight
 from springback.settings import Settings
 from springback.simulation.flight import first_phase
 
@@ -144,7 +145,9 @@ class ScenarioGroup:
         self.flights.append(number)
         return True
 
-    def on_sheet(self, more: Sequence[Sequence[float]]) -> tuple[Tape, dict[str, Any], list[Any]]:
+    def traced_settings(
+        self, more: Sequence[Sequence[float]]
+    ) -> tuple[Tape, dict[str, Any], list[Any]]:
         """Settings with cells for the numbers that are not all the same.
 
         Args:
@@ -194,21 +197,21 @@ def build_group(
     """
     if len(alike.flights) < FEW:
         return None
-    sheet, settings, normals = alike.on_sheet(biases)
+    sheet, settings, normals = alike.traced_settings(biases)
     try:
         first = one(alike.flights[0])
         # The seed is a number to nobody, lest luck be taken for a formula.
-        on_sheet = ready_of(scenario_with({**settings, "seed": object()}), Memo(), normals)
-        first_phase(on_sheet.model, on_sheet.start)
+        traced = ready_of(scenario_with({**settings, "seed": object()}), Memo(), normals)
+        first_phase(traced.model, traced.start)
         filled = sheet.filled()
         rows = np.flatnonzero(filled.holds)
         last = one(alike.flights[rows[-1]])
     except (*NO_FORMULA, *UNCHECKED):
         return None
     # Functions might have taken a cell for something else than a float: two flights are compared.
-    if not (_agree(on_sheet, filled, 0, first) and _agree(on_sheet, filled, rows[-1], last)):
+    if not (_agree(traced, filled, 0, first) and _agree(traced, filled, rows[-1], last)):
         return None
-    flown, onboard = _trees(on_sheet)
+    flown, onboard = _trees(traced)
     numbers = [alike.flights[row] for row in rows]
     return BuiltGroup(numbers, first, _cells(flown, filled, rows), _cells(onboard, filled, rows))
 
@@ -220,13 +223,13 @@ def _cells(tree: Any, filled: Evaluated, rows: Any) -> Leaves:
     return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
 
 
-def _agree(on_sheet: ReadyFlight, filled: Evaluated, row: int, plain: ReadyFlight) -> bool:
+def _agree(traced: ReadyFlight, filled: Evaluated, row: int, plain: ReadyFlight) -> bool:
     """Whether a row of a sheet is the very flight made ready alone."""
-    if any(isinstance(x, Traced) for x in leaves(pace_of(on_sheet))):
+    if any(isinstance(x, Traced) for x in leaves(pace_of(traced))):
         return False
-    cells, floats = leaves(_trees(on_sheet)), leaves(_trees(plain))
+    cells, floats = leaves(_trees(traced)), leaves(_trees(plain))
     there = np.array([filled.of(x, row) for x in cells])
-    return pace_of(on_sheet) == pace_of(plain) and there.tobytes() == np.array(floats).tobytes()
+    return pace_of(traced) == pace_of(plain) and there.tobytes() == np.array(floats).tobytes()
 
 
 def _trees(ready: ReadyFlight) -> tuple[Any, Any]:

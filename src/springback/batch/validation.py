@@ -9,41 +9,23 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping, Sequence
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any
 
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import ObstacleSettings, SurfaceSettings
 from springback.errors import InputError
-from springback.kernels.memo import FOREVER, Build, Memo, uncached
-from springback.scenario.avionics import BuiltAvionics, build_avionics
-from springback.scenario.checks import (
-    check_clock,
-    check_start,
-    check_tables,
-    check_without_pilot,
-)
-from springback.scenario.model import flight_model, start_state
+from springback.kernels.memo import FOREVER, Build, Memo
+from springback.scenario.build import ReadyFlight, build_flight
 from springback.scenario.presets import estimator_table, surface_table, vehicle_table
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.tables import WorldSettings
 from springback.settings import problem
-from springback.simulation.record import Model
 from springback.vehicle.library import VEHICLES
-from springback.vehicle.state import State
 
 #: What `settings_of` and `ready_of` raise.
 UNCHECKED = (PydanticCustomError, ValidationError, InputError)
-
-
-class ReadyFlight(NamedTuple):
-    """A flight made ready; without a pilot it has no board."""
-
-    seed: int
-    model: Model
-    start: State
-    built_avionics: BuiltAvionics | None
 
 
 def made_ready(
@@ -67,7 +49,7 @@ def made_ready(
             raise InputError(f"reference: {error.message()}") from None
     except (ValidationError, InputError):
         pass
-    return _ready(scenario_from(table, False), uncached)
+    return scenario_from(table, False).build()
 
 
 def ready_of(
@@ -80,25 +62,7 @@ def ready_of(
         build: How parts are made.
         biases: `turn_on_normals` of its seed, if they are known already.
     """
-    check_tables(scenario, build)
-    return _ready(scenario, build, biases)
-
-
-def _ready(scenario: Scenario, build: Build, biases: Sequence[float] | None = None) -> ReadyFlight:
-    """The last checks, and the numbers."""
-    s = scenario
-    model, start = flight_model(s, (), build), start_state(s.start, s.vehicle, build)
-    check_start(s, model, start)
-    if s.reference is None:
-        check_without_pilot(s)
-        return ReadyFlight(s.seed, model, start, None)
-    check_clock(s)
-    return ReadyFlight(
-        s.seed,
-        model,
-        start,
-        build_avionics(s, model, start, biases=biases, build=build, advises=False),
-    )
+    return build_flight(scenario, (), None, build, biases, advises=False)
 
 
 # -- settings by tables ---------------------------------------------------------------------------

@@ -241,9 +241,9 @@ class Campaign:
         row = self.row(number)
         if row["outcome"] == "refused":
             raise InputError(f"flight {number}: could not be flown: {row['problem']}")
-        dealt = self.design.dealt(number, number + 1)
-        flight = fly(dealt.tables[0], trajectory=trajectory)
-        now = {name: values[0] for name, values in dealt.columns.items()}
+        drawn = self.design.slice(number, number + 1)
+        flight = fly(drawn.tables[0], trajectory=trajectory)
+        now = {name: values[0] for name, values in drawn.columns.items()}
         now |= {"outcome": flight.outcome.word, **flight.measures}
         skipped = ("success", "problem")
         different = (

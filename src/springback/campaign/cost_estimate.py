@@ -80,13 +80,13 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
     """
     crew = workers or os.cpu_count() or 1
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
-    dealt = [design.dealt(k, k + 1) for k in numbers]
-    tables = [one.tables[0] for one in dealt]
+    drawn = [design.slice(k, k + 1) for k in numbers]
+    tables = [one.tables[0] for one in drawn]
     fly_scenarios(tables, threads=1)
     begun = time.perf_counter()
     ended = fly_scenarios(tables, threads=1)
     rate = len(tables) / (time.perf_counter() - begun)
-    columns = {name: [one.columns[name][0] for one in dealt] for name in dealt[0].columns}
+    columns = {name: [one.columns[name][0] for one in drawn] for name in drawn[0].columns}
     rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
     problems = [problem for problem in ended.problems if problem]
     return CostEstimate(

@@ -69,7 +69,7 @@ class EnvelopePlan(NamedTuple):
 
     def tables(self, flight: int) -> dict[str, Any]:
         """The scenario of a flight."""
-        return self.design.dealt(flight, flight + 1).tables[0]
+        return self.design.slice(flight, flight + 1).tables[0]
 
     @property
     def corners(self) -> list[dict[str, Any]]:

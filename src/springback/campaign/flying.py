@@ -34,7 +34,7 @@ def rows(
 ) -> dict[str, Any]:
     """Rows of a stretch of flights, column by column."""
     with no_collection():
-        dealt = design.dealt(*chunk)
-        ended = fly_scenarios(dealt.tables, threads=threads, device=device)
+        drawn = design.slice(*chunk)
+        ended = fly_scenarios(drawn.tables, threads=threads, device=device)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
-    return {**dealt.columns, **tail, **ended.measures}
+    return {**drawn.columns, **tail, **ended.measures}

@@ -324,7 +324,7 @@ _NEEDED: dict[str, type] = {
 
 
 def about(folder: Path) -> dict[str, Any]:
-    """What `campaign.json` says.
+    """The contents of ``campaign.json``, checked.
 
     Raises:
         InputError: If there is none, or it cannot be read, or is not as it was written.

@@ -55,7 +55,7 @@ def hull_apart(obstacle: Obstacle, hull: Sphere) -> float:
 
 
 @kernel
-def hull_meeting(
+def hull_contact(
     obstacle: Obstacle,
     engaged: float,
     hull: Sphere,

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from springback.contact.cage import CageContact
 from springback.contact.friction_rate import InverseInertia
-from springback.contact.hull import hull_meeting
+from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
@@ -71,7 +71,7 @@ def hull_state(
         ahead: How contacts resist is for depths up to so much farther [m].
     """
     vertical = Vec(r.z.x, r.z.y, r.z.z)
-    met = tree_map(hull_meeting, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
+    met = tree_map(hull_contact, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     engaged_now = tree_map(touching, (met,), ())
     view = HullView(

@@ -16,7 +16,7 @@ import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import CageContact, cage_contact, slip_velocity
-from springback.contact.hull import hull_meeting
+from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
@@ -63,7 +63,7 @@ def _hit_obstacle(
 def _hull_hits_obstacle(
     obstacle: Obstacle, hull: Sphere, velocity: Vec, r: Mat3, omega: Vec
 ) -> ImpulseContact:
-    met = hull_meeting(obstacle, 1.0, hull, velocity, omega, Vec(r.z.x, r.z.y, r.z.z), 0.0)
+    met = hull_contact(obstacle, 1.0, hull, velocity, omega, Vec(r.z.x, r.z.y, r.z.z), 0.0)
     return _hit(met, obstacle.surface, r)
 
 

@@ -65,6 +65,7 @@ from springback.kernels.trees import (
     fold,
     maximum,
     minimum,
+    replace,
     tree_map,
     tree_map_sum,
     tree_sum,
@@ -300,10 +301,7 @@ def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
 def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
     """The view of an arm whose acceleration is known."""
     away = arm.mass * sliding + arm.damping * rate
-    return ArmView(
-        view.gap, view.depth, view.normal, view.friction, view.compression, away, view.crossing,
-        view.engaged, view.impulsive, view.bottomed, view.stopped,
-    )  # fmt: skip
+    return replace(view, unbalance=away)
 
 
 @kernel

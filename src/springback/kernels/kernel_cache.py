@@ -119,7 +119,7 @@ class KernelCache:
         return path
 
 
-def kept(path: Path) -> bytes | None:
+def cached(path: Path) -> bytes | None:
     """What `keep` wrote; None if there is nothing, or, with a warning, nothing to be trusted.
 
     Args:

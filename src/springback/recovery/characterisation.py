@@ -274,12 +274,12 @@ def bearing(
         pressed: Largest compression of each arm [m].
         wrench: What the observer says.
     """
-    impulse = wrench.blow.impulse
-    inward, c = (-impulse) @ r, wrench.blow.carried
+    impulse = wrench.recent.impulse
+    inward, c = (-impulse) @ r, wrench.recent.carried
     ahead = direction_of(Vec(inward.x, inward.y, 0.0), 0.0)
     # While it is hit the robot turns: what met which cage is told in its axes of that time.
     carried = direction_of(Vec(-c.x, -c.y, 0.0), 0.0)
-    met: Pass = passed(airframe, lengths, carried, lever_of(wrench.blow))
+    met: Pass = passed(airframe, lengths, carried, lever_of(wrench.recent))
     felt = felt_arms(look, pressed, met)
     both = (abs(met.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
     tangent = select(both, across(met.span, ahead), turned_back(ahead, met.sine))

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, minimum, select, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec
-from springback.recovery.wrench import Blow
+from springback.recovery.wrench import RecentImpulse
 from springback.vehicle.state import Airframe, Arm, arm_direction
 
 #: Squared length below which a vector has no direction (chosen: far below any reading).
@@ -44,16 +44,16 @@ def direction_of(a: Vec, level: float) -> Vec:
 
 
 @kernel
-def lever_of(blow: Blow) -> float:
+def lever_of(recent: RecentImpulse) -> float:
     """Signed distance of the line of action from the main body, in the plane of the cages [m].
 
     (r × f)_z of the force f of one newton from robot to obstacle; both impulses fade alike, so that
     their ratio is that of force and moment.
     """
-    p = blow.carried
+    p = recent.carried
     square = p.x * p.x + p.y * p.y
     there = square > NO_DIRECTION
-    return -blow.turning.z * select(there, 1.0 / math.sqrt(select(there, square, 1.0)), 0.0)
+    return -recent.turning.z * select(there, 1.0 / math.sqrt(select(there, square, 1.0)), 0.0)
 
 
 @kernel

@@ -41,7 +41,7 @@ class Observer(NamedTuple):
     fading: float  # of the impulses [1/s]
 
 
-class Blow(NamedTuple):
+class RecentImpulse(NamedTuple):
     """What has pushed and turned the robot lately, fading; forces as they came, not as they lag."""
 
     impulse: Vec  # of the external force, world [N s]
@@ -62,7 +62,7 @@ class ExternalWrench(NamedTuple):
     thrust: tuple[float, ...]  # of each rotor, as its lag is believed to be [N]
     force_sum: Vec  # ∫ (known forces + f̂_e) dt, less the momentum at the start [N s]
     moment_sum: Vec  # likewise [N m s]
-    blow: Blow
+    recent: RecentImpulse
 
 
 def no_wrench(
@@ -75,8 +75,8 @@ def no_wrench(
     """Memory of an observer that starts with a motion and nothing pushing."""
     none, inertia = ZERO, build(_whole_inertia, airframe)
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
-    blow = Blow(none, none, none, start.velocity, spin, none, none)
-    return ExternalWrench(none, none, none, thrust, momentum, spin, blow)
+    recent = RecentImpulse(none, none, none, start.velocity, spin, none, none)
+    return ExternalWrench(none, none, none, thrust, momentum, spin, recent)
 
 
 def _whole_inertia(airframe: Airframe) -> Mat3:
@@ -96,9 +96,15 @@ def _felt(observer: Observer, by_rotors: Vec, r: Mat3, specific_force: Vec, old:
 
 
 @kernel
-def struck_by(
-    observer: Observer, r: Mat3, at: Estimate, known: Vec, moment: Vec, spin: Vec, blow: Blow
-) -> Blow:
+def recent_impulse(
+    observer: Observer,
+    r: Mat3,
+    at: Estimate,
+    known: Vec,
+    moment: Vec,
+    spin: Vec,
+    recent: RecentImpulse,
+) -> RecentImpulse:
     """The impulses after one more sample: Δ(m v) − known force · h, and Δ(J ω) − moment · h.
 
     Less what is slow of either, by one and the same filter, lest their ratio be wrong; and of these
@@ -111,19 +117,19 @@ def struck_by(
         known: Force of rotors and gravity, world [N].
         moment: Of the rotors, and −ω × J ω, body axes [N m].
         spin: J ω, body axes [N m s].
-        blow: So far.
+        recent: So far.
     """
     h, kept = observer.interval, 1.0 - observer.fading * observer.interval
-    push = (at.velocity - blow.velocity) * observer.mass - (known + blow.steady_force) * h
-    turn = spin - blow.spin - (moment + blow.steady_moment) * h
-    return Blow(
-        blow.impulse * kept + push,
-        blow.carried * kept + push @ r,
-        blow.turning * kept + turn,
+    push = (at.velocity - recent.velocity) * observer.mass - (known + recent.steady_force) * h
+    turn = spin - recent.spin - (moment + recent.steady_moment) * h
+    return RecentImpulse(
+        recent.impulse * kept + push,
+        recent.carried * kept + push @ r,
+        recent.turning * kept + turn,
         at.velocity,
         spin,
-        blow.steady_force + push * observer.steady_gain,
-        blow.steady_moment + turn * observer.steady_gain,
+        recent.steady_force + push * observer.steady_gain,
+        recent.steady_moment + turn * observer.steady_gain,
     )
 
 
@@ -160,8 +166,8 @@ def renewed_wrench(
     moment_sum = memory.moment_sum + (known_moment + memory.moment) * h
     moment = (spin - moment_sum) * observer.moment_gain
     steady = memory.steady + (force - memory.steady) * (observer.steady_gain * h)
-    blow = struck_by(observer, r, at, known, known_moment, spin, memory.blow)
-    return ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum, blow)
+    recent = recent_impulse(observer, r, at, known, known_moment, spin, memory.recent)
+    return ExternalWrench(force, moment, steady, thrust, force_sum, moment_sum, recent)
 
 
 @kernel
@@ -193,6 +199,6 @@ def observed_wrench(
         memory: `no_wrench` at the start.
     """
     m, thrust = memory, _believed_thrust(observer, command, memory)
-    kept = ExternalWrench(m.force, m.moment, m.steady, thrust, m.force_sum, m.moment_sum, m.blow)
+    kept = ExternalWrench(m.force, m.moment, m.steady, thrust, m.force_sum, m.moment_sum, m.recent)
     now = renewed_wrench(observer, airframe, inertia, seen, at, command, memory)
     return select(seen.inertial.fresh > 0.5, now, kept)

@@ -14,7 +14,6 @@ import numpy as np
 from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
-from springback.dynamics.motion import rates
 from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
 from springback.kernels.vectors import Vec
 from springback.results.meshes import Mesh, surfaces_of
@@ -25,7 +24,8 @@ from springback.results.recovery_measures import (
     recovery_outcome,
 )
 from springback.scenario.arguments import check_executor, chosen_pilot
-from springback.scenario.avionics import CompiledPilot, build_avionics
+from springback.scenario.avionics import CompiledPilot
+from springback.scenario.build import PLAIN_PYTHON, ReadyFlight
 from springback.scenario.files import checked_scenario, overridden, read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user_obstacles import check_own_obstacles
@@ -39,8 +39,6 @@ from springback.simulation.measures import (
     measures_of,
     outcome_of,
 )
-from springback.simulation.record import Model
-from springback.vehicle.state import State
 
 if TYPE_CHECKING:
     import pandas
@@ -339,16 +337,18 @@ def fly(
     flown_by = chosen_pilot(pilot)
     ready = as_scenario(scenario, overrides, flown_by is not None)
     check_own_obstacles(own, Vec(*ready.start.position))
-    model, start = ready.flight_model(own), ready.start_state()
-    _check_start(model, start)
+    with _as_input():
+        built = ready.build(tuple(own), PLAIN_PYTHON if callable(flown_by) else flown_by)
     if trajectory:
-        until, guided = model.timing.until, ready.reference is not None or flown_by is not None
-        foreseen = until * ready.clock if guided else until / model.timing.free_step
-        check_instants(int(foreseen), until, until)
-    if ready.reference is not None or flown_by is not None:
-        flight = _guided(ready, model, start, flown_by, trajectory, executor, progress)
+        timing, guided = built.model.timing, built.built_avionics is not None
+        foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
+        check_instants(int(foreseen), timing.until, timing.until)
+    if built.built_avionics is not None:
+        flight = _guided(ready, built, flown_by, trajectory, executor, progress)
         return _wary(replace(flight, own=tuple(own)))
-    flown = fly_one(model, start, trace=trajectory, executor=executor, progress=progress)
+    flown = fly_one(
+        built.model, built.start, trace=trajectory, executor=executor, progress=progress
+    )
     columns, units = _columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
     flight = Flight(ready, outcome, measures, columns, units, work=_work(flown), own=tuple(own))
@@ -364,25 +364,22 @@ def _wary(flight: Flight) -> Flight:
 
 def _guided(
     ready: Scenario,
-    model: Model,
-    start: State,
+    built: ReadyFlight,
     pilot: PlainPilot | CompiledPilot | None,
     trajectory: bool,
     executor: Executor,
     progress: Callable[[float], None] | None,
 ) -> Flight:
     """Fly with a pilot aboard."""
+    seed, model, start, built_avionics = built
+    assert built_avionics is not None  # asked only of flights with a pilot
     own = pilot if isinstance(pilot, CompiledPilot) else None
     rotors = len(start.arm_length)
     plain = guarded(pilot, rotors) if callable(pilot) else None
-    if pilot is not None and ready.reference is None and not any(model.thrust):
-        model = model._replace(thrust=ready.hover_thrusts())
-    with _as_input():  # of a scenario that was not meant to have a pilot
-        built_avionics = build_avionics(ready, model, start, pilot=own, relay=plain is not None)
     if own is not None:
         validated(own, built_avionics.avionics.onboard.measurement, rotors)
     ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
-    noise = noise_table(ready.seed, 0, ticks, built_avionics.noise)
+    noise = noise_table(seed, 0, ticks, built_avionics.noise)
     with in_words(own):
         guided = fly_guided(
             model, start, built_avionics.avionics, noise,
@@ -407,17 +404,6 @@ def _as_input() -> Iterator[None]:
         raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
 
 
-def _check_start(model: Model, start: State) -> None:
-    """Refuse a start inside an obstacle of the user's own; others are checked with the scenario."""
-    m = model
-    seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
-    gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
-    gaps += [("main body", hull.gap) for hull in seen.hull]
-    for part, gap in gaps:
-        if gap < 0.0:
-            raise InputError(f"start.position: puts the {part} {-gap:.3g} m inside")
-
-
 def as_scenario(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     overrides: tuple[str, ...] = (),
@@ -438,9 +424,6 @@ def as_scenario(
             raise InputError(
                 "overrides need a file or tables; change a Scenario by scenario.model_copy(update=)"
             )
-        if pilot is False:
-            with _as_input():
-                scenario.check_without_pilot()
         return scenario
     if isinstance(scenario, Mapping):
         if not overrides:

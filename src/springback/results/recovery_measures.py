@@ -10,7 +10,7 @@ import numpy as np
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.simulation.columns import Array, as_columns
 from springback.simulation.guided import GuidedFlown
-from springback.simulation.measures import Outcome, first_claimed, outcomes_of, told_of, where
+from springback.simulation.measures import Outcome, first_claimed, outcomes_of, scalars_of, where
 
 #: Vectors shorter than this have no direction.
 LEVEL = 1e-9
@@ -136,4 +136,4 @@ def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
     """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
     onboard = guided.onboard
     trees = guided.flown.record, onboard.evaluator, onboard.pilot
-    return told_of(recovery_columns(*(as_columns(tree) for tree in trees)))
+    return scalars_of(recovery_columns(*(as_columns(tree) for tree in trees)))

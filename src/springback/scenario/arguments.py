@@ -36,7 +36,7 @@ def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
     if isinstance(pilot, type) or not callable(pilot):
         raise InputError(
             "pilot must be a function (time, measurement, memory) -> (thrusts, memory), an "
-            f"OwnPilot, or 'file.py:name' (got {as_written(pilot)})"
+            f"CompiledPilot, or 'file.py:name' (got {as_written(pilot)})"
         )
     plain: PlainPilot = pilot
     return plain

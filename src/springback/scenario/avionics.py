@@ -119,10 +119,13 @@ class NominalVehicle(NamedTuple):
     gravity: float  # g [m/s²]
 
 
-def nominal_vehicle(vehicle: Vehicle, propulsion: Propulsion, gravity: float) -> NominalVehicle:
+def nominal_vehicle(
+    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = uncached
+) -> NominalVehicle:
     """What the pilot of a vehicle believes."""
-    rotors, count = propulsion.rotors(), vehicle.arm_count
-    return NominalVehicle(vehicle.airframe(), vehicle.mass, rotors, count * rotors.most, gravity)
+    airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
+    most = vehicle.arm_count * rotors.most
+    return NominalVehicle(airframe, vehicle.mass, rotors, most, gravity)
 
 
 def limits_of(believed: NominalVehicle, rate_limit: float) -> Limits:
@@ -280,7 +283,7 @@ def cascade_of(
     """The pilot of the paper, and its memory at the start."""
     s, gravity, tick = scenario, scenario.world.gravity, build(_tick, scenario.clock)
     propulsion = propulsion_of(s, model.airframe)
-    believed = build(nominal_vehicle, s.vehicle, propulsion, gravity)
+    believed = build(nominal_vehicle, s.vehicle, propulsion, gravity, build)
     settings, estimator = build(_estimator, s.estimator, s.sensors, tick, gravity)
     control = build(_control_settings, s.control, s.reference, place=FOREVER)
     schedule = build(_schedule, control, s.clock)

@@ -15,9 +15,7 @@ from springback.contact.parameters import faces
 from springback.kernels.memo import Build, uncached
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
-    flight_model,
     settle_step,
-    start_state,
     thrusts_of,
     true_body,
     unit,
@@ -73,18 +71,6 @@ def check_without_pilot(scenario: ScenarioTables) -> None:
         )
 
 
-def check_avionics(scenario: ScenarioTables, own: bool) -> None:
-    """Refuse what a pilot cannot fly with; ``own`` is one of the user's."""
-    from springback.scenario.avionics import build_avionics
-
-    if own and scenario.model.slider is not None:
-        raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
-    check_clock(scenario)
-    with _blaming_the_clock(scenario):
-        model, start = flight_model(scenario), start_state(scenario.start, scenario.vehicle)
-        build_avionics(scenario, model, start, relay=own)
-
-
 def check_clock(scenario: ScenarioTables) -> None:
     """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
     duration, clock = scenario.simulation.duration, scenario.clock
@@ -104,7 +90,7 @@ def check_clock(scenario: ScenarioTables) -> None:
 
 
 @contextlib.contextmanager
-def _blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
+def blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
     """Where the clock was given and a rate was not, the clock is at fault, not the rate."""
     try:
         yield

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -9,21 +10,12 @@ from pydantic import ValidationError, ValidationInfo, model_validator
 
 from springback.contact.parameters import Own
 from springback.errors import InputError
+from springback.kernels.memo import Memo
 from springback.problems import dotted
-from springback.scenario.checks import (
-    check_avionics,
-    check_start,
-    check_tables,
-    check_without_pilot,
-)
-from springback.scenario.model import (
-    flight_model,
-    hover_thrusts,
-    start_state,
-    thrusts_of,
-    true_airframe,
-    true_vehicle,
-)
+from springback.scenario.avionics import CompiledPilot
+from springback.scenario.build import PLAIN_PYTHON, ReadyFlight, build_flight
+from springback.scenario.checks import check_start, check_tables
+from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expanded as expanded
 from springback.scenario.presets import merged as merged
 from springback.scenario.presets import preset as preset
@@ -38,25 +30,26 @@ class Scenario(ScenarioTables):
 
     @model_validator(mode="after")
     def _can_be_flown(self, info: ValidationInfo) -> Scenario:
-        check_tables(self)
-        check_start(self, self.flight_model(), self.start_state())
         given = (info.context or {}).get("pilot")
-        if self.reference is not None or given:
-            check_avionics(self, own=bool(given))
-        elif given is False:
-            check_without_pilot(self)
+        if self.reference is None and given is None:  # a pilot of the user's may yet come
+            check_tables(self, self.parts)
+            check_start(self, self.flight_model(), self.start_state())
+        else:
+            self.build(pilot=PLAIN_PYTHON if given else None)
         return self
 
     # -- made ready -------------------------------------------------------------------------------
 
-    def thrusts(self) -> tuple[float, ...]:
-        """Thrust of each rotor [N]."""
-        gravity, is_piloted = self.world.gravity, self.reference is not None
-        return thrusts_of(self.vehicle, gravity, self.thrust, is_piloted)
+    @functools.cached_property
+    def parts(self) -> Memo:
+        """What it was built of, so that nothing is built twice."""
+        return Memo()
 
-    def hover_thrusts(self) -> tuple[float, ...]:
-        """The weight of `vehicle`, shared by all rotors [N]."""
-        return hover_thrusts(self.vehicle, self.world.gravity)
+    def build(
+        self, own: tuple[Own, ...] = (), pilot: CompiledPilot | str | None = None
+    ) -> ReadyFlight:
+        """What flies, checked; see `springback.scenario.build.build_flight`."""
+        return self.parts(build_flight, self, own, pilot, self.parts)
 
     def true_vehicle(self) -> Vehicle:
         """The vehicle as it is: `vehicle` with the errors of what is believed, and the payload."""
@@ -68,15 +61,11 @@ class Scenario(ScenarioTables):
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
         """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
-        return flight_model(self, own)
+        return flight_model(self, own, self.parts)
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
-        return start_state(self.start, self.vehicle)
-
-    def check_without_pilot(self) -> None:
-        """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
-        check_without_pilot(self)
+        return start_state(self.start, self.vehicle, self.parts)
 
 
 def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenario:

@@ -31,7 +31,7 @@ SHARE = 0.05
 STEPS, HALVINGS = 150, 50
 
 
-class _Met(NamedTuple):
+class _RayHit(NamedTuple):
     """Where a ray meets a surface."""
 
     point: Vec
@@ -82,14 +82,14 @@ class _Sampled:
         found = False
         for direction in itertools.chain([-self.gradient(start)], _directions()):
             if norm(direction) > UNIT:
-                met = self.met(start, direction * (1.0 / norm(direction)), abs(there))
-                if met is not None:
+                hit = self.ray_hit(start, direction * (1.0 / norm(direction)), abs(there))
+                if hit is not None:
                     found = True
-                    self.check_at(met)
+                    self.check_at(hit)
         if not found:
             self.normal(start)  # nothing is met: at least it is a unit vector
 
-    def met(self, start: Vec, direction: Vec, first: float) -> _Met | None:
+    def ray_hit(self, start: Vec, direction: Vec, first: float) -> _RayHit | None:
         """Where a ray meets the surface, of which the start has some distance [m]."""
         side = self.distance(start) >= 0.0
         low, passed = 0.0, list[Vec]()
@@ -109,13 +109,13 @@ class _Sampled:
             middle = 0.5 * (low + high)
             same = (self.distance(start + direction * middle) >= 0.0) == side
             low, high = (middle, high) if same else (low, middle)
-        return _Met(start + direction * high, tuple(passed[::8]))
+        return _RayHit(start + direction * high, tuple(passed[::8]))
 
-    def check_at(self, met: _Met) -> None:
+    def check_at(self, hit: _RayHit) -> None:
         """Look at a point of the surface."""
-        point = met.point
+        point = hit.point
         n = self.normal(point)
-        for before in met.before:
+        for before in hit.before:
             true, told = norm(before - point), self.distance(before)
             if told > true * (1.0 + SHARE) + STEP:
                 self.refuse(

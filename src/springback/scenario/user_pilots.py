@@ -37,7 +37,8 @@ def read_pilot(word: str) -> PlainPilot | CompiledPilot:
 
     Args:
         word: ``file.py:name``; the name is that of a function ``(time, measurement, memory) ->
-            (thrusts, memory)`` or of an `OwnPilot`.
+            (thrusts, memory)`` or of a
+            `springback.scenario.avionics.CompiledPilot`.
 
     Raises:
         InputError: If there is no such file or name, if it is no pilot, or if the file fails.
@@ -57,7 +58,7 @@ def read_pilot(word: str) -> PlainPilot | CompiledPilot:
     if not isinstance(pilot, CompiledPilot) and not callable(pilot):
         raise InputError(
             f"{file}: {name} must be a function (time, measurement, memory) -> (thrusts, memory), "
-            f"or an OwnPilot (got {pilot!r})"
+            f"or a CompiledPilot (got {pilot!r})"
         )
     chosen: PlainPilot | CompiledPilot = pilot
     return chosen

@@ -187,7 +187,7 @@ def converted(
 
 
 @kernel
-def told(channel: Channel, memory: ChannelMemory) -> Vec:
+def digital_word(channel: Channel, memory: ChannelMemory) -> Vec:
     """The digital word of each axis, in its unit."""
     v, step = memory.smooth, channel.step
     return Vec(quantised(v.x, step), quantised(v.y, step), quantised(v.z, step))
@@ -229,8 +229,8 @@ def _felt(
     inner_g = converted(g, omega, noise.rotation, walk_g, memory.gyroscope)
 
     speaks = due(tick, device.every)
-    said_a = told(a, inner_a) if speaks else memory.specific_force
-    said_g = told(g, inner_g) if speaks else memory.angular_velocity
+    said_a = digital_word(a, inner_a) if speaks else memory.specific_force
+    said_g = digital_word(g, inner_g) if speaks else memory.angular_velocity
     flag = 1.0 if speaks else 0.0
     return Felt(Inertial(said_a, said_g, flag), InertialMemory(inner_a, inner_g, said_a, said_g))
 
@@ -267,7 +267,9 @@ def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
     if any(omega):
         force = force + (omega ^ (omega ^ device.offset))  # ... and of spinning steadily
     a, g = _settled(device.accelerometer, force), _settled(device.gyroscope, omega)
-    return InertialMemory(a, g, told(device.accelerometer, a), told(device.gyroscope, g))
+    return InertialMemory(
+        a, g, digital_word(device.accelerometer, a), digital_word(device.gyroscope, g)
+    )
 
 
 def _settled(channel: Channel, true: Vec) -> ChannelMemory:

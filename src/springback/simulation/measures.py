@@ -141,7 +141,7 @@ MEASURES = {
 }  # fmt: skip
 
 
-def told_of(columns: dict[str, Array]) -> dict[str, float | None]:
+def scalars_of(columns: dict[str, Array]) -> dict[str, float | None]:
     """Measures of a single flight by name; None where they are NaN."""
     values = {name: float(column[0]) for name, column in columns.items()}
     return {name: None if math.isnan(value) else value for name, value in values.items()}
@@ -256,4 +256,4 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
 def measures_of(flown: FlightRecord) -> dict[str, float | None]:
     """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
     trees = flown.record, flown.motion.work, flown.before, flown.after
-    return told_of(measure_columns(*(as_columns(tree) for tree in trees)))
+    return scalars_of(measure_columns(*(as_columns(tree) for tree in trees)))

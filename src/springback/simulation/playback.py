@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.cage import CageContact, cage_contact
-from springback.contact.hull import hull_meeting
+from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, own_executor
@@ -73,7 +73,7 @@ def _load(met: CageContact) -> PartLoad:
 def _sphere_load(
     obstacle: Obstacle, hull: Sphere, velocity: Vec, omega: Vec, vertical: Vec
 ) -> PartLoad:
-    return _load(hull_meeting(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
+    return _load(hull_contact(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
 
 
 @kernel

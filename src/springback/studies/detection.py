@@ -17,7 +17,6 @@ import numpy as np
 
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
-from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
 from springback.simulation.onboard import Avionics
@@ -158,8 +157,9 @@ class ReadyTrial(NamedTuple):
 def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     """A flight made ready and flown, trajectory, telemetry and all."""
     scenario = scenario_from(tables)
-    model, start = scenario.flight_model(), scenario.start_state()
-    avionics, draws = build_avionics(scenario, model, start)
+    _, model, start, built = scenario.build()
+    assert built is not None  # every flight of the study has a pilot
+    avionics, draws = built
     ticks = ticks_of(model.timing.until, avionics.systems.period)
     noise = noise_table(scenario.seed, 0, ticks, draws)
     return ReadyTrial(scenario, model, avionics), fly_guided(model, start, avionics, noise)

@@ -73,7 +73,7 @@ def check_pilot(
     """
     own = chosen_pilot(pilot)
     if own is None:
-        raise InputError("pilot must be given: a function, an OwnPilot, or 'file.py:name'")
+        raise InputError("pilot must be given: a function, a CompiledPilot, or 'file.py:name'")
     asked = _as_plain(own)
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
     calls: list[Call] = []

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
 from springback.scenario.scenario import Scenario, merged, scenario_from
-from springback.simulation.measures import Outcome, told_of
+from springback.simulation.measures import Outcome, scalars_of
 from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 
@@ -196,7 +196,7 @@ def fly_trials(
             scenario_from(tables[k])  # says more of it
             raise InputError(ended.problems[k])
         outcome = Outcome[ended.outcomes[k].upper()]
-        measures = told_of({name: column[k : k + 1] for name, column in ended.measures.items()})
+        measures = scalars_of({name: column[k : k + 1] for name, column in ended.measures.items()})
         found.append(Trial(*condition[:3], number, outcome, measures))
     return found
 

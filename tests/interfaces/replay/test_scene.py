@@ -30,7 +30,7 @@ from springback.interfaces.replay.instants import (
     NEAR,
     SHARE,
     departure,
-    kept,
+    drawn_instants,
 )
 from springback.interfaces.replay.scene import Scene, plain, read_result, scene_of
 from springback.interfaces.reports.flight_files import write_flight
@@ -185,7 +185,7 @@ def test_leaning_on_a_wall_does_not_make_a_scene_grow_without_end() -> None:
     columns = {"t": t, "x": 1e-3 * np.sin(t), "y": zero, "z": zero, "qw": zero + 1.0}
     columns |= dict.fromkeys(("qx", "qy", "qz", "vy", "vz", "ax", "ay", "az"), zero)
     columns |= {"vx": 1e-3 * np.cos(t), "l1": zero + 0.19, "fn1": 5.0 + np.sin(t), "ff1": zero}
-    at = kept(columns, 1)
+    at = drawn_instants(columns, 1)
     assert len(at) < MOST_NEAR + 1000
     off = departure(columns, 1, at)
     assert off["position"] <= BOUNDS["m"]
@@ -202,7 +202,7 @@ def test_what_moves_fast_away_from_contacts_is_followed() -> None:
     columns |= {"t": t, "qw": zero + 1.0, "fn1": zero, "ff1": zero}
     columns |= {f"{kind}{axis}": zero for kind in "va" for axis in "xyz"}
     columns["l1"] = 0.19 - 1e-3 * np.sin(2 * math.pi * 150.0 * t)
-    at = kept(columns, 1)
+    at = drawn_instants(columns, 1)
     assert len(at) < 0.5 * len(t)
     assert departure(columns, 1, at)["arm_length"] <= ARM_BOUND
 

@@ -37,7 +37,7 @@ Blame = Callable[[Path, str], None]
 
 #: Names of columns (chosen): dotted paths, and words.
 NAME = re.compile(r"[A-Za-z_][\w.\[\]]*\Z")
-#: A factor that stands for the law of `laws.NormalFactor` or `laws.UniformDistribution`.
+#: Ending of a column whose values are factors of the scenario's own.
 FACTOR = "_factor"
 
 

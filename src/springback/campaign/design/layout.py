@@ -53,7 +53,7 @@ MOST_TRIED = 200
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
 
-class Dealt(NamedTuple):
+class DesignSlice(NamedTuple):
     """A stretch of flights."""
 
     tables: list[Tables]
@@ -106,8 +106,8 @@ class Design:
         failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
         return f"outcome NOT IN ({failures})"
 
-    def dealt(self, first: int, last: int) -> Dealt:
-        """Flights from ``first`` to before ``last``, whatever is dealt beside them."""
+    def slice(self, first: int, last: int) -> DesignSlice:
+        """Flights from ``first`` to before ``last``, whatever the other slices."""
         per = self.plan.repeats * len(self.robots)
         begin, end = first // per, -(-last // per)
         numbers = _numbers(self, begin, end - begin)
@@ -127,7 +127,7 @@ class Design:
             for one, value in zip(self.dimensions, drawn, strict=True):
                 columns[one.column].append(one.shown(value, robot))
             tables.append({**self._with(robot, drawn, steps, known), "seed": seed})
-        return Dealt(tables, columns)
+        return DesignSlice(tables, columns)
 
     def _with(
         self,

@@ -32,7 +32,7 @@ from springback.interfaces.cli.common import (
 )
 @click.option(
     "--pilot", metavar="FILE.py:NAME",
-    help="Fly with a pilot of your own: a function, or an OwnPilot, which is compiled.",
+    help="Fly with a pilot of your own: a function, or a CompiledPilot, which is compiled.",
 )  # fmt: skip
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @force_option

@@ -92,7 +92,7 @@ def _departures(t: Array, values: Array, group: Places, size: int) -> Array:
     return np.asarray(np.abs(values[inside] - line).max(axis=(1, 2)))
 
 
-def kept(columns: Mapping[str, Array], arms: int) -> Places:
+def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
     """Places of the instants that are drawn.
 
     All within `NEAR` of a contact, up to `MOST_NEAR` of them; elsewhere as few as `BOUNDS` and

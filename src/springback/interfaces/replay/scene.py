@@ -28,7 +28,7 @@ from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.replay.events import Event, events_of, impacts_of
 from springback.interfaces.replay.geometry import Drawable, drawn
-from springback.interfaces.replay.instants import departure, kept, parts_of
+from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
 from springback.simulation.playback import LoadHistory, load_history
@@ -139,7 +139,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     own = own or flight.own
     model = flight.scenario.flight_model(own)
     c, count = flight.columns, len(model.airframe.arms)
-    places = kept(c, count)
+    places = drawn_instants(c, count)
     loads = load_history(model, c, places)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)

@@ -1,6 +1,6 @@
 """One page with everything in it: script, style and data, so that it needs nothing from anywhere.
 
-The script is built from ``web/src`` of the sources by ``build web`` (docs/decisions/0015).
+The script is built from ``web/src`` of the sources by ``make web`` (docs/decisions/0015).
 """
 
 from __future__ import annotations

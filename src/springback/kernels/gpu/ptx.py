@@ -30,7 +30,7 @@ from springback.kernels.gpu.nvptx import (
     machine,
     target_context,
 )
-from springback.kernels.kernel_cache import keep, kept
+from springback.kernels.kernel_cache import cached, keep
 from springback.kernels.layout import TreeLayout, TreeLayoutType
 from springback.kernels.trees import branches
 
@@ -122,7 +122,7 @@ def program(
     if sources is None:
         return Program(entry.__name__, _lowered(entry, kinds, parts()), None)
     path = _folder() / f"{digest}.bc"
-    bitcode = kept(path)
+    bitcode = cached(path)
     if bitcode is None:
         bitcode = _lowered(entry, kinds, parts())
         keep(path, bitcode)
@@ -178,7 +178,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     masks = repr([p.varies for p in parameters if isinstance(p, Constants)])
     mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
     path = _folder() / f"{program.digest}-{mask}.ptx"
-    known = kept(path) if program.digest else None
+    known = cached(path) if program.digest else None
     if known is not None:
         return Kernel(program.name, known.decode())
     module = binding.parse_bitcode(program.bitcode)

@@ -1,0 +1,91 @@
+"""One way in: a scenario is checked while it is built, and what is built is what flies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from springback.contact.parameters import Own
+from springback.dynamics.motion import rates
+from springback.kernels.memo import Build, uncached
+from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics
+from springback.scenario.checks import (
+    blaming_the_clock,
+    check_clock,
+    check_start,
+    check_tables,
+    check_without_pilot,
+)
+from springback.scenario.model import flight_model, hover_thrusts, start_state
+from springback.scenario.tables import ScenarioTables
+from springback.settings import problem
+from springback.simulation.record import Model
+from springback.vehicle.state import State
+
+#: In place of a compiled pilot: one in plain Python commands the rotors from outside.
+PLAIN_PYTHON = "plain Python"
+
+
+class ReadyFlight(NamedTuple):
+    """A flight made ready; without a pilot it has no avionics."""
+
+    seed: int
+    model: Model
+    start: State
+    built_avionics: BuiltAvionics | None
+
+
+def build_flight(
+    scenario: ScenarioTables,
+    own: Sequence[Own] = (),
+    pilot: CompiledPilot | str | None = None,
+    build: Build = uncached,
+    biases: Sequence[float] | None = None,
+    advises: bool = True,
+) -> ReadyFlight:
+    """Check a scenario across its tables, and make it ready to fly.
+
+    Args:
+        scenario: Tables that were checked one by one.
+        own: Obstacles of the user's beside the scenario's, with their surfaces.
+        pilot: In place of the paper's; `PLAIN_PYTHON` for one that stays outside.
+        build: How parts are made.
+        biases: `turn_on_normals` of its seed, if they are known already.
+        advises: Say what would do where a run-up cannot be flown; it takes long.
+
+    Raises:
+        The first problem, with the key at fault.
+    """
+    s = scenario
+    check_tables(s, build)
+    model, start = flight_model(s, own, build), start_state(s.start, s.vehicle, build)
+    check_start(s, model, start)
+    if own:
+        _check_start_beside(model, start)
+    if s.reference is None and pilot is None:
+        check_without_pilot(s)
+        return ReadyFlight(s.seed, model, start, None)
+    if pilot is not None and s.model.slider is not None:
+        raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
+    check_clock(s)
+    if s.reference is None and not any(model.thrust):
+        model = model._replace(thrust=build(hover_thrusts, s.vehicle, s.world.gravity))
+    with blaming_the_clock(s):
+        avionics = build_avionics(
+            s, model, start,
+            pilot=pilot if isinstance(pilot, CompiledPilot) else None,
+            relay=pilot == PLAIN_PYTHON,
+            biases=biases, build=build, advises=advises,
+        )  # fmt: skip
+    return ReadyFlight(s.seed, model, start, avionics)
+
+
+def _check_start_beside(model: Model, start: State) -> None:
+    """Refuse a start inside an obstacle of the user's own."""
+    m = model
+    seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
+    gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
+    gaps += [("main body", hull.gap) for hull in seen.hull]
+    for part, gap in gaps:
+        if gap < 0.0:
+            raise problem(f"puts the {part} {-gap:.3g} m inside", "start.position")
