@@ -17,6 +17,7 @@ SLOW = (
     "attack/test_fuzz.py",
     "batch/test_scenarios.py",
     "campaign/test_cluster.py",
+    "campaign/test_envelope.py",
     "campaign/test_running.py",
     "campaign/test_strangers.py",
     "contact/test_obstacles.py::test_own_obstacle_compiles_and_gives_the_same_bits",
