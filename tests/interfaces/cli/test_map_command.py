@@ -11,7 +11,8 @@ import pytest
 from matplotlib.contour import QuadContourSet
 from matplotlib.patches import Rectangle
 
-from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, EnvelopeCell, Place
+from builders.figures import plane_map
+from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, EnvelopeCell
 from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
@@ -91,21 +92,6 @@ def test_bad_input_is_one_line_and_leaves_nothing(
 
 
 # -- the figure -----------------------------------------------------------------------------------
-
-
-def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
-    """share = 1.05 - 0.04 v - 0.002 θ, at most 1; the corner of fast and steep cannot be flown."""
-    x = Axis("speed", "m/s", (1.0, 2.0, 3.0, 4.0, 5.0))
-    y = Axis("pitch", "deg", (-45.0, -15.0, 15.0, 45.0))
-    cells = {}
-    for robot in robots:
-        for j, pitch in enumerate(y.values):
-            for i, speed in enumerate(x.values):
-                won = min(1000, round(1050 - 40 * speed - 2 * pitch))
-                ended = {"recovered": won, "hit_ground": 1000 - won}
-                corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = EnvelopeCell({} if corner else ended)
-    return Envelope(x, y, robots, 1000, 0, (), cells)
 
 
 def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() -> None:

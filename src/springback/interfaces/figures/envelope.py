@@ -15,7 +15,8 @@ from matplotlib.patches import Patch, Rectangle
 
 from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
 from springback.campaign.analysis.intervals import Values
-from springback.interfaces.figures.style import GREY, INK, RED, SHADE, StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.output.robots import GREY, INK, RED, SHADE
 from springback.studies.run_ups import CONDITIONS
 
 #: What is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,

@@ -103,7 +103,7 @@ def fly_in_lanes(flights: Sequence[Lane], **options: int) -> list[GuidedFlown]:
 
 
 def same(a: GuidedFlown, b: GuidedFlown) -> bool:
-    """Whether motion, record, and all that is aboard are the same, bit for bit."""
+    """Equality, bit for bit, of motion, record and on-board systems."""
     trees = [
         (a.flown.motion, b.flown.motion),
         (a.flown.record, b.flown.record),
