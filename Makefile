@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test lint types layers pytest attack fuzz docs bench lock web clean
+.PHONY: run test quick lint types layers pytest mutations attack fuzz docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -25,6 +25,16 @@ layers:
 
 pytest:
 	$(BIN)/pytest -n 2 --dist loadfile
+
+# Two minutes, kernels compiled: all but slow tests and those in a browser.
+quick:
+	@tools/environment dev
+	$(BIN)/pytest -n 2 --dist loadfile -m "not slow and not browser"
+
+# Flip one sign of the physics at a time; MUTATIONS=damper: those whose name has it.
+mutations:
+	@tools/environment dev
+	PYTHONPATH=src $(BIN)/python tests/oracles/mutations.py $(MUTATIONS)
 
 # Damage, foreign SQL, broken caches, Ctrl-C and kill -9 at any instant, and `make fuzz`: a table.
 attack:

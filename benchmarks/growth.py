@@ -24,7 +24,9 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from benchmarks.rivals.contenders import STEP, Contender
 from benchmarks.rivals.report import machine, spread
 from benchmarks.rivals.rounds import Failed, run
-from springback.interfaces.figures.style import BLUE, INK, ORANGE, StyledFigure, save, styled
+from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.style import StyledFigure, save, styled
+from springback.interfaces.output.robots import BLUE, INK, ORANGE
 
 #: The point from which one thing is varied: flights, duration [s], arms, obstacles.
 USUAL = {"flights": 256, "duration": 6.0, "arms": 4, "obstacles": 2}
@@ -125,13 +127,12 @@ def _drawn(
     axes: Axes, rows: Sequence[Mapping[str, Any]], key: str, colour: str, style: str
 ) -> None:
     varied = rows[0]["varied"]
-    x = [row[varied] for row in rows]
-    median = [row[key]["median"] for row in rows]
-    below = [row[key]["median"] - row[key]["lowest"] for row in rows]
-    above = [row[key]["highest"] - row[key]["median"] for row in rows]
-    axes.errorbar(
-        x, median, yerr=[below, above], color=colour, linestyle=style, marker="o", markersize=3.5,
-        elinewidth=1.0,
+    middle, low, high = (
+        [row[key][which] for row in rows] for which in ("median", "lowest", "highest")
+    )
+    Chart(axes, LABELS[varied], key).errorbars(
+        "", [row[varied] for row in rows], middle, low, high, color=colour, linestyle=style,
+        marker="o", markersize=3.5, elinewidth=1.0,
     )  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from matplotlib.figure import Figure
 
 import springback
 from springback.interfaces.figures import style
+from springback.interfaces.output.robots import INK, RED
 from springback.results.estimate_errors import (
     EstimateErrors,
     clipped_area,
@@ -110,14 +111,14 @@ def figure(made: dict[str, tuple[Flight, EstimateErrors]]) -> Figure:
     flight, errors = made[CASES[0].name]
     start = flight.touch_time or 0.0
     time = 1e3 * (errors.time - start)
-    top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=style.INK, label="felt")
-    top.plot(time, flight.telemetry["imu_ax"] / 9.80665, color=style.RED, ls="--", label="read")
+    top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=INK, label="felt")
+    top.plot(time, flight.telemetry["imu_ax"] / 9.80665, color=RED, ls="--", label="read")
     top.set(xlim=(-10.0, 50.0), ylabel="force along x [g]", xlabel="time after first touch [ms]")
     top.legend(loc="lower right")
-    for (name, (_, e)), (colour, dashes) in zip(made.items(), style.LOOKS, strict=False):
+    for (name, (_, e)), look in zip(made.items(), style.LOOKS, strict=False):
         late = 1e3 * (e.time - start)
-        middle.semilogy(late, e.velocity, color=colour, ls=dashes, label=name)
-        bottom.plot(late, np.degrees(e.attitude), color=colour, ls=dashes)
+        middle.semilogy(late, e.velocity, label=name, **look)
+        bottom.plot(late, np.degrees(e.attitude), **look)
     middle.set(xlim=(-50.0, 600.0), ylim=(1e-3, 1e1), ylabel="velocity error [m/s]")
     middle.set_yticks([1e-3, 1e-2, 1e-1, 1.0, 10.0], ["0.001", "0.01", "0.1", "1", "10"])
     bottom.set(xlim=(-50.0, 600.0), ylim=(0.0, None), ylabel="attitude error [deg]")

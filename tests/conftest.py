@@ -2,8 +2,52 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
 from hypothesis import settings
+
+from builders.marks import BROWSER, DOCS, PAPER, SLOW
+from builders.missing import is_allowed
 
 # Property tests draw the same examples on every machine, and the first call of a function may be slow.
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=100)
 settings.load_profile("suite")
+HERE = Path(__file__).parent
+
+
+@pytest.hookimpl(tryfirst=True)  # before tests are chosen by their marks
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark tests by their place; `builders/marks.py` says which."""
+    for item in items:
+        file, _, name = item.nodeid.partition("::")
+        place = item.path.relative_to(HERE).as_posix() if item.path.is_relative_to(HERE) else file
+        whole = f"{place}::{name.partition('[')[0]}"
+        for mark, places in (
+            ("slow", SLOW),
+            ("browser", BROWSER),
+            ("paper", PAPER),
+            ("docs", DOCS),
+        ):
+            if any(whole.startswith(one) for one in places):
+                item.add_marker(mark)
+
+
+def skipped(config: pytest.Config) -> list[str]:
+    """Reasons of the tests that were skipped although nothing that may be missing is."""
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    reports = reporter.stats.get("skipped", []) if reporter else []
+    reasons = [(report.nodeid, report.longrepr[-1]) for report in reports]
+    return [f"{test}: {reason}" for test, reason in reasons if not is_allowed(reason)]
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A test may be skipped for want of a program, and for nothing else."""
+    if skipped(session.config):
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say which tests were skipped without need."""
+    for line in skipped(terminalreporter.config):
+        terminalreporter.line(f"ERROR skipped, but nothing is missing: {line}", red=True)

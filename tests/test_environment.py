@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
+from builders.missing import needs
 
 ROOT = Path(__file__).parents[1]
 UNKNOWN = "error: Failed to fetch\\n  cause: invalid peer certificate: UnknownIssuer"
@@ -31,7 +31,7 @@ if [ "$PIP_FAILS" = certificate ] && [ -z "${PIP_CERT:-}" ]; then
 fi
 """
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="a shell script")
+pytestmark = needs("POSIX")
 
 
 def program(path: Path, text: str) -> None:
@@ -41,7 +41,7 @@ def program(path: Path, text: str) -> None:
 
 
 def made(folder: Path, uv: str = "", pip: str = "") -> tuple[list[str], str]:
-    """Calls of the stand-ins, and what the user is told, of a checkout without an environment."""
+    """Calls of the stand-ins, and the output, of a checkout without an environment."""
     (folder / "tools").mkdir()
     shutil.copy(ROOT / "tools/environment", folder / "tools/environment")
     for name in ("uv.lock", "pyproject.toml"):

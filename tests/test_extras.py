@@ -111,7 +111,7 @@ def test_a_missing_module_is_told_with_its_hint(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_nothing_tells_to_install_from_a_registry() -> None:
-    """Nobody answers for that name there."""
+    """No package of that name is known there."""
     pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *(ROOT / "src").rglob("*.py")]
     for page in pages:
         if "_build" not in page.parts:

@@ -8,13 +8,14 @@ from pathlib import Path
 import pytest
 
 import springback
+from builders.cases import nonempty
 
 ROOT = Path(__file__).parents[1]
 SOURCE = sorted((ROOT / "src" / "springback").rglob("*.py"))
 
 
 def test_every_public_name_exists() -> None:
-    for name in springback.__all__:
+    for name in nonempty(springback.__all__):
         assert getattr(springback, name) is not None
 
 
@@ -46,18 +47,26 @@ def test_equation_index_leads_to_functions_and_tests(number: str, function: str,
     assert (ROOT / test).is_file()
 
 
+def found_in_source(pattern: str) -> list[tuple[str, ...]]:
+    """Every match: its file and its groups."""
+    return [
+        (str(path), *match.groups())
+        for path in SOURCE
+        for match in re.finditer(pattern, path.read_text())
+    ]
+
+
 def test_equations_named_in_the_source_stand_in_the_index() -> None:
     known = {int(number) for number, _, _ in index()}
-    for path in SOURCE:
-        for first, last in re.findall(r"[Ee]qs?\. \((\d+)\)(?:-\((\d+)\))?", path.read_text()):
-            assert set(range(int(first), int(last or first) + 1)) <= known, path
+    for path, first, last in nonempty(found_in_source(r"[Ee]qs?\. \((\d+)\)(?:-\((\d+)\))?")):
+        assert set(range(int(first), int(last or first) + 1)) <= known, path
 
 
 def test_pages_that_the_source_points_to_exist() -> None:
-    for path in SOURCE:
-        for page in re.findall(r"\b(?:docs|tests|studies)/[\w/.-]+\.(?:md|py)\b", path.read_text()):
-            assert (ROOT / page).is_file(), f"{path}: {page}"
-        for number in re.findall(r"docs/decisions/(\d{4})", path.read_text()):
-            assert list((ROOT / "docs/decisions").glob(f"{number}-*.md")), (
-                f"{path}: decision {number}"
-            )
+    for path, page in nonempty(
+        found_in_source(r"\b((?:docs|tests|studies)/[\w/.-]+\.(?:md|py))\b")
+    ):
+        assert (ROOT / page).is_file(), f"{path}: {page}"
+    for path, number in nonempty(found_in_source(r"docs/decisions/(\d{4})")):
+        pages = (ROOT / "docs/decisions").glob(f"{number}-*.md")
+        assert list(pages), f"{path}: decision {number}"

@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from builders.cases import nonempty
+from builders.missing import needs
+
 ROOT = Path(__file__).parents[1]
 #: Files beside the modules without which commands fail.
 NEEDED = ("py.typed", "interfaces/web/LICENSES.txt")
@@ -28,11 +31,11 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def tracked(folder: str) -> set[str]:
     words = ["git", "ls-files", "-z", folder]
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
-    if done.returncode:
-        pytest.skip("this is no checkout")
+    assert done.returncode == 0, done.stderr
     return {name for name in done.stdout.split("\0") if name and (ROOT / name).exists()}
 
 
+@needs("a git checkout")
 def test_the_wheel_holds_the_package_and_its_licence(built: Path) -> None:
     [path] = built.glob("*.whl")
     with zipfile.ZipFile(path) as wheel:
@@ -51,6 +54,7 @@ def test_the_wheel_holds_the_package_and_its_licence(built: Path) -> None:
         assert re.search(rf"^Requires-Dist: {name}<0\.\d+,", about, re.MULTILINE)
 
 
+@needs("a git checkout")
 def test_the_source_distribution_holds_no_more_than_it_says(built: Path) -> None:
     [path] = built.glob("*.tar.gz")
     with tarfile.open(path) as archive:
@@ -96,6 +100,6 @@ def test_the_locked_files_say_the_same() -> None:
             name, sign, rest = line.partition("==")
             if sign and name[0].isalnum():
                 versions.setdefault(f"{name} {extra}", set()).add(rest.rstrip(" \\"))
-    for key, found in versions.items():
+    for key, found in nonempty(versions.items()):
         name, _, extra = key.partition(" ")
         assert found == versions.get(f"{name} dev", found) or extra == "docs"

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
+from builders.typed_lines import Typed, typed
 from springback.extras import packages
-from test_examples import Typed, typed
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
@@ -113,7 +113,7 @@ def test_readme_runs_from_top_to_bottom_in_an_empty_folder(tmp_path: Path) -> No
 
 
 def test_one_line_installs_all_that_follows() -> None:
-    """It stands before the first command that needs it, and its extra holds all others."""
+    """It comes before the first command that needs it, and its extra holds all others."""
     text = README.read_text()
     [line] = re.findall(r"^    (pip install .*)$", text, re.M)
     assert line == "pip install '.[all]'"

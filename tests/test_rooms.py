@@ -87,7 +87,7 @@ def is_private(name: str) -> bool:
 
 def test_nobody_imports_in_a_circle() -> None:
     # The package itself names all that it gives, each loaded when first used; of it modules may
-    # import nothing, and so it stands above all.
+    # import nothing, and so it is above all.
     graph = {m: {other for other, _ in imports(m) if other != m} for m in MODULES}
     assert sum(map(len, graph.values())) > 800
     assert [m for m, others in graph.items() if "springback" in others and m != "springback"] == []

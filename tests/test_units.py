@@ -118,7 +118,7 @@ def test_numbers_of_any_size_are_told_to_be_finite() -> None:
 
 @pytest.mark.parametrize("value", [15, 45.0, -6.3, "400 deg"])
 def test_angles_keep_within_a_turn(value: float | str) -> None:
-    """A plain 45 is radians, which nobody means; the message says how degrees are written."""
+    """A plain 45 is radians, hardly what is meant; the message says how degrees are written."""
     with pytest.raises(PydanticCustomError, match="within a full turn") as caught:
         checked(value, "rad")
     if not isinstance(value, str):

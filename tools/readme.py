@@ -12,6 +12,7 @@ from pathlib import Path
 from statistics import mean
 
 from springback.interfaces.figures.style import png
+from springback.interfaces.output.robots import robot_label
 from springback.interfaces.reproduction.figures.slider import readme_figure
 from springback.paper.choices import (
     BOTH,
@@ -44,7 +45,6 @@ from springback.studies.trials import DURATION
 README = Path(__file__).parents[1] / "README.md"
 PAGE = README.parent / "docs/paper/reproduction.md"
 CHOICES_PAGE = PAGE.with_name("choices.md")
-NAMES = {"arq": "ARQ", "quad": "Quad"}
 FIGURE = README.parent / "docs/figures/slider.png"
 BEGIN = "<!-- {name}: written by tools/readme.py -->\n"
 END = "<!-- end of {name} -->"
@@ -227,7 +227,7 @@ def fate_table(results: ChoiceResults, friction: str, estimator: str) -> str:
                     scaled = None if value is None else scales.get(name, 1.0) * value
                     shown.append("–" if scaled is None else f"{scaled:{forms.get(name, '.2f')}}")
             words = [*(str(c.successes) for c in cells), *map(str, ends), *shown]
-            name = f"{NAMES[robot]}, {pitch:g}°, {speed:g} m/s"
+            name = f"{robot_label(robot)}, {pitch:g}°, {speed:g} m/s"
             lines.append(f"| {name} | {' | '.join(words)} |")
     return "\n".join(lines) + "\n"
 

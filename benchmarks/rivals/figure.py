@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from benchmarks.rivals.report import horizon
-from springback.interfaces.figures.style import BLUE, GREY, INK, ORANGE, StyledFigure, styled
+from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.output.robots import BLUE, GREY, INK, ORANGE
 
 RATE = "flight-seconds per second"
 #: Height of a row, and what a panel needs besides [in].
@@ -22,15 +23,18 @@ PANELS = {
 }
 
 
-def _dots(axes: Axes, rows: Mapping[str, Any], scale: float) -> None:
+def _dots(chart: Chart, rows: Mapping[str, Any], scale: float) -> None:
     """Medians as dots, from lowest to highest as a line, the fastest on top."""
+    axes = chart.ax
     ordered = sorted(rows.items(), key=lambda item: item[1]["figures"][RATE]["median"])
     for k, (name, row) in enumerate(ordered):
         found = {key: value / scale for key, value in row["figures"][RATE].items()}
         ours = name.startswith("springback")
         colour = ORANGE if row["kind"] == "collision" else BLUE if ours else GREY
-        axes.plot([found["lowest"], found["highest"]], [k, k], color=colour, linewidth=2.0)
-        axes.plot(found["median"], k, "o" if ours else "D", color=colour, markersize=6.0)
+        chart.errorbars(
+            "", found["median"], k, found["lowest"], found["highest"], across=True,
+            columns={chart.y: name}, fmt="o" if ours else "D", color=colour, ms=6.0, elinewidth=2.0,
+        )  # fmt: skip
         axes.annotate(
             _rounded(found["median"]), (found["highest"], k), xytext=(7, 0),
             textcoords="offset points", va="center", fontsize=8,
@@ -68,8 +72,8 @@ def contest_figure(report: Mapping[str, Any]) -> Figure:
     figure = StyledFigure(figsize=(7.2, sum(heights) + 0.3))
     grid = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)
     for axes, (title, kinds, rows) in zip(grid[:, 0], panels, strict=True):
-        _dots(axes, rows, horizon("impact") if kinds == ("impact",) else 1.0)
-        axes.set_title(title)
+        scale = horizon("impact") if kinds == ("impact",) else 1.0
+        _dots(Chart(axes, title.partition(": ")[2], "contender", title), rows, scale)
     machine = report["machine"]["processor"]
     note = f"{machine}; medians of rounds ({report['rounds']}), lines from lowest to highest"
     if report["quick"]:

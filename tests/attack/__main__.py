@@ -23,12 +23,12 @@ from typing import Any
 
 from attack.caches import caches
 from attack.campaigns import CONDITIONS, ESCAPES, all_said
+from attack.corners import IMPACT, PILOTED, corners, is_flown
 from attack.damage import cut_off, one_byte
 from attack.interrupting import COMMANDS, command, prepared, removed, timed, tried
 from attack.table import Row
-from attack.test_corners import IMPACT, PILOTED, corners, is_flown
-from campaign.made_up import filled
-from campaign.plans import THROW, plan
+from builders.campaign_folders import filled
+from builders.plans import THROW, plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import laid_out

@@ -1,4 +1,4 @@
-"""Inputs as an attacker or bad luck would write them, and what is promised for every one of them.
+"""Inputs as an attacker or an accident would write them, and what is promised for every one of them.
 
 A scenario, plan or override is either accepted, and then made ready to fly with finite numbers, or
 refused by an `InputError` of lines that a terminal can show.  Nothing else is raised, warned of, or
@@ -120,7 +120,7 @@ def put(node: Any, path: tuple[str | int, ...], value: Any) -> Any:
 
 
 def value_at(node: Any, path: tuple[str | int, ...]) -> Any:
-    """What stands at a path of plain tables; None if nothing does."""
+    """The value at a path of plain tables; None if there is none."""
     for key in path:
         if not isinstance(node, dict | list) or (isinstance(node, dict) and key not in node):
             return None

@@ -14,7 +14,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.campaign import store
 from springback.campaign.access import Campaign
 from springback.errors import InputError
@@ -57,7 +57,7 @@ class Ending(NamedTuple):
     after: float  # Ctrl-C, since the start [s]; infinite if it had ended before
     code: int
     said: str
-    left: tuple[str, ...]  # drafts, which nobody is to see
+    left: tuple[str, ...]  # drafts, which are not to be seen
 
 
 def command(*words: str) -> list[str]:

@@ -26,8 +26,8 @@ from hypothesis import strategies as st
 
 from attack.campaigns import all_said
 from attack.inputs import paths_of, plain_values, put
-from campaign.made_up import filled
-from campaign.plans import THROW
+from builders.campaign_folders import filled
+from builders.plans import THROW
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
 from springback.campaign.design.layout import laid_out

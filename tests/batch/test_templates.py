@@ -26,7 +26,7 @@ WALL = {"type": "wall", "distance": 2.75, "surface": "wall"}
 
 
 def scattered(robot: str, changes: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Trials with scattered luck."""
+    """Trials with scattered starts and noise."""
     scatter, tables = Scatter(), []
     for k in range(COUNT):
         tables.append(trial_tables(robot, 0.0, 2.0, scatter.drawn(robot, 0.0, 2.0, k, 0), changes))
@@ -124,7 +124,7 @@ def test_many_are_as_alone(plan: str) -> None:
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:
-    """One stands in the wall, of one nothing is left beside the arms."""
+    """One starts inside the wall; of another nothing is left beside the arms."""
     tables = scattered("arq", {})
     tables[3] |= {"start": {**tables[3]["start"], "position": [2.7, 0.0, 1.0]}}
     tables[5] |= {"model_error": {"mass": 0.1, "inertia": 1.0}}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 import sys
 import time
@@ -12,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from campaign.plans import plan
+from builders.missing import needs
+from builders.plans import plan
 from springback.campaign import cluster
 from springback.campaign.cluster import Tls, connected, is_open
 from springback.campaign.running import run_campaign
@@ -132,9 +132,8 @@ def certificates(folder: Path) -> Tls:
     return Tls(certificate, certificate, key)
 
 
+@needs("openssl")
 def test_certificates_reach_a_cluster_that_asks_for_them(tmp_path: Path) -> None:
-    if shutil.which("openssl") is None:
-        pytest.skip("makes its certificates with openssl")
     tls = certificates(tmp_path)
     file = tmp_path / "scheduler.json"
     options = (

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
+from builders.cases import nonempty
+from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.design import sampling
 from springback.campaign.design.layout import Design, design_of, laid_out
 from springback.campaign.design.plan import Plan, Source, plan_from, read_plan
@@ -115,7 +116,7 @@ def test_tables_that_are_alike_are_the_same_object() -> None:
 def test_values_arrive_in_the_scenario() -> None:
     design = laid_out(plan(method="sobol", samples=8))
     dealt = design.slice(0, design.flights)
-    for k, tables in enumerate(dealt.tables):
+    for k, tables in nonempty(enumerate(dealt.tables)):
         scenario = scenario_from(tables)
         row = {name: values[k] for name, values in dealt.columns.items()}
         assert scenario.start.velocity == (row["speed"], 0.0, 0.0)
@@ -148,7 +149,7 @@ def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
 
 
 def test_scatter_is_that_of_trials() -> None:
-    """The tables of a trial whose luck is what a row says."""
+    """The tables of a trial whose random numbers are those of a row."""
     base = trial_tables("arq", 0.0, 2.0, TrialNoise(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
     base["world"]["obstacles"][0] = {"type": "wall", "distance": 2.75, "surface": "wall"}
     design = laid_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))

@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from campaign.plans import plan
+from builders.missing import needs
+from builders.plans import plan
 from springback.campaign import workers
 from springback.campaign.access import Campaign
 from springback.campaign.cost_estimate import cost_estimate
@@ -236,7 +237,7 @@ def test_numbers_of_workers_and_chunks_are_checked(tmp_path: Path) -> None:
     assert not (tmp_path / "a").exists()
 
 
-@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="signals of POSIX")
+@needs("POSIX")
 def test_a_worker_that_is_starting_hears_no_ctrl_c(capfd: pytest.CaptureFixture[str]) -> None:
     """Was: a traceback of each, of what it was just importing."""
     worker = workers._Worker("", "cpu")

@@ -10,8 +10,8 @@ import pytest
 import scipy.stats
 
 import springback
-from campaign.made_up import filled
-from campaign.plans import PITCH, SPEED, SURFACE, THROW, plan
+from builders.campaign_folders import filled
+from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import paired_difference, quantile, ranks, share
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal, scale
@@ -25,7 +25,8 @@ from springback.interfaces.figures.campaign import (
     round_ticks,
     written,
 )
-from springback.interfaces.reports.campaign import summary_text, words_of_map
+from springback.interfaces.reports.campaign import summary_text
+from springback.interfaces.reports.campaign_page import words_of_map
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +83,7 @@ def test_a_summary_counts_the_rows(campaign: Campaign) -> None:
         assert count == len(flown)
         want = np.quantile([row["impact_peak_acceleration"] for row in flown], (0.1, 0.5, 0.9))
         assert [e.value for e in quantiles] == pytest.approx(want)
-        assert "recovery_time" not in one.measures  # nobody has it
+        assert "recovery_time" not in one.measures  # no flight has it
     [pair] = found.pairs
     by_pair: dict[tuple[int, int], dict[str, int | None]] = {}
     for row in rows:

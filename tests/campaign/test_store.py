@@ -12,8 +12,9 @@ from typing import Any
 
 import pytest
 
-from campaign.made_up import filled, rows
-from campaign.plans import plan
+from builders.campaign_folders import filled, rows
+from builders.missing import needs
+from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
 from springback.campaign.design.layout import laid_out
@@ -134,10 +135,9 @@ def is_ledger(fd: int) -> bool:
     return os.readlink(f"/proc/self/fd/{fd}").endswith(manifest.NAME)
 
 
+@needs("/dev/full")
 def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
     """/dev/full says what a full disk says."""
-    if not Path("/dev/full").exists():
-        pytest.skip("this system has no /dev/full")
     design = laid_out(plan(samples=30))
     with pytest.raises(OSError, match="No space left") as caught:
         manifest.append(Path("/dev/full"), Part(0, 1, "a", 1, ""))

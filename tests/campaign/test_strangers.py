@@ -13,15 +13,15 @@ import pytest
 
 from attack.campaigns import CONDITIONS, ESCAPES, all_said
 from attack.damage import one_byte
-from campaign.made_up import filled, rows
-from campaign.plans import plan
+from builders.campaign_folders import filled, rows
+from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import laid_out
 from springback.campaign.manifest import Part
 from springback.campaign.store import opened
 from springback.errors import InputError
-from springback.results.atomic_files import drafted
+from springback.files import atomic_file
 from springback.results.database import in_database, locked
 from springback.results.sealed_json import sealed
 
@@ -97,7 +97,7 @@ def test_conditions_are_one_expression_over_the_columns(
 
 
 def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
-    """Nobody checked it before: the folder comes as it is, its digests made to fit."""
+    """Unchecked before: the folder comes as it is, its digests made to fit."""
     text = f"true); COPY (SELECT 1) TO '{tmp_path / 'target'}'; SELECT (true"
     for parts in (0, 1):
         folder = tmp_path / f"a{parts}"
@@ -213,13 +213,13 @@ def test_drafts_have_no_foreseeable_name_and_follow_no_link(tmp_path: Path) -> N
         (tmp_path / name).symlink_to(victim)
     names = set()
     for _ in range(2):
-        with drafted(tmp_path / "x.csv") as draft:
+        with atomic_file(tmp_path / "x.csv") as draft:
             names.add(draft.name)
             draft.write_text("new")
     assert len(names) == 2
     assert (tmp_path / "x.csv").read_text() == "new"
     assert victim.read_text() == "precious"
-    with pytest.raises(OSError, match="directory"), drafted(tmp_path / "x.csv") as draft:
+    with pytest.raises(OSError, match="directory"), atomic_file(tmp_path / "x.csv") as draft:
         draft.with_name("nowhere").joinpath("x").write_text("half")
     assert (tmp_path / "x.csv").read_text() == "new"
     assert not [

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from contact.own_obstacles import Ball, Pole
-from contact.scenes import CAGE, FACE, LENGTH, surface
+from builders.scenes import CAGE, FACE, LENGTH, surface
+from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import ArmTip, CageContact, Ring, cage_contact, support
 from springback.contact.obstacles import Obstacle, Plane, obstacle_in_body_frame
 from springback.kernels.vectors import Mat3, Vec, norm

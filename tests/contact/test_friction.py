@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contact.scenes import surface
+from builders.scenes import surface
 from springback.contact import cage
 from springback.contact.surfaces import Surface
 from springback.contact.surfaces import friction_force as friction_of

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contact.own_obstacles import Pole
-from contact.scenes import surface
+from builders.scenes import surface
+from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
 from springback.contact.hull import hull_contact

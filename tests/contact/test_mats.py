@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from contact.scenes import approaching, one_arm, surface
+from builders.scenes import approaching, one_arm, surface
 from springback.contact.library import MAT, WALL
 from springback.contact.obstacles import Forces, Plane, World
 from springback.contact.parameters import Mat, faces, obstacles

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contact.scenes import surface
+from builders.scenes import surface
 from springback.contact.surfaces import Surface, elastic_energy, normal_force, power
 
 LAWS = {

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from contact.own_obstacles import Ball, Pole
-from contact.scenes import CAGE, LENGTH, approaching, one_arm, surface
+from builders.cases import nonempty
+from builders.scenes import CAGE, LENGTH, approaching, one_arm, surface
+from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Plane, in_body_frame, outward_normal, signed_distance
 from springback.dynamics.motion import Free
@@ -59,7 +60,7 @@ def test_distance_leads_to_the_surface(shape: Any, point: Vec) -> None:
 
 
 def test_a_shape_without_functions_says_what_is_missing() -> None:
-    """A user who forgets one of the two functions is told which."""
+    """The error names the one of the two functions that is missing."""
     with pytest.raises(TypeError, match="signed_distance; register one"):
         signed_distance((1.0,), Vec(0.0, 0.0, 0.0))
     with pytest.raises(TypeError, match="outward_normal; register one"):
@@ -114,10 +115,10 @@ def test_own_obstacle_compiles_and_gives_the_same_bits() -> None:
 
 
 def test_own_obstacle_stays_out_of_the_kernels_on_disk() -> None:
-    """Kernels kept on disk must load where nobody knows the user's module, and follow his edits."""
+    """Kernels kept on disk must load where the user's module is unknown, and follow its edits."""
     fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3))
-    for index in cache_folder().rglob("*.kernel"):
-        assert b"own_obstacles" not in index.read_bytes()
+    for index in nonempty(cache_folder().rglob("*.kernel")):
+        assert b"builders" not in index.read_bytes()
 
 
 def test_body_axes_change_neither_distance_nor_normal() -> None:

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from contact.scenes import FACE, approaching, one_arm, surface
+from builders.scenes import FACE, approaching, one_arm, surface
 from springback.contact.restitution import dissipation_for, restitution
 from springback.errors import InputError
 from springback.simulation.flight import fly_one

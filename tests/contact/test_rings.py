@@ -12,7 +12,7 @@ import pytest
 from numpy.polynomial import polynomial
 from scipy.optimize import minimize_scalar
 
-from contact.own_obstacles import Ball, Pole
+from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import ArmTip, Ring, facing
 from springback.contact.obstacles import (
     InBodyFrame,

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from control.random_turns import as_quat, as_rotation, random_attitudes, random_vec
+from builders.random_turns import as_quat, as_rotation, random_attitudes, random_vec
 from springback.control.attitude import (
     FullQuaternion,
     LeeSO3,
@@ -71,7 +71,7 @@ def test_both_signs_of_a_quaternion_are_one_attitude(law: Any) -> None:
 
 
 def test_half_turn_has_a_way_out() -> None:
-    """sgn(0) = +1: at q_e0 = 0 the quaternion laws turn at full speed; Lee's stands still."""
+    """sgn(0) = +1: at q_e0 = 0 the quaternion laws turn at full speed; Lee's not at all."""
     error = attitude_error(LEVEL, Quat(0.0, 1.0, 0.0, 0.0))
     assert error == Quat(0.0, 1.0, 0.0, 0.0)
     for law in (FULL, REDUCED):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BPoly
 
+from builders.cases import nonempty
 from springback.control.demands import ROOM, Limits, demands, leaning, level_demands
 from springback.control.polynomials import (
     BoundaryCondition,
@@ -49,7 +50,7 @@ def test_quintic_meets_its_ends() -> None:
     curve = quintic(START, END, 0.67, 0.0, 0.0)
     for t, motion in ((0.0, START), (0.67, END)):
         now = target(curve, t)
-        for have, wanted in zip(now[:3], motion, strict=True):
+        for have, wanted in nonempty(zip(now[:3], motion, strict=True)):
             assert np.allclose(have, wanted, rtol=0.0, atol=1e-9)
 
 
@@ -89,7 +90,7 @@ def test_minimum_snap_passes_its_points_and_rests_at_the_ends() -> None:
 
 def test_minimum_snap_is_smooth_at_its_points() -> None:
     reference, curve = as_reference(snap_spline(TIMES, CORNERS), TIMES), snap_spline(TIMES, CORNERS)
-    for t in TIMES[1:-1]:
+    for t in nonempty(TIMES[1:-1]):
         left, right = target(reference, math.nextafter(t, 0.0)), target(reference, t)
         assert np.allclose(leaves(left), leaves(right), rtol=0.0, atol=1e-9)
         for k in range(4, 7):  # snap and two more: the corner conditions of least snap

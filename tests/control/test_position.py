@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from control.random_turns import as_quat, as_rotation, random_attitudes, random_vec
+from builders.random_turns import as_quat, as_rotation, random_attitudes, random_vec
 from springback.control.parameters import ControlSettings
 from springback.control.position import (
     NO_MEMORY,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from control.random_turns import random_vec
+from builders.random_turns import random_vec
 from springback.control.parameters import ControlSettings
 from springback.control.rate import RateLaw, inertia_at, rate_memory, turn
 from springback.kernels.trees import leaves

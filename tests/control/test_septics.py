@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import scipy
 
+from builders.cases import nonempty
 from springback.control import approach
 from springback.control.approach import ALIKE, _simplest
 from springback.control.demands import Limits, level_demands
@@ -28,10 +29,10 @@ def some_courses() -> tuple[np.ndarray, np.ndarray, np.ndarray, Courses]:
 
 def test_they_are_scipys_polynomials() -> None:
     first, last, durations, courses = some_courses()
-    for k, duration in enumerate(durations):
+    for k, duration in nonempty(enumerate(durations)):
         curve = scipy.interpolate.BPoly.from_derivatives([0.0, duration], [first[:, k], last[:, k]])
         t = np.linspace(0.0, duration, 31)
-        for order, found in enumerate(courses, start=1):
+        for order, found in nonempty(enumerate(courses, start=1)):
             wanted = curve(t, order)
             assert found[:, k] == pytest.approx(wanted, abs=1e-9 * np.abs(wanted).max())
 
@@ -39,7 +40,7 @@ def test_they_are_scipys_polynomials() -> None:
 @pytest.mark.parametrize("limits", [LIMITS, LIMITS._replace(min_thrust=20.0)])
 def test_shares_are_those_of_single_courses(limits: Limits) -> None:
     *_, courses = some_courses()
-    for k, found in enumerate(shares(courses, limits)):
+    for k, found in nonempty(enumerate(shares(courses, limits))):
         asked = level_demands(courses.acceleration[:, k], courses.jerk[:, k], limits)
         assert found == pytest.approx(max(asked.uses(limits).values()), rel=1e-12)
 

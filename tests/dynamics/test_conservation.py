@@ -211,7 +211,7 @@ def test_the_energy_ledger_closes_for_hard_impacts(contact: Any) -> None:
 
     With a step that is not shortened for it the ledger is off by 4e-2.  Steps that were half as
     long as stability asks, for want of a sharp bound on friction's rate, left less than 1e-5; those
-    of now leave up to 2.4e-5, which nobody can measure.
+    of now leave up to 2.4e-5, which cannot be measured.
     """
     for seed in range(8):
         scene, start = impact(seed, contact=contact)

@@ -16,6 +16,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from oracles import models
 
 pytest.importorskip("pinocchio")
@@ -63,7 +64,7 @@ def test_accelerations_are_those_of_the_engine(engine: ModuleType) -> None:
         scene, start = drawn(seed)
         ours = models.accelerations_of(scene, start)
         vehicle: Any = engine.Vehicle(scene.craft, scene.gravity)
-        for a, b in zip(ours, vehicle.accelerations(scene, start), strict=True):
+        for a, b in nonempty(zip(ours, vehicle.accelerations(scene, start), strict=True)):
             assert np.abs(a - b).max() < RELATIVE * max(1.0, np.abs(b).max())
 
 
@@ -76,7 +77,7 @@ def test_accelerations_on_a_slider_obey_gauss_principle() -> None:
         ours = models.accelerations_of(scene, start, slider=axis)
         vehicle = pinocchio_flight.Vehicle(scene.craft, scene.gravity)
         theirs = vehicle.accelerations_on_slider(scene, start, axis)
-        for a, b in zip(ours, theirs, strict=True):
+        for a, b in nonempty(zip(ours, theirs, strict=True)):
             assert np.abs(a - b).max() < RELATIVE * max(1.0, np.abs(b).max())
 
 

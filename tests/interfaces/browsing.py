@@ -1,4 +1,4 @@
-"""A browser without a window, for tests of pages; tests are skipped where there is none."""
+"""A browser without a window, for tests of pages; tests that need it are skipped where there is none."""
 
 from __future__ import annotations
 
@@ -9,17 +9,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import pytest
+from builders.missing import needs
 
 PROGRAMS = {name: shutil.which(name) for name in ("chromium", "chromedriver")}
-MISSING = [name for name, path in PROGRAMS.items() if path is None]
-try:
-    import selenium  # noqa: F401
-except ImportError:
-    MISSING.append("the package selenium")
-needs_browser = pytest.mark.skipif(
-    bool(MISSING), reason=f"needs Chromium to look at pages; missing: {', '.join(MISSING)}"
-)
+needs_browser = needs("chromium", "chromedriver")
 SWITCHES = (
     "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",

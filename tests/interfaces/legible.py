@@ -12,8 +12,9 @@ from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator
 
 from springback.interfaces.figures import style as canvas
-from springback.interfaces.figures.data import axis_label
 
+COLUMN, TWO_COLUMNS = 3.5, 7.16
+"""Widths in print [in]: figures wider than `canvas.WIDTH` span two columns."""
 LEAST = 6.5
 """Size of type in print [pt]."""
 
@@ -55,7 +56,8 @@ def complaints(figure: Figure) -> list[str]:
     with style.context(canvas.STYLE):  # ticks that are new are made when drawn
         agg.draw()
     renderer = agg.get_renderer()
-    printed = canvas.printed_width(figure) / figure.get_size_inches()[0]
+    width = figure.get_size_inches()[0]
+    printed = (COLUMN if width <= canvas.WIDTH else TWO_COLUMNS) / width
     whole, texts = figure.bbox, _texts(figure)
     boxes = []
     for text in texts:
@@ -81,6 +83,16 @@ def _unlabelled(figure: Figure) -> Iterator[str]:
             label = axis_label(ax, which)
             if not label.endswith("]") and not _worded(ax, which):
                 yield f"{which} of {ax.get_title(loc='left')!r} has no unit: {label!r}"
+
+
+def axis_label(ax: Axes, which: str) -> str:
+    """The label along x or y: of a panel, of one that shares the axis, or a title with a unit."""
+    group = ax.get_shared_x_axes() if which == "x" else ax.get_shared_y_axes()
+    shared = [other for other in ax.figure.axes if other in group.get_siblings(ax)]
+    labels = [str(getattr(a, f"get_{which}label")()) for a in (ax, *shared)]
+    title = ax.get_title(loc="left")
+    labels.append(title if which == "y" and title.endswith("]") else "")
+    return next(filter(None, labels), "")
 
 
 def _worded(ax: Axes, which: str) -> bool:

@@ -4,15 +4,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from llvmlite import binding
 
+from builders.missing import needs
 from springback.kernels.compiler import kernel, own_executor
 from springback.kernels.layout import Buffer, zeros
 
 
 @kernel
 def halved(lanes: Buffer) -> None:
-    """All lanes, one after another: what the compiler is to lay abreast."""
+    """All lanes, one after another: the loop that the compiler is to vectorise."""
     for i in range(np.uint64(len(lanes))):
         lanes[i] = 0.5 * lanes[i]
 
@@ -28,9 +28,8 @@ def compiled_entry() -> Any:
     return compiled
 
 
+@needs("AVX-512")
 def test_whole_vector_registers_are_used(compiled_entry: Any) -> None:
-    if not binding.get_host_cpu_features().get("avx512f"):
-        pytest.skip("there are no registers of 512 bits")
     (assembly,) = compiled_entry.inspect_asm().values()
     assert "zmm" in assembly
 

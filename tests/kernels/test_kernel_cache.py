@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+from builders.missing import needs
 from springback.errors import CacheWarning
 from springback.kernels import compiler, kernel_cache
 from springback.kernels.compiler import STRICT, _entry
@@ -87,14 +88,12 @@ def harm(kept: Path, how: str) -> None:
 
 STATES = (
     "empty", "cut off", "garbage", "one bit of code", "one bit of the digest", "writable by others",
-    "of another user", "a folder in the way", "a link",
+    pytest.param("of another user", marks=needs("root")), "a folder in the way", "a link",
 )  # fmt: skip
 
 
 @pytest.mark.parametrize("how", STATES)
 def test_a_kernel_that_cannot_be_believed_is_left_aside_and_said(kept: Path, how: str) -> None:
-    if how == "of another user" and os.getuid() != 0:
-        pytest.skip("only root can give files away")
     harm(kept, how)
     again = started(kept.parent)
     with pytest.warns(CacheWarning) as told:
@@ -201,8 +200,6 @@ def test_a_gpus_kernel_that_cannot_be_believed_is_left_aside_and_said(
     compiled_for_a_gpu: tuple[Path, list[str], str], ending: str, how: str
 ) -> None:
     """Was: whatever lay there was flown."""
-    if how == "of another user" and os.getuid() != 0:
-        pytest.skip("only root can give files away")
     folder, compiled, before = compiled_for_a_gpu
     [file] = folder.glob(f"*.{ending}")
     harm(file, how)

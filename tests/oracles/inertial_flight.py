@@ -29,7 +29,7 @@ class Noise:
 
 @dataclass(frozen=True)
 class Flight:
-    """Arrays over the samples 0 … n; sample k stands for the interval that ends with it."""
+    """Arrays over the samples 0 … n; sample k covers the interval that ends with it."""
 
     dt: float
     position: np.ndarray  # of the main body
@@ -146,7 +146,7 @@ def flight(
 
 
 def at_rest(duration, *, dt=1e-3, attitude=None, pose_every=5, force=None, spin=None):
-    """A robot that stands still, its readings perhaps with something added, shape (3,) or (n+1, 3).
+    """A robot at rest, its readings perhaps with something added, shape (3,) or (n+1, 3).
 
     What is added is not a motion: it is what sensors say beside the truth.
     """

@@ -1,11 +1,11 @@
 """Does any test notice?  Flip one sign of the physics at a time and see which tests fail.
 
-Run from the root of the repository (a quarter of an hour on two cores; not part of the test suite)::
+A quarter of an hour on two cores; `make test` tries a sample of them (tests/test_mutations.py)::
 
-    PYTHONPATH=src python tests/oracles/mutations.py            # all
-    PYTHONPATH=src python tests/oracles/mutations.py damper     # those whose name has "damper"
-    PYTHONPATH=src python tests/oracles/mutations.py --flights  # all tests of the files named
-    PYTHONPATH=src python tests/oracles/mutations.py --first    # no more once one has noticed
+    make mutations                        # all
+    make mutations MUTATIONS=damper       # those whose name has "damper"
+    make mutations MUTATIONS=--flights    # all tests of the files named
+    make mutations MUTATIONS=--first      # no more once one has noticed
 
 Each mutation is made in a copy of the package in a temporary folder; the repository is not touched.
 The tests that run are those named beside it, most of which look at single states in plain Python,

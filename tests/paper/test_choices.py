@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from builders.cases import nonempty
 from springback.batch.scenarios import fly_scenarios
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
@@ -59,7 +60,7 @@ def made_up(shares: dict[tuple[str, float, float], float], trials: int = 100) ->
 
 
 def test_the_papers_flights_have_the_papers_friction() -> None:
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         scenario = scenario_from(run_up_scenario(robot, 0.0, 2.0))
         surface = scenario.world.obstacles[0].surface
         assert (surface.friction_axes, surface.friction) == ("vertical", 0.8)
@@ -140,7 +141,7 @@ def test_durations_change_what_counts_and_not_the_flight() -> None:
     """A trial is the same, however long it is watched: only its end moves."""
     choice = PAPERS[VERTICAL, EKF2]
     results = fly_choices(3, choices=(choice,), durations=(9.0, 14.0), conditions=(FAST,))
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         short, long = (results.table(choice, d)[robot, *FAST] for d in (9.0, 14.0))
         assert short.successes <= long.successes
         assert short.medians["impact_peak_acceleration"] == long.medians["impact_peak_acceleration"]

@@ -77,7 +77,7 @@ def test_arq_against_the_wall_by_reading(
 
 
 def test_no_reading_gives_all_four_numbers_of_arq(results: SliderResults) -> None:
-    """The contradiction stands; nobody may tune it away unseen."""
+    """The contradiction remains; tuning it away would be noticed here."""
     four = ("restitution_at_separation", "impact_peak_acceleration", "travel", "time_to_return")
     for reading in ("A", "B", "C"):
         for source in ("Quad", "ARQ"):

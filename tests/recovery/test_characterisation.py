@@ -139,7 +139,7 @@ def test_a_tilted_robot_sees_the_same_normal(pitch: float, wall: float) -> None:
 def test_two_arms_tell_the_normal_of_their_common_tangent(
     share: float, pitch: float, friction: float
 ) -> None:
-    """Shared more unequally, two arms with friction cannot be told from one."""
+    """Shared more unequally, two arms with friction cannot be distinguished from one."""
     hit = characterisation_error(
         level(0.0), friction, {0: 2.0 * share, 1: 2.0 - 2.0 * share}, pitch=pitch
     )

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from builders.resting import resting_memory
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs, evaluator_at_start
@@ -12,8 +13,6 @@ from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
 from springback.simulation.onboard import ContactReport, evaluated
 from springback.vehicle.state import State
-
-from .resting import resting_memory
 
 STILL = Vec(0.0, 0.0, 0.0)
 GOAL = Vec(2.4, 0.0, 1.0)
@@ -51,7 +50,7 @@ def seen(
 
 
 class Story:
-    """A flight told tick by tick."""
+    """A flight given tick by tick."""
 
     def __init__(self) -> None:
         self.memory, self.time, self.contacts, self.last = (

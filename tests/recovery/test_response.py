@@ -84,7 +84,7 @@ def test_the_fastest_way_from_rest_to_rest_is_the_textbooks() -> None:
 
 def test_the_fastest_way_from_any_motion() -> None:
     """Continuous in position and speed, never beyond the acceleration, at rest at the goal; and no
-    bang-bang way that brakes with less, or switches at another time, stands still there earlier.
+    bang-bang way that brakes with less, or switches at another time, stops there earlier.
     """
     noise_stream = np.random.default_rng(0)
     for _ in range(50):

@@ -12,7 +12,7 @@ import duckdb
 import numpy as np
 import pytest
 
-from campaign.made_up import filled
+from builders.campaign_folders import filled
 from springback.campaign.access import Campaign
 from springback.results.parquet import write_parquet
 
@@ -22,7 +22,7 @@ LONG = "SELECT sum(a.range * b.range) AS x FROM range(100000) a, range(300000) b
 
 @pytest.fixture
 def soon() -> Iterator[threading.Timer]:
-    """Ctrl-C in a moment, once it is started; those who run tests abreast have it ignored."""
+    """Ctrl-C in a moment, once it is started; parallel runs of tests have it ignored."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
     signal.signal(signal.SIGINT, before)

@@ -5,17 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from benchmarks import c_reference
 from benchmarks.c_reference import Reference, disagreement
 from benchmarks.job import Lanes, reference_model, starts
 from benchmarks.run import AGREEMENT
 
+from builders.missing import needs
 from springback.simulation.flight import LANES
 
 FLIGHTS = 48
 
 
-@pytest.mark.skipif(c_reference.compiler() is None, reason="there is no C compiler")
+@needs("gcc")
 @pytest.mark.parametrize("lanes", [1, 4])
 @pytest.mark.parametrize(("until", "free_step"), [(0.1, 1e-4), (0.3, 1e-3)])
 def test_the_reference_takes_our_steps_to_our_numbers(

@@ -51,7 +51,7 @@ MASS, STROKE, GRAVITY = 'mass = "1.2 kg"', 'stroke = "50 mm"', "gravity = 9.81"
 WALL, PLACE, STEP = 'surface = "wall"', "position = [2.2, 0, 1]", "impact_step = 1e-4"
 DISTANCE, KIND, THRUST = 'distance = "2.75 m"', 'type = "wall"', 'thrust = "hover"'
 
-#: What stands in the file, what is put there instead, the field, and words of the message.
+#: Text of the file, what replaces it, the field, and words of the message.
 BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "negative mass": (MASS, 'mass = "-1.2 kg"', "vehicle.body.mass", ("more than 0 kg", "-1.2 kg")),
     "no mass": (MASS, "mass = 0", "vehicle.body.mass", ("more than 0 kg", "got 0 kg")),
@@ -317,7 +317,7 @@ def test_missing_parts_are_named(tmp_path: Path) -> None:
 
 
 def test_several_problems_are_several_lines(tmp_path: Path) -> None:
-    """Each is told at once, one line each, in plain words."""
+    """All are reported at once, one plain line each."""
     path = tmp_path / "scenario.toml"
     path.write_text(GOOD.replace(MASS, "mass = -1").replace(STEP, "impact_step = 0"))
     with pytest.raises(InputError) as caught:
@@ -328,7 +328,7 @@ def test_several_problems_are_several_lines(tmp_path: Path) -> None:
 
 
 def test_tables_in_python_are_checked_alike() -> None:
-    """Plain tables have no file, so the path stands alone."""
+    """Plain tables have no file, so only the path is given."""
     tables = {"vehicle": {"preset": "arq", "body": {"mass": -1.0}}}
     with pytest.raises(InputError, match=r"^vehicle\.body\.mass: must be more than 0 kg"):
         as_scenario(tables)
@@ -382,7 +382,7 @@ def test_a_flight_too_long_is_blamed_on_its_duration(tmp_path: Path) -> None:
     path.write_text('vehicle = "arq"\n')
     word = "simulation.duration=1e9"
     assert problem_of(path, word).startswith(f"override {word}: simulation.duration: ")
-    # With a pilot aboard, ticks are what is too many: here, too, nobody gave a clock.
+    # With a pilot there are too many ticks: here, too, no clock was given.
     said = problem_of(path, "reference.type=hold", "simulation.duration=1e4")
     assert said.startswith("override simulation.duration=1e4: simulation.duration: must be at most")
 

@@ -66,7 +66,7 @@ PROPULSION = '[vehicle]\npreset = "quad"\n[vehicle.propulsion]\n'
 HEAD = 'name = "test"\nvehicle = "quad"\nclock = 1000\nseed = 3\n'
 TIMES = "positions = [[0, 0, 1], [1, 0, 1]]\n"
 
-#: What stands in the file, what is put there instead, the field, and words of the message.  The
+#: Text of the file, what replaces it, the field, and words of the message.  The
 #: last line of what is put there is at fault.
 BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "clock that stands": (CLOCK, "clock = 0", "clock", ("more than 0 1/s", "0 1/s")),
@@ -336,7 +336,7 @@ def test_own_pilots_are_checked_for_what_they_use(tmp_path: Path) -> None:
 
 
 def test_uneasy_scenarios_are_flown_with_a_warning(tmp_path: Path) -> None:
-    """Unstable gains, a circle beyond the limits, tables that nobody reads."""
+    """Unstable gains, a circle beyond the limits, tables that are not read."""
     path = written(tmp_path, 'vehicle = "quad"\nreference = { type = "steps" }\n')
     assert scenario_warnings(read_scenario(path)) == []
     [said] = scenario_warnings(read_scenario(path, ["control.damping=0"]))

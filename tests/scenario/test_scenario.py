@@ -155,7 +155,7 @@ def test_summary_holds_what_is_needed_to_repeat_the_flight() -> None:
 
 
 def test_a_flight_reads_like_its_measures() -> None:
-    """Attributes, outcome and repr; an unknown name is told with those there are."""
+    """Attributes, outcome and repr; an error for an unknown name lists the known ones."""
     flight = fly(BASE, "simulation.duration=0.3")
     assert flight.travel == flight.measures["travel"]
     assert flight.success

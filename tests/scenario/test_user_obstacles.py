@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from contact.own_obstacles import Ball, Pole
+from builders.user_obstacles import Ball, Pole
 from springback import WALL, fly
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.errors import InputError

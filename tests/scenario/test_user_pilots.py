@@ -1,4 +1,4 @@
-"""Pilots of the user's own: asked at every tick, compiled to the same bits, told what is wrong."""
+"""Pilots of the user's own: asked at every tick, compiled to the same bits, with errors that say what is wrong."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def flight() -> springback.Flight:
 
 
 def test_plain_pilot_is_asked_at_every_tick(flight: springback.Flight) -> None:
-    """Once a tick, with the time of the tick, and what it says is what rotors are told."""
+    """Once a tick, with the time of the tick; its answer is the rotors' command."""
     asked: list[tuple[float, tuple[float, ...]]] = []
 
     def noting(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:

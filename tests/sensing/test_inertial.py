@@ -21,11 +21,11 @@ from springback.sensing.inertial import (
     InertialUnit,
     PerfectInertial,
     converted,
+    digital_word,
     inertial_at_start,
     inertial_sample,
     mean_specific_force,
     per_tick,
-    told,
 )
 from springback.sensing.measurement import Truth, paced
 from springback.sensing.parameters import STANDARD_GRAVITY, InertialSettings
@@ -194,7 +194,7 @@ def run(channel: Channel, count: int, seed: int) -> np.ndarray[Any, Any]:
     memory, out = ChannelMemory(ZERO, ZERO), []
     for n in numbers:
         memory = converted(channel, ZERO, Vec(*n[:3]), Vec(*n[3:]), memory)
-        out.append(told(channel, memory))
+        out.append(digital_word(channel, memory))
     return np.array(out)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from builders.cases import nonempty
 from oracles.dense_kalman import DenseKalman
 from oracles.estimating import estimate_at, readings, run
 from oracles.inertial_flight import G, Noise, at_rest, flight, without_poses
@@ -60,7 +61,7 @@ def started(kalman, flown, deviations=START, generator=None):
 
 
 def aware(kalman, flown, every=5):
-    """The filter, told when the cameras of a flight expose: at an age before every so many ticks."""
+    """The filter, which knows when the cameras of a flight expose: at an age before every so many ticks."""
     delays = tuple(k * every * TICK for k in range(3))
     return kalman._replace(pose_interval=every * TICK, pose_phase=-flown.age, delays=delays)
 
@@ -93,7 +94,7 @@ def test_agrees_with_dense_matrices():
     flown, kalman, clip = clipped_flight(0.4)
     mine = run(kalman, started(kalman, flown), flown, clip=clip)
     other, table = DenseKalman(kalman, estimate_at(flown), START), readings(flown, clip)
-    for k in range(1, len(table)):
+    for k in nonempty(range(1, len(table))):
         row = table[k]
         surprise = other.tick(
             row[0:3], row[3:6], row[14] > 0.5, row[7:10], flown.pose_attitude[k], row[15]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from builders.cases import nonempty
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.measurement import Pose, Truth, paced
 from springback.sensing.motion_capture import (
@@ -53,7 +54,7 @@ def poses(device: MotionCapture, ticks: int) -> list[Pose]:
 @pytest.mark.parametrize(("every", "delay"), [(e, d) for e in (1, 2, 5) for d in range(4 * e + 1)])
 def test_every_pose_is_as_old_as_it_says(every: int, delay: int) -> None:
     said = poses(exact(float(every), float(delay)), 60)
-    for tick, pose in enumerate(said):
+    for tick, pose in nonempty(enumerate(said)):
         taken = tick - delay
         assert pose.fresh == (taken >= 0 and taken % every == 0)
         if pose.fresh:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from pydantic_core import PydanticCustomError
 
+from builders.cases import nonempty
 from springback.errors import InputError
 from springback.frames import attitude_from_euler
 from springback.kernels.trees import leaves
@@ -98,13 +99,15 @@ def test_plain_python_and_compiled_are_twins(settings: dict[str, Any], vehicle: 
     states = flight(300, VEHICLES[vehicle].vehicle.arm_count, 4)
     plain = told(sensors, states, 5)
     compiled = told(sensors, states, 5, numba.njit(one_tick))
-    for tick, (a, b) in enumerate(zip(plain, compiled, strict=True)):
+    for tick, (a, b) in nonempty(enumerate(zip(plain, compiled, strict=True))):
         assert leaves(a) == leaves(b), f"tick {tick}"
 
 
 def test_perfect_sensors_tell_the_truth() -> None:
     states = flight(40, 4, 6)
-    for now, answer in zip(states, told(built(SensorSettings(**PERFECT)), states, 7), strict=True):
+    for now, answer in nonempty(
+        zip(states, told(built(SensorSettings(**PERFECT)), states, 7), strict=True)
+    ):
         m = answer.measurement
         assert (m.pose.position, m.pose.attitude) == (now.position, now.attitude)
         assert (m.pose.fresh, m.pose.age) == (1.0, 0.0)
@@ -115,7 +118,7 @@ def test_perfect_sensors_tell_the_truth() -> None:
 
 
 def test_the_truth_stays_hidden_unless_asked_for() -> None:
-    for answer in told(built(SensorSettings()), flight(20, 4, 8), 9):
+    for answer in nonempty(told(built(SensorSettings()), flight(20, 4, 8), 9)):
         assert answer.measurement.exact == ZERO
 
 

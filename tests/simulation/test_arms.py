@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from simulation.impacts import flown, value
+from builders.impacts import flown, value
 from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import Outcome

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from simulation.impacts import towards_wall
+from builders.impacts import towards_wall
 from springback.results.flight import Flight, fly
 from springback.scenario.tables import SimulationSettings
 

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulation.impacts import towards_wall
-from simulation.pilots_aloft import AT_WALL, WALL, Lane, lane, same, tables
+from builders.guided_flights import AT_WALL, WALL, Lane, lane, same, tables
+from builders.impacts import towards_wall
 from springback.errors import InputError
 from springback.kernels.compiler import rebound
 from springback.kernels.gpu import cuda
@@ -138,7 +138,7 @@ def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.usefixtures("interpreted")
 def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Motion, record and everything aboard, from launch to launch, with each flight's own luck."""
+    """Motion, record and on-board systems, from launch to launch, with each flight's own noise."""
     monkeypatch.setattr(flying, "TICKS", 17)
     given = {"estimator": "complementary", "world": WALL}
     flights: list[Lane] = [

@@ -1,4 +1,4 @@
-"""The loop over the ticks: twins, lanes, slices, luck, and the physics of a flight with a pilot."""
+"""The loop over the ticks: twins, lanes, slices, noise, and the physics of a flight with a pilot."""
 
 import math
 from typing import Any
@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import springback
-from simulation.pilots_aloft import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
+from builders.cases import nonempty
+from builders.guided_flights import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided
@@ -29,7 +30,7 @@ VARIANTS: dict[str, dict[str, Any]] = {
 
 @pytest.mark.parametrize("variant", VARIANTS.values(), ids=VARIANTS.keys())
 def test_plain_python_is_the_compiled_flight(variant: dict[str, Any]) -> None:
-    """Motion, record, everything aboard, trajectory and telemetry, bit for bit."""
+    """Motion, record, on-board systems, trajectory and telemetry, bit for bit."""
     flight = ready(tables(0.05, **variant))
     plain, compiled = fly_guided(*flight, executor="python"), fly_guided(*flight)
     assert plain.flown.record.contacts >= (1.0 if "world" in variant else 0.0)
@@ -58,7 +59,7 @@ def test_allocation_knows_the_arms_as_they_are_read() -> None:
 
 
 def fleet() -> list[Lane]:
-    """Six flights that reach the wall one after the other, each with its own luck; two never."""
+    """Six flights that reach the wall one after the other, each with its own noise; two never."""
     speeds = (2.0, 1.0, 3.0, 0.0, 1.5, -0.5)
     return [
         lane(tables(0.2, world=WALL, air=GUSTY, start={**AT_WALL, "velocity": (v, 0.0, 0.0)}), k)
@@ -92,7 +93,9 @@ def test_a_flight_in_lanes_is_the_flight_alone(
 def test_the_order_does_not_matter(alone: list[GuidedFlown]) -> None:
     order = [3, 5, 0, 4, 1, 2]
     flights = fleet()
-    for k, flown in zip(order, abreast([flights[k] for k in order], width=4), strict=True):
+    for k, flown in nonempty(
+        zip(order, abreast([flights[k] for k in order], width=4), strict=True)
+    ):
         assert same(flown, alone[k])
 
 
@@ -102,7 +105,7 @@ def test_flights_abreast_have_one_clock() -> None:
         abreast([one, other], width=4)
 
 
-# -- slices, logs and luck ------------------------------------------------------------------------
+# -- slices, logs and noise -----------------------------------------------------------------------
 
 
 def test_interrupted_and_continued_is_the_same_flight(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -50,7 +50,7 @@ def mixed() -> list[Flight]:
 @pytest.mark.parametrize("width", [1, 4, 8])
 @pytest.mark.parametrize("twins", [0, 2, 3 * PATIENCE])
 def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> None:
-    """Also where another robot comes, with which later flights had better be compared."""
+    """Also where another robot comes, with which later flights are then compared."""
     wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
     other = flight(vehicle="quad", world={"obstacles": [wall]})
     flights = [*mixed(), *([other] * twins), *mixed(), *([other] * twins)]

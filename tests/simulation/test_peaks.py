@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contact.scenes import FACE, approaching, one_arm, surface
+from builders.scenes import FACE, approaching, one_arm, surface
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import measures_of
 from springback.simulation.peaks import PeakSample, Recent, peak_of, spacing

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from contact.scenes import FACE, approaching, one_arm, surface
-from simulation.impacts import flown, towards_wall, value
+from builders.impacts import flown, towards_wall, value
+from builders.scenes import FACE, approaching, one_arm, surface
 from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measures import MEASURES, Outcome, measures_of

@@ -1,4 +1,4 @@
-"""Rotors in the loop: what they are told, when they give it, and what the vehicle feels of it."""
+"""Rotors in the loop: command, delay, and thrust on the vehicle."""
 
 import math
 from contextlib import nullcontext

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from contact.scenes import FACE, approaching, one_arm, surface
-from simulation.impacts import flown, towards_wall, value
+from builders.impacts import flown, towards_wall, value
+from builders.scenes import FACE, approaching, one_arm, surface
 from springback.batch.scenarios import fly_scenarios
 from springback.errors import LedgerWarning
 from springback.results.flight import fly

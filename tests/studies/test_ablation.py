@@ -5,6 +5,7 @@ import math
 import pytest
 from click.testing import CliRunner
 
+from builders.cases import nonempty
 from springback.interfaces.cli.ablation import sentences
 from springback.interfaces.cli.app import cli
 from springback.interfaces.figures.ablation import ablation_figure, ranges_figure
@@ -31,7 +32,7 @@ def test_names_are_unique_and_defaults_are_among_the_values() -> None:
 
 
 def test_whoever_notices_nothing_does_not_recover(results: WhyResults) -> None:
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         default, deaf = (results.successes(v, robot) for v in (DEFAULT, DEAF))
         assert default[0.0, 2.0].successes == 3
         assert all(cell.successes == 0 for cell in deaf.values())
@@ -39,8 +40,8 @@ def test_whoever_notices_nothing_does_not_recover(results: WhyResults) -> None:
 
 
 def test_a_test_that_cannot_be_flown_has_no_cell(results: WhyResults) -> None:
-    """At 110 deg/s nobody can arrive at −45°: that is no failure."""
-    for robot in ROBOTS:
+    """At 110 deg/s no robot can arrive at −45°: that is no failure."""
+    for robot in nonempty(ROBOTS):
         assert set(results.successes(SLOW, robot)) == {(0.0, 2.0)}
         unflown = {v.name: tests for v, _, tests in results.moves(robot)}
         assert unflown[SLOW.name] == [(-45.0, 2.0)]
@@ -48,7 +49,7 @@ def test_a_test_that_cannot_be_flown_has_no_cell(results: WhyResults) -> None:
 
 def test_changes_reach_the_vehicle(results: WhyResults) -> None:
     """Weaker rotors come nearer to the ground after the hardest hit."""
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         weak, default = (results.successes(v, robot)[-45.0, 2.0] for v in (WEAK, DEFAULT))
         assert weak.lowest < default.lowest - 0.05
 
@@ -64,7 +65,7 @@ def test_a_range_holds_about_its_default(results: WhyResults) -> None:
 
 def test_the_luck_is_the_same_in_every_variant(results: WhyResults) -> None:
     again = why(3, variants=(DEFAULT,), ranges=(), conditions=TESTS)
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         assert again.successes(DEFAULT, robot) == results.successes(DEFAULT, robot)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from builders.cases import nonempty
 from springback.interfaces.cli.app import cli
 from springback.studies import detection
 from springback.studies.detection import (
@@ -55,7 +56,7 @@ def test_the_harder_the_sooner_and_arms_notice_last(study: DetectionResults) -> 
 
 
 def test_no_false_alarm_in_free_flight_and_no_threshold_is_near(study: DetectionResults) -> None:
-    for robot in ROBOTS:
+    for robot in nonempty(ROBOTS):
         assert set(study.alarms[robot].values()) == {0.0}
         for trigger in study.triggers(robot):
             name = "wrench" if trigger == "momentum" else trigger
@@ -84,7 +85,7 @@ def test_curves_judge_as_the_triggers_aboard_did(study: DetectionResults) -> Non
     """At its default threshold the signal that was kept gives the delay that was flown."""
     from springback.studies.roc import delay
 
-    for one in study.encounters:
+    for one in nonempty(study.encounters):
         for name in ("hall", "acceleration", "wrench"):
             onboard, threshold = one.delays[name], default_threshold(name)
             after = delay(one.signals[name], one.touch, threshold, 1, 0.09)
@@ -93,8 +94,8 @@ def test_curves_judge_as_the_triggers_aboard_did(study: DetectionResults) -> Non
 
 
 def test_curves_fall_with_the_threshold(study: DetectionResults) -> None:
-    for robot in ROBOTS:
-        for trigger in study.triggers(robot):
+    for robot in nonempty(ROBOTS):
+        for trigger in nonempty(study.triggers(robot)):
             points = study.curve(robot, trigger)
             rates = [p.rate for p in points]
             assert points[0].probability == 1.0

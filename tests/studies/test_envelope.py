@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from springback.errors import InputError
 from springback.scenario.scenario import scenario_from
 from springback.studies import envelope_run
@@ -230,7 +231,7 @@ def test_a_cell_is_what_its_trials_are() -> None:
     """The map counts what `fly_trials` gives for the same condition."""
     plan = axes("recovery.response.pace=0.05:0.2:2", "control.time_constant=0.15:0.7:2")
     told = fly_envelope(plan)
-    for place, cell in told.cells.items():
+    for place, cell in nonempty(told.cells.items()):
         trials = envelope_run.fly_trials([plan.condition(place)], 2, seed=0)
         assert cell.successes == sum(trial.success for trial in trials)
         assert cell.trials == 2

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Arms, Body, Vehicle
 
@@ -78,7 +79,7 @@ def test_layout_is_that_of_section_3() -> None:
 
 def test_every_number_has_a_source() -> None:
     """Each source says whether it is given, derived or chosen."""
-    for entry in VEHICLES.values():
+    for entry in nonempty(VEHICLES.values()):
         assert "body.mass" in entry.sources
         for text in entry.sources.values():
             assert text.split(":")[0] in {"given", "derived", "chosen"} or "as flown" in text

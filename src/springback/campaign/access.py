@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,10 +21,9 @@ from springback.campaign.store import (
     is_disk,
     rows_of,
     stored_plan,
-    written,
 )
 from springback.errors import InputError
-from springback.results.atomic_files import drafted
+from springback.files import atomic_file, json_text, write_atomically
 from springback.results.database import (
     in_database,
     in_one_line,
@@ -198,7 +196,7 @@ class Campaign:
         select = one_select(sql)
         path = path.absolute()
         path.parent.mkdir(parents=True, exist_ok=True)
-        with drafted(path) as draft:
+        with atomic_file(path) as draft:
             copy = (
                 f"COPY (\n{select}\n) TO {quoted(str(draft))} "
                 "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
@@ -270,7 +268,7 @@ class Campaign:
                     remark(f"flight {number}, kept, is not the one of its row: {line}")
                 _write_kept(again.flight, stem)
                 data = {"flight": number, **again.flight.summary()}
-                written(summary, json.dumps(data, indent=2, ensure_ascii=False).encode() + b"\n")
+                write_atomically(summary, json_text(data), durable=True)
 
 
 def _answer(found: Any) -> Answer:
@@ -283,7 +281,7 @@ def _write_kept(flight: Flight, stem: Path) -> None:
     for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
             path = stem.with_name(f"{stem.name}-{word}.parquet")
-            with drafted(path) as draft:
+            with atomic_file(path) as draft:
                 write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
 
 

@@ -33,7 +33,7 @@ from springback.campaign.design.plan import Plan, plan_from
 from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import PARTS, file_of
 from springback.errors import InputError
-from springback.results.atomic_files import DRAFT, drafted
+from springback.files import DRAFT, atomic_file, json_text, write_atomically
 from springback.results.database import named, one_expression
 from springback.results.parquet import write_parquet
 from springback.results.recovery_measures import RECOVERY_MEASURES
@@ -80,12 +80,6 @@ def versions() -> dict[str, str]:
     }
 
 
-def written(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all, and onto the disk."""
-    with drafted(path, durable=True) as draft:
-        draft.write_bytes(data)
-
-
 class Store:
     """The folder of a campaign that is being flown, held by one process; see `opened`."""
 
@@ -113,7 +107,7 @@ class Store:
         path = self.folder / name
         try:
             path.parent.mkdir(exist_ok=True)
-            with drafted(path, durable=True) as draft:
+            with atomic_file(path, durable=True) as draft:
                 write_rows(draft, columns, self.design)
                 digest, size = file_digest(draft), draft.stat().st_size
             refused = sum(word == "refused" for word in columns["outcome"])
@@ -270,7 +264,7 @@ def _held(folder: Path) -> Iterator[None]:
         raise InputError(f"--out {folder}: is in use by {by}") from None
     try:
         who = {"pid": os.getpid(), "host": socket.gethostname(), "since": _now()}
-        written(holder, json.dumps(who).encode())
+        write_atomically(holder, json.dumps(who), durable=True)
         yield
     finally:
         with contextlib.suppress(OSError):
@@ -292,8 +286,8 @@ def _in_the_way(folder: Path, design: Design) -> str:
 
 def _begin(folder: Path, design: Design) -> None:
     """Write down what is flown, where, and with what."""
-    plan = json.dumps(json.loads(design.plan.canonical()), indent=2, ensure_ascii=False) + "\n"
-    written(folder / PLAN, plan.encode())
+    plan = json_text(json.loads(design.plan.canonical()))
+    write_atomically(folder / PLAN, plan, durable=True)
     about = {
         "name": design.plan.name, "seed": design.plan.seed, "plan_sha256": design.plan.digest(),
         "plan_file_sha256": hashlib.sha256(plan.encode()).hexdigest(),
@@ -303,8 +297,7 @@ def _begin(folder: Path, design: Design) -> None:
         "units": design.units, "scenarios_sha256": design.digest,
         "scenarios": dict(zip(design.robots, design.expanded, strict=True)),
     }  # fmt: skip
-    data = json.dumps(sealed(about), indent=2, ensure_ascii=False, allow_nan=False)
-    written(folder / ABOUT, data.encode() + b"\n")
+    write_atomically(folder / ABOUT, json_text(sealed(about)), durable=True)
 
 
 def _cpu() -> str:

@@ -67,6 +67,7 @@ from springback.kernels.trees import (
     fold,
     maximum,
     minimum,
+    replace,
     tree_map,
     tree_map_sum,
     tree_sum,
@@ -303,10 +304,7 @@ def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
 def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
     """The view of an arm, completed by its acceleration."""
     away = arm.mass * sliding + arm.damping * rate
-    return ArmView(
-        view.gap, view.depth, view.normal, view.friction, view.compression, away, view.crossing,
-        view.engaged, view.impulsive, view.bottomed, view.stopped,
-    )  # fmt: skip
+    return replace(view, unbalance=away)
 
 
 @kernel

@@ -16,7 +16,6 @@ import contextlib
 import hashlib
 import os
 import pickle
-import secrets
 import stat
 import time
 import warnings
@@ -27,6 +26,7 @@ from typing import Any
 from numba.core import compiler, serialize
 
 from springback.errors import CacheWarning
+from springback.files import write_atomically
 
 #: Reader and writer of compiled code.
 _rebuild: Any = compiler.CompileResult._rebuild
@@ -182,16 +182,7 @@ def _write(path: Path, data: bytes) -> None:
     """Write data with its digest, atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     _remove_stale(path.parent)
-    draft = path.with_name(f".{path.name}.{secrets.token_hex(8)}.draft")
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0)
-    try:
-        with os.fdopen(os.open(draft, flags, 0o644), "wb") as file:
-            file.write(hashlib.sha256(data).digest() + data)
-        os.replace(draft, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            draft.unlink(missing_ok=True)
-        raise
+    write_atomically(path, hashlib.sha256(data).digest() + data, mode=0o644)
 
 
 def _remove_stale(folder: Path) -> None:

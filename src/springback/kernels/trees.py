@@ -155,6 +155,16 @@ def square(tree: Any) -> float:
     return result
 
 
+def replace(tree: T, **fields: Any) -> T:
+    """A NamedTuple with some of its fields replaced, by name.
+
+    Raises:
+        ValueError: If it has no such field; compiled, the compiler's error.
+    """
+    changed: T = tree._replace(**fields)  # type: ignore[attr-defined]
+    return changed
+
+
 def select(claim: bool, a: T, b: T) -> T:
     """``a`` if the claim holds, else ``b``: a selection, not a branch, in compiled code."""
     return a if claim else b
@@ -266,6 +276,16 @@ def _total(trees: Any) -> Any:
     scope: dict[str, Any] = {}
     text = construct(trees[0], [" + ".join(column) for column in columns], scope)
     return function_of("trees", [*lines, f"return {text}"], scope)
+
+
+@compiled(replace)
+def _replaced(tree: Any, **fields: Any) -> Any:
+    cls = getattr(tree, "instance_class", None)
+    if cls is None or not fields.keys() <= set(cls._fields):
+        return None
+    parts = [name if name in fields else f"tree.{name}" for name in cls._fields]
+    built = f"return {cls.__name__}({', '.join(parts)})"
+    return function_of(", ".join(["tree", *fields]), [built], {cls.__name__: cls})
 
 
 @compiled(select)

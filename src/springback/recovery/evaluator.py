@@ -13,7 +13,7 @@ from typing import NamedTuple
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.trees import select
+from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import HOVER, LOOK, RECOVER
@@ -110,23 +110,18 @@ def _followed(
         & (run.alarm < 0.0)
         & (recovery_state.phase >= LOOK)
     )
-    return Run(
-        run.touch,
-        run.place,
-        select(heard, recovery_state.log.alarm, run.alarm),
-        select(
-            recovery_state.phase == LOOK,
-            select(recovery_state.since >= time - TINY, p, run.alarm_place),
-            run.alarm_place,
-        ),
-        select(settled, near_since, NOT_YET),
-        near_since,
-        select(p.z < run.lowest, p.z, run.lowest),
-        select(pitch > run.nose_down, pitch, run.nose_down),
-        select(pitch < run.nose_up, pitch, run.nose_up),
-        select(away > run.excursion, away, run.excursion),
-        run.path + norm(p - since),
-        run.contacts,
+    alarmed_now = (recovery_state.phase == LOOK) & (recovery_state.since >= time - TINY)
+    return replace(
+        run,
+        alarm=select(heard, recovery_state.log.alarm, run.alarm),
+        alarm_place=select(alarmed_now, p, run.alarm_place),
+        settled=select(settled, near_since, NOT_YET),
+        near=near_since,
+        lowest=select(p.z < run.lowest, p.z, run.lowest),
+        nose_down=select(pitch > run.nose_down, pitch, run.nose_down),
+        nose_up=select(pitch < run.nose_up, pitch, run.nose_up),
+        excursion=select(away > run.excursion, away, run.excursion),
+        path=run.path + norm(p - since),
     )
 
 
@@ -161,24 +156,20 @@ def _judged(
     watched = _followed(evaluator, time, state, pitch, m.position, touch.touching, thought, run)
     judged = select(open_now > 0.5, watched, run)
     counted = judged.contacts + select(came, touch.contacts - m.contacts, 0.0)
-    judged = Run(
-        judged.touch, judged.place, judged.alarm, judged.alarm_place, judged.settled,
-        judged.near, judged.lowest, judged.nose_down, judged.nose_up, judged.excursion,
-        judged.path, counted,
-    )  # fmt: skip
+    judged = replace(judged, contacts=counted)
     settles = (open_now > 0.5) & (judged.settled >= 0.0)
     alarm = thought.recovery_state.log.alarm
     caused = (open_now > 0.5) | _lingers(touch, time)
     return EvaluatorMemory(
-        touch.contacts,
-        select(settles, 0.0, open_now),
-        p,
-        judged,
-        m.runs + select(begins, 1.0, 0.0),
-        m.recovered + select(settles, 1.0, 0.0) - select(again, 1.0, 0.0),
-        _counted_alarms(m, alarm, caused),
-        select(alarm > m.alarm_seen, alarm, m.alarm_seen),
-        select(p.z < m.lowest, p.z, m.lowest),
+        contacts=touch.contacts,
+        open=select(settles, 0.0, open_now),
+        position=p,
+        run=judged,
+        runs=m.runs + select(begins, 1.0, 0.0),
+        recovered=m.recovered + select(settles, 1.0, 0.0) - select(again, 1.0, 0.0),
+        false_alarms=_counted_alarms(m, alarm, caused),
+        alarm_seen=select(alarm > m.alarm_seen, alarm, m.alarm_seen),
+        lowest=select(p.z < m.lowest, p.z, m.lowest),
     )
 
 
@@ -231,12 +222,13 @@ def between_runs(
     time: float, position: Vec, alarm: float, touch: ContactReport, m: EvaluatorMemory
 ) -> EvaluatorMemory:
     """What the referee has seen after a tick without a run."""
-    return EvaluatorMemory(
-        m.contacts, m.open, position, m.run, m.runs, m.recovered,
-        _counted_alarms(m, alarm, _lingers(touch, time)),
-        select(alarm > m.alarm_seen, alarm, m.alarm_seen),
-        select(position.z < m.lowest, position.z, m.lowest),
-    )  # fmt: skip
+    return replace(
+        m,
+        position=position,
+        false_alarms=_counted_alarms(m, alarm, _lingers(touch, time)),
+        alarm_seen=select(alarm > m.alarm_seen, alarm, m.alarm_seen),
+        lowest=select(position.z < m.lowest, position.z, m.lowest),
+    )
 
 
 #: An alarm this long after the last contact is still of it [s], chosen: sensors, filters, delays.

@@ -13,7 +13,7 @@ from springback.control.references import Polynomials
 from springback.control.target import Target, target
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.memo import Build, uncached
-from springback.kernels.trees import select
+from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
 from springback.recovery.response import RecoveryPlan, Staged, homeward, planned
@@ -137,10 +137,9 @@ def _stages_first(response: Staged) -> float:
 @kernel
 def on_alarm(recovery_state: RecoveryState, time: float) -> RecoveryState:
     """The alarm: look."""
-    j = recovery_state
-    log = Log(time, NOT_YET, NOT_YET, NOT_YET, j.log.runs)
-    return RecoveryState(
-        LOOK, time, TILTING, j.away, j.recovery, j.homeward, time, j.goal, NOT_YET, log
+    log = Log(time, NOT_YET, NOT_YET, NOT_YET, recovery_state.log.runs)
+    return replace(
+        recovery_state, phase=LOOK, since=time, stage=TILTING, ends=time, near=NOT_YET, log=log
     )
 
 
@@ -154,14 +153,13 @@ def on_characterised(
     yaw: float,
 ) -> RecoveryState:
     """The collision is made out: p_r = p_c − δ f_c⁰, and a way there."""
-    j = recovery_state
     goal = hit.position - hit.direction * route.distance
     plan: RecoveryPlan = planned(route.response, hit, goal, at, time, yaw)
-    log = Log(j.log.alarm, time, NOT_YET, NOT_YET, j.log.runs)
-    phase = _first_leg(route.response)
-    return RecoveryState(
-        phase, time, TILTING, j.away, plan.reference, j.homeward, plan.ends, goal, NOT_YET, log
-    )
+    log = replace(recovery_state.log, planned=time, settled=NOT_YET, home=NOT_YET)
+    return replace(
+        recovery_state, phase=_first_leg(route.response), since=time, stage=TILTING,
+        recovery=plan.reference, ends=plan.ends, goal=goal, near=NOT_YET, log=log,
+    )  # fmt: skip
 
 
 @kernel
@@ -174,11 +172,11 @@ def _levelled(
     yaw: float,
 ) -> RecoveryState:
     """The stages are over: stay here."""
-    j = recovery_state
     plan: RecoveryPlan = planned(route.response, hit, at.position, at, time, yaw)
-    return RecoveryState(
-        RECOVER, time, OVER, j.away, plan.reference, j.homeward, time, at.position, NOT_YET, j.log
-    )
+    return replace(
+        recovery_state, phase=RECOVER, since=time, stage=OVER, recovery=plan.reference,
+        ends=time, goal=at.position, near=NOT_YET,
+    )  # fmt: skip
 
 
 @kernel
@@ -189,22 +187,24 @@ def _homewards(
     j = recovery_state
     goal = select(route.returns > 0.5, route.home, j.goal)
     plan = homeward(j.goal, goal, route.speed, time, yaw)
-    log = Log(j.log.alarm, j.log.planned, time, NOT_YET, j.log.runs)
-    return RecoveryState(
-        RETURN, time, j.stage, j.away, j.recovery, plan.reference, plan.ends, goal, NOT_YET, log
-    )
+    return replace(
+        j, phase=RETURN, since=time, homeward=plan.reference, ends=plan.ends, goal=goal,
+        near=NOT_YET, log=replace(j.log, settled=time, home=NOT_YET),
+    )  # fmt: skip
 
 
 @kernel
 def _at_home(route: Route, recovery_state: RecoveryState, time: float) -> RecoveryState:
     """Settled at home: hover, or set out again."""
-    j = recovery_state
-    runs = j.log.runs + 1.0
+    runs = recovery_state.log.runs + 1.0
     again = runs < route.runs
-    log = Log(j.log.alarm, j.log.planned, j.log.settled, time, runs)
-    phase, away = select(again, CRUISE, HOVER), select(again, time, j.away)
-    return RecoveryState(
-        phase, time, j.stage, away, j.recovery, j.homeward, j.ends, j.goal, NOT_YET, log
+    return replace(
+        recovery_state,
+        phase=select(again, CRUISE, HOVER),
+        since=time,
+        away=select(again, time, recovery_state.away),
+        near=NOT_YET,
+        log=replace(recovery_state.log, home=time, runs=runs),
     )
 
 

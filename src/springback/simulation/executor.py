@@ -22,14 +22,13 @@ from springback.dynamics.motion import (
     Motion,
     Rates,
     View,
-    Work,
     rates,
     rates_while,
 )
 from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown_on
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
-from springback.kernels.trees import axpy, axpy_strictly, select, square, tree_map
+from springback.kernels.trees import axpy, axpy_strictly, replace, select, square, tree_map
 from springback.kernels.vectors import Vec, renormalised
 from springback.simulation.lanes import (
     CRUISES,
@@ -70,13 +69,10 @@ def settled(model: Model, motion: Motion) -> Motion:
     before = energy(model.airframe, model.world, model.contact_point, motion.state)
     state = locked(model.airframe, motion.state)
     after = energy(model.airframe, model.world, model.contact_point, state)
-    w = motion.work
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
-    return Motion(
-        state,
-        Work(w.thrust, w.arm, w.stop, w.contact, w.friction, w.settling + lost, w.air, w.impulse),
-    )
+    work = replace(motion.work, settling=motion.work.settling + lost)
+    return Motion(state, work)
 
 
 @generic
@@ -154,11 +150,7 @@ def hull_touches(shape: TreeLayout, b: Buffer, w: int) -> bool:
 
 @kernel
 def _without_hull(model: Model) -> Model:
-    a = model.airframe
-    return Model(
-        Airframe(a.mass, a.inverse_mass, a.inertia, a.arms, ()), model.world, model.contact_point,
-        model.guide, model.air, model.thrust, model.timing,
-    )  # fmt: skip
+    return replace(model, airframe=replace(model.airframe, hull=()))
 
 
 @kernel
@@ -210,12 +202,11 @@ def is_finite(x: RigidState) -> bool:
 @kernel
 def landed(motion: Motion, x: RigidState) -> Motion:
     """The motion of a vehicle that flew as one body."""
-    s, w = motion.state, motion.work
-    state = State(x.position, x.attitude, x.velocity, x.angular_velocity, s.arm_length, s.arm_rate)
-    work = Work(
-        x.thrust_work, w.arm, w.stop, w.contact, w.friction, w.settling, x.air_work, w.impulse
-    )
-    return Motion(state, work)
+    state = replace(
+        motion.state, position=x.position, attitude=x.attitude, velocity=x.velocity,
+        angular_velocity=x.angular_velocity,
+    )  # fmt: skip
+    return Motion(state, replace(motion.work, thrust=x.thrust_work, air=x.air_work))
 
 
 @kernel
@@ -262,9 +253,7 @@ def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     rate = read(shape.motion, b, at.total, w, i)
     new = axpy_strictly(old, rate, SIXTH * h)
     good = square(new.state) < DIVERGED
-    s = new.state
-    turned = renormalised(s.attitude)
-    state = State(s.position, turned, s.velocity, s.angular_velocity, s.arm_length, s.arm_rate)
+    state = replace(new.state, attitude=renormalised(new.state.attitude))
     # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
     write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0

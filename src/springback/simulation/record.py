@@ -14,7 +14,7 @@ from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, maximum, minimum, select, tree_map
+from springback.kernels.trees import field_of, maximum, minimum, replace, select, tree_map
 from springback.kernels.vectors import Vec, norm
 from springback.simulation.peaks import NOTHING_YET, PeakSample, Recent, peak_of, spacing
 from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
@@ -240,26 +240,20 @@ def cruised_past(
     spin = norm(flight.angular_velocity)
     fastest = fastest_point(model.airframe, flight.velocity, flight.angular_velocity)
     room = m.room - HASTE * fastest * step
-    return Record(
-        m.time + select(good, step, 0.0), step, select(good, m.status, NOT_FINITE), m.phase,
-        m.request,
-        select(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK), room,
-        m.steps + 1.0, m.touching, m.contacts, m.engaged, m.arm_contacts,
-        m.hull_contacts,
-        m.impacts, m.impact_open, m.last_touch_time, m.contact_duration,
-        m.inward, m.touch_time, m.touch_depth, m.touch_speed, m.touch_mass_centre_speed,
-        m.separation_time, m.separation_speed, m.separation_mass_centre_speed,
-        m.return_time, m.return_speed,
-        larger(a, m.peak_acceleration),
-        select(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
-        larger(felt, m.peak_specific_force),
-        larger(spin, m.peak_angular_rate), m.peak_normal_force, m.peak_penetration,
-        m.peak_compression, m.peak_extension,
-        m.impact_peak_acceleration, m.impact_peak_acceleration_time, m.impact_peak_specific_force,
-        m.impact_peak_angular_rate, m.impact_peak_normal_force, m.impact_penetration,
-        m.impact_arm_stroke, m.impact_arm_extension, m.travel, m.bottomed_time, m.ground_time,
-        Recent(m.step, m.recent.latest, PeakSample(a, felt, 0.0)),
-    )  # fmt: skip
+    return replace(
+        m,
+        time=m.time + select(good, step, 0.0),
+        step=step,
+        status=select(good, m.status, NOT_FINITE),
+        cruising=select(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK),
+        room=room,
+        steps=m.steps + 1.0,
+        peak_acceleration=larger(a, m.peak_acceleration),
+        peak_acceleration_time=select(a > m.peak_acceleration, m.time, m.peak_acceleration_time),
+        peak_specific_force=larger(felt, m.peak_specific_force),
+        peak_angular_rate=larger(spin, m.peak_angular_rate),
+        recent=Recent(m.step, m.recent.latest, PeakSample(a, felt, 0.0)),
+    )
 
 
 @kernel

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.campaign.access import Campaign
 from springback.interfaces.cli.app import main
 
@@ -109,7 +109,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def started(*words: str, cwd: Path) -> subprocess.Popen[str]:
-    """A campaign that goes on; it yields to this test, lest it be done before it is looked at."""
+    """A running campaign, of low priority so that it is not done before the test looks at it."""
     return subprocess.Popen(
         ["nice", "-n", "19", *command(*words)], cwd=cwd, stdout=subprocess.PIPE,
         stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=heed_interrupts,
@@ -175,7 +175,7 @@ def test_ctrl_c_leaves_a_campaign_to_go_on_with(place: Path) -> None:
     words = ("campaign", "plan.toml", "--out", "broken off", *SMALL)
     process = started(*words, cwd=place)
     wait_for(lambda: parts(place / "broken off") >= 2, process)
-    os.killpg(process.pid, signal.SIGSTOP)  # lest it be done before the next one asks
+    os.killpg(process.pid, signal.SIGSTOP)  # not done before the next one asks
     second = run(*words, "--resume", cwd=place)
     assert second.returncode == 2
     assert f"in use by process {process.pid} on " in second.stderr

@@ -1,7 +1,6 @@
 """The command line as a newcomer meets it: files, exit codes, one clear line for each error."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -12,7 +11,8 @@ import duckdb
 import pytest
 from click.testing import CliRunner
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
+from builders.missing import needs
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 
@@ -192,7 +192,7 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
     assert "fly" in run("--help", cwd=folder).stdout
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
+@needs("POSIX")
 def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
     slow = "import time\n\ndef slow(now, seen, memory):\n    time.sleep(0.01)\n    return [3.0] * 4, memory\n"
     (folder / "p.py").write_text(slow)

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import math
 import subprocess
 import sys
 from pathlib import Path
@@ -12,11 +11,12 @@ import pytest
 from matplotlib.contour import QuadContourSet
 from matplotlib.patches import Rectangle
 
+from builders.figures import plane_map
 from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
 from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place
+from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell
 from springback.studies.run_ups import CONDITIONS
 
 
@@ -93,23 +93,6 @@ def test_bad_input_is_one_line_and_leaves_nothing(
 
 
 # -- the figure -----------------------------------------------------------------------------------
-
-
-def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
-    """share = 1.05 - 0.04 v - 0.002 θ, at most 1; the corner of fast and steep cannot be flown."""
-    x = Axis(Parameter("speed", ("reference", "speed"), "m/s"), (1.0, 2.0, 3.0, 4.0, 5.0))
-    y = Axis(Parameter("pitch", ("reference", "pitch"), "rad"), tuple(map(math.radians, (-45, -15, 15, 45))))  # fmt: skip
-    cells = {}
-    for robot in robots:
-        for j, pitch in enumerate(y.shown):
-            for i, speed in enumerate(x.shown):
-                won = min(1000, round(1050 - 40 * speed - 2 * pitch))
-                ended = {"recovered": won, "hit_ground": 1000 - won}
-                corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = EnvelopeCell(
-                    Place(robot, i, j), {} if corner else ended
-                )
-    return Envelope(x, y, robots, 1000, 0, (), cells)
 
 
 def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() -> None:

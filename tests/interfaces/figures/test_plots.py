@@ -17,118 +17,19 @@ import pytest
 from matplotlib.figure import Figure
 
 import springback
+from builders.cases import nonempty
+from builders.figures import slider_figures
+from builders.paper_results import LASTS, TOUCH, fake_slider_flight, fake_slider_results
 from springback.errors import InputError
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import style
 from springback.interfaces.reproduction.figures import slider
-from springback.paper.printed import SWEEP_SPEEDS, TABLE_III
+from springback.paper.printed import TABLE_III
 from springback.paper.slider import (
-    QUAD,
-    QUANTITIES,
     READINGS,
-    Case,
-    Interpretation,
-    SliderResults,
-    SweepPoint,
-    slider_tables,
 )
-from springback.results.flight import Flight, fly
-from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import MEASURES, Outcome
-from springback.studies.comparison import Mark, Row
-
-TOUCH, LASTS = 0.03, 0.04
-KNOWN = {
-    "touch_time": TOUCH, "return_time": TOUCH + LASTS, "contact_time": LASTS, "time_to_return": LASTS,
-    "touch_speed": 1.85, "impact_peak_acceleration": 100.0, "impact_peak_acceleration_time": TOUCH + LASTS / 2,
-    "restitution_at_separation": 0.5, "restitution_at_return": 0.5, "restitution_of_mass_centre": 0.5,
-    "travel": 0.02, "energy_start": 3.0, "loss_contact": 2.0, "energy_kinetic": 1.0, "steps": 500.0,
-    "ledger_residual": -4e-8, "work_thrust": 0.0, "energy_gravity": 0.0,
-}  # fmt: skip
-
-
-def made_up_flight(
-    reading: Interpretation = QUAD,
-    surface: str = "wall",
-    *,
-    arms: int = 4,
-    stroke: float = 0.0,
-    hit: bool = True,
-) -> Flight:
-    """A body that meets a wall, or does not; the front arms, 1 and 2, do the same."""
-    t = np.linspace(0.0, 0.2, 401)
-    phase = np.clip((t - TOUCH) / LASTS, 0.0, 1.0)
-    bump = np.where((phase > 0.0) & (phase < 1.0), np.sin(np.pi * phase), 0.0) * float(hit)
-    zero = np.zeros_like(t)
-    columns = {
-        "t": t,
-        "x": 0.7 + 1.85 * t,
-        "y": zero,
-        "z": zero + 1.0,
-        "vx": 1.85 - 2.7 * phase * hit,
-    }
-    columns |= {"vy": zero, "vz": zero, "ax": -100.0 * bump, "ay": zero, "az": zero}
-    columns |= {"qw": zero + 1.0} | dict.fromkeys(("qx", "qy", "qz", "wx", "wy", "wz"), zero)
-    for j in range(1, arms + 1):
-        front = float(j <= 2)
-        columns |= {
-            f"l{j}": 0.19 - stroke * front * bump,
-            f"dl{j}": zero,
-            f"fn{j}": 150.0 * front * bump,
-            f"ff{j}": zero,
-        }
-    measures: dict[str, float | None] = dict.fromkeys(MEASURES)
-    measures |= KNOWN if hit else {"energy_start": 3.0, "energy_kinetic": 3.0}
-    scenario = scenario_from(slider_tables(reading, surface, 1.85, 0.4))
-    outcome = Outcome.SEPARATED if hit else Outcome.NO_CONTACT
-    return Flight(scenario, outcome, measures, columns, dict.fromkeys(columns, ""))
-
-
-def made_up_results(readings: tuple[Interpretation, ...] = READINGS) -> SliderResults:
-    """Results with the numbers 0.9, 1.0, 1.1 ... of what is printed, reading by reading."""
-    results = SliderResults(readings=readings)
-    results.rows.append(
-        Row(
-            "Table II",
-            "",
-            "",
-            "",
-            "arm stiffness",
-            "N/m",
-            5e3,
-            5e3,
-            None,
-            Mark.GIVEN,
-            0.0,
-            "",
-            "k_l",
-        )
-    )
-    for (robot, surface), printed in TABLE_III.items():
-        for k, reading in enumerate([QUAD] if robot == "quad" else readings):
-            flight = made_up_flight(reading, surface, stroke=0.0 if robot == "quad" else 0.01)
-            for source in ("Quad's restitution", "ARQ's own restitution")[: 1 + (robot == "arq")]:
-                results.cases.append(Case(robot, surface, reading, 0.4, source, flight))
-                for quantity, unit in QUANTITIES.items():
-                    stem = "restitution" if quantity.startswith("restitution") else quantity
-                    stem = stem.removeprefix("impact_").replace("time_to_return", "contact_time")
-                    number = getattr(printed, stem)
-                    ours = (1.0 if robot == "quad" else 0.9 + 0.1 * k) * number / 1.001
-                    mark = Mark.PREDICTED if abs(ours / number - 1.0) < 0.05 else Mark.CONTRADICTED
-                    results.rows.append(
-                        Row("Table III", robot, surface, reading.name, quantity, unit, ours, number,
-                            None, mark, 0.4 + k / 7.0, source)
-                    )  # fmt: skip
-    for k, reading in enumerate(readings):
-        for speed in SWEEP_SPEEDS:
-            results.sweep.append(
-                SweepPoint(reading.name, speed, 200.0 * speed, (100.0 + k) * speed)
-            )
-        results.rows.append(
-            Row("Sweep", "quad - arq", "wall", reading.name, "gap of peak accelerations at 6 m/s",
-                "m/s^2", 600.0 - 6.0 * k, 493.0, None, Mark.CONTRADICTED, 0.4, "Quad's restitution")
-        )  # fmt: skip
-    return results
+from springback.results.flight import fly
+from springback.simulation.measures import MEASURES
 
 
 def panels(figure: Figure) -> dict[str, Any]:
@@ -136,22 +37,8 @@ def panels(figure: Figure) -> dict[str, Any]:
     return {ax.get_ylabel(): ax for ax in figure.axes}
 
 
-def figures() -> dict[str, Figure]:
-    results = made_up_results()
-    return {
-        "flight": plots.flight_figure(made_up_flight(stroke=0.01)),
-        "no contact": plots.flight_figure(made_up_flight(hit=False)),
-        "quad": slider.slider_figure(results, "quad"),
-        "arq": slider.slider_figure(results, "arq"),
-        "sweep": slider.sweep_figure(results),
-        "readings": slider.readings_figure(results),
-        "energy": plots.energy_figure(made_up_flight(), made_up_flight(hit=False)),
-        "readme": slider.readme_figure(results),
-    }
-
-
 def test_every_axis_has_its_unit() -> None:
-    for name, figure in figures().items():
+    for name, figure in nonempty(slider_figures().items()):
         grid = figure.axes[0].get_gridspec()
         assert grid is not None
         for ax in figure.axes:
@@ -167,7 +54,7 @@ def test_every_axis_has_its_unit() -> None:
 
 
 def test_a_flight_is_shown_around_its_contact() -> None:
-    figure = plots.flight_figure(made_up_flight(stroke=0.01))
+    figure = plots.flight_figure(fake_slider_flight(stroke=0.01))
     axes = panels(figure)
     assert list(axes) == [
         "Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]", "Contact force [N]",
@@ -183,41 +70,41 @@ def test_a_flight_is_shown_around_its_contact() -> None:
 
 
 def test_arms_that_do_the_same_share_a_curve() -> None:
-    axes = panels(plots.flight_figure(made_up_flight(stroke=0.01)))
+    axes = panels(plots.flight_figure(fake_slider_flight(stroke=0.01)))
     names = [line.get_label() for line in axes["Arm length [mm]"].lines]
     assert names == ["arm 1, 2", "arm 3, 4"]
     assert [line.get_label() for line in axes["Contact force [N]"].lines] == ["arm 1, 2"]
 
 
 def test_a_flight_without_contact_arms_or_motion_is_shown_too() -> None:
-    free = plots.flight_figure(made_up_flight(hit=False))
+    free = plots.flight_figure(fake_slider_flight(hit=False))
     assert list(panels(free)) == ["Position [m]", "Velocity [m/s]", "Acceleration [m/s²]"]
     assert free.axes[-1].get_xlabel() == "Time [s]"
     assert not [patch for ax in free.axes for patch in ax.patches]
-    rounding = made_up_flight(hit=False)
+    rounding = fake_slider_flight(hit=False)
     rounding.columns["ax"] = 1e-14 * rounding.columns["t"]
     limits = panels(plots.flight_figure(rounding))["Acceleration [m/s²]"].get_ylim()
     assert limits == pytest.approx((-1.0, 1.0), abs=0.1)
-    armless = plots.flight_figure(made_up_flight(arms=0, hit=False))
+    armless = plots.flight_figure(fake_slider_flight(arms=0, hit=False))
     assert len(armless.axes) == 3
-    rigid = plots.flight_figure(made_up_flight(stroke=0.0))
+    rigid = plots.flight_figure(fake_slider_flight(stroke=0.0))
     assert "Arm length [mm]" not in panels(rigid)
 
 
 def test_a_single_instant_can_be_shown() -> None:
-    flight = made_up_flight(hit=False)
+    flight = fake_slider_flight(hit=False)
     short = replace(flight, columns={name: values[:1] for name, values in flight.columns.items()})
     assert style.png(plots.flight_figure(short))
 
 
 def test_a_flight_without_trajectory_says_so() -> None:
     with pytest.raises(ValueError, match="trajectory=True"):
-        plots.flight_figure(replace(made_up_flight(), columns={}))
+        plots.flight_figure(replace(fake_slider_flight(), columns={}))
 
 
 def test_slider_figures_mark_what_is_printed() -> None:
     for robot, rows in (("quad", 3), ("arq", 4)):
-        figure = slider.slider_figure(made_up_results(), robot)
+        figure = slider.slider_figure(fake_slider_results(), robot)
         assert len(figure.axes) == 2 * rows
         for column, surface in enumerate(("wall", "mat")):
             printed = TABLE_III[robot, surface]
@@ -235,7 +122,7 @@ def test_slider_figures_mark_what_is_printed() -> None:
 
 
 def test_readings_are_told_apart_by_more_than_colour() -> None:
-    figure = slider.slider_figure(made_up_results(), "arq")
+    figure = slider.slider_figure(fake_slider_results(), "arq")
     lines = [line for line in figure.axes[0].lines if str(line.get_label()).startswith("reading")]
     assert len({(line.get_linestyle(), line._dash_pattern[1] and tuple(line._dash_pattern[1])) for line in lines}) == len(READINGS)  # type: ignore[attr-defined]  # fmt: skip
     assert len({line.get_color() for line in lines}) == len(READINGS)
@@ -244,7 +131,7 @@ def test_readings_are_told_apart_by_more_than_colour() -> None:
 def test_any_number_of_readings_with_any_names() -> None:
     names = ("<script>", "$\\frac$", "_hidden", "{brace}", "long " * 30, "%s", "G", "H")
     extra = tuple(replace(READINGS[1], name=name) for name in names)
-    results = made_up_results((*READINGS, *extra))
+    results = fake_slider_results((*READINGS, *extra))
     for figure in (
         slider.slider_figure(results, "arq"), slider.sweep_figure(results), slider.readings_figure(results),
     ):  # fmt: skip
@@ -257,7 +144,7 @@ def test_any_number_of_readings_with_any_names() -> None:
 
 
 def test_energy_bars_begin_where_the_last_one_ended() -> None:
-    (ax,) = plots.energy_figure(made_up_flight()).axes
+    (ax,) = plots.energy_figure(fake_slider_flight()).axes
     bars = {
         tick.get_text(): bar for tick, bar in zip(ax.get_yticklabels(), ax.patches, strict=True)
     }
@@ -274,7 +161,7 @@ def test_energy_bars_begin_where_the_last_one_ended() -> None:
 
 
 def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
-    fallen = made_up_flight()
+    fallen = fake_slider_flight()
     fallen.measures.update(
         {
             "energy_start": 0.0,
@@ -292,15 +179,15 @@ def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
 
 
 def test_the_users_own_style_is_neither_used_nor_changed() -> None:
-    plain = style.png(plots.energy_figure(made_up_flight()))
+    plain = style.png(plots.energy_figure(fake_slider_flight()))
     with mpl.rc_context({"font.size": 30.0, "axes.grid": False, "text.usetex": True}):
         before = dict(mpl.rcParams)
-        assert style.png(plots.energy_figure(made_up_flight())) == plain
+        assert style.png(plots.energy_figure(fake_slider_flight())) == plain
         assert dict(mpl.rcParams) == before
 
 
 def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None:
-    files = style.save(plots.energy_figure(made_up_flight()), tmp_path / "a" / "energy.v1")
+    files = style.save(plots.energy_figure(fake_slider_flight()), tmp_path / "a" / "energy.v1")
     assert [file.name for file in files] == ["energy.v1.png", "energy.v1.pdf", "energy.v1.csv"]
     png, pdf, _ = files
     assert b"Date" not in pdf.read_bytes()
@@ -308,27 +195,28 @@ def test_files_are_the_same_every_time_and_carry_no_date(tmp_path: Path) -> None
     assert b"/FontFile2" in pdf.read_bytes()  # TrueType, embedded
     assert png.read_bytes()[16:20] == math.ceil(style.WIDTH * style.RESOLUTION).to_bytes(4)
     program = (
-        "import sys, runpy, hashlib, pathlib; here = runpy.run_path(sys.argv[1])\n"
-        "plots, style = here['plots'], here['style']\n"
-        "files = style.save(plots.energy_figure(here['made_up_flight']()), pathlib.Path(sys.argv[2]))\n"
+        "import sys, hashlib, pathlib\n"
+        "from builders.paper_results import fake_slider_flight\n"
+        "from springback.interfaces.figures import flight as plots, style\n"
+        "files = style.save(plots.energy_figure(fake_slider_flight()), pathlib.Path(sys.argv[1]))\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "print(*(hashlib.sha256(f.read_bytes()).hexdigest() for f in files))\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", program, __file__, str(tmp_path / "b")],
+        [sys.executable, "-c", program, str(tmp_path / "b")],
         capture_output=True, text=True, check=True, env={"PYTHONHASHSEED": "7", "PYTHONPATH": ":".join(sys.path)},
     )  # fmt: skip
     assert done.stdout.split() == [hashlib.sha256(f.read_bytes()).hexdigest() for f in files]
 
 
 def test_a_flight_is_plotted_in_one_call() -> None:
-    flight = made_up_flight()
+    flight = fake_slider_flight()
     shown = style.png(springback.plot(flight))
     assert shown == style.png(plots.flight_figure(flight))
 
 
 def test_what_cannot_be_plotted_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    flight = made_up_flight()
+    flight = fake_slider_flight()
     with pytest.raises(InputError, match="trajectory=True"):
         springback.plot(replace(flight, columns={}))
     monkeypatch.setitem(sys.modules, "matplotlib", None)
@@ -337,12 +225,12 @@ def test_what_cannot_be_plotted_is_said(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_notebooks_show_figures() -> None:
-    figure = plots.energy_figure(made_up_flight())
+    figure = plots.energy_figure(fake_slider_flight())
     assert figure._repr_png_().startswith(b"\x89PNG")  # type: ignore[attr-defined]
 
 
 def test_readme_figure_has_the_size_of_its_place() -> None:
-    data = style.png(slider.readme_figure(made_up_results()))
+    data = style.png(slider.readme_figure(fake_slider_results()))
     assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (1600, 600)
     assert len(data) < 200_000
 

@@ -1,6 +1,6 @@
 """The impact lab in a browser: a slider moves and everything follows, links and files carry it on.
 
-It needs Chromium, its driver and selenium, and is skipped where one is missing.
+It needs Chromium and its driver, and is skipped where one is missing.
 """
 
 # what is optional is asked for before what needs it

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from interfaces.interrupts import heed_interrupts
+from builders.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces.output import folders
 from springback.interfaces.output.folders import output_folder

@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
+from springback.files import atomic_file
 from springback.interfaces.output import folders
 from springback.interfaces.output.folders import output_folder
-from springback.results.atomic_files import drafted
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
@@ -93,7 +93,7 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
     path = tmp_path / "x"
 
     def write() -> None:
-        with drafted(path) as draft, draft.open("w") as file:
+        with atomic_file(path) as draft, draft.open("w") as file:
             file.write("new")
             file.flush()
             file.write(" and whole")

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
 from springback.interfaces.replay.viewer import exported, replay_of
 from springback.results.flight import Flight, fly
@@ -95,7 +96,7 @@ def test_the_page_shows_the_pose_of_the_flight(
     opened(driver, page)
     for t in (0.02, flights[0].peak_acceleration_time, 0.25):
         driver.execute_script("window.springback.player.seek(arguments[0])", t)
-        for shown, flight in zip(pose(driver)["flights"], flights, strict=True):
+        for shown, flight in nonempty(zip(pose(driver)["flights"], flights, strict=True)):
             c = flight.columns
             wanted = [np.interp(shown["own"], c["t"], c[axis]) for axis in "xyz"]
             assert shown["position"] == pytest.approx(wanted, abs=1e-4)
@@ -207,7 +208,7 @@ def drag(driver: Any, element: Any, start: tuple[float, float], end: tuple[float
     chain.release().perform()
 
 
-#: Of every plot: the time line, whether it is hidden, where it stands and where its time is [px].
+#: Of every plot: the time line, whether it is hidden, its place and that of its time [px].
 LINES = """
 const { player } = window.springback;
 return [...document.querySelectorAll('.plot-now')].map((line) => {

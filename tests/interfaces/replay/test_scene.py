@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import springback
-from contact.own_obstacles import Ball
+from builders.user_obstacles import Ball
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.interfaces.replay.geometry import drawn

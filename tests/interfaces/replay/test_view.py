@@ -280,7 +280,7 @@ def test_view_serves_on_loopback_and_ends_cleanly(
         assert caught.value.code == code
         caught.value.close()
     port = int(url.rsplit(":", 1)[1].strip("/"))
-    with socket.socket() as other:  # nobody listens on the machine's other addresses
+    with socket.socket() as other:  # the machine's other addresses are closed
         other.settimeout(5)
         assert other.connect_ex(("127.0.0.2", port)) != 0
     process.send_signal(signal.SIGINT)

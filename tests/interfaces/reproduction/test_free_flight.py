@@ -3,7 +3,6 @@
 import csv
 import json
 import math
-import runpy
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,17 @@ from click.testing import CliRunner
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from builders.cases import nonempty
+from builders.pages import ABOUT, Page
+from builders.paper_results import (
+    LAG,
+    PITCH,
+    fake_free_flight_results,
+    fake_slider_results,
+    fake_steps_flight,
+    fake_trials,
+    with_contact,
+)
 from springback.frames import attitude_from_euler, euler_from_attitude
 from springback.interfaces.cli.app import cli
 from springback.interfaces.figures import flight as plots
@@ -30,106 +40,27 @@ from springback.paper import resilience as paper_resilience
 from springback.paper import slider as paper_slider
 from springback.paper.features import TABLE_I, feature_rows
 from springback.paper.free_flight import (
-    CIRCLE_TIME,
     DWELL,
     PERIODS,
     QUANTITIES,
     ROBOTS,
-    STEP_BEGINS,
     STEP_FROM,
     TABLE_IV_CIRCLES,
     TABLE_IV_STEPS,
-    CircleRun,
-    Drop,
     FlightResults,
-    Response,
-    circle_tables,
-    step_tables,
 )
 from springback.results.flight import Flight
-from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import MEASURES, Outcome
 from springback.studies.comparison import Mark
-
-# Run by path, so that it does not matter under which name this folder is imported.
-MADE_UP = runpy.run_path(str(Path(__file__).with_name("test_report.py")))
-ABOUT = MADE_UP["ABOUT"]
-LAG = {"quad": 0.30, "arq": 0.35, "arq after drops": 0.35}
-PITCH = 0.4
-
-
-def made_up(tables: dict[str, Any], t: Any, wanted: Any, flown: Any) -> Flight:
-    """A flight with a telemetry; the estimate is 3, 4 and 0 mm off, the pitch 0.4 rad."""
-    columns, telemetry = {"t": t}, {"t": t}
-    rates = {a: np.gradient(flown[a], t) for a in "xyz"}
-    columns |= {a: flown[a] for a in "xyz"} | {f"v{a}": rates[a] for a in "xyz"}
-    columns |= {f"w{a}": 0.0 * t for a in "xyz"} | {f"a{a}": 0.0 * t for a in "xyz"}
-    attitude = dict(zip("wxyz", attitude_from_euler(0.0, PITCH, 0.0), strict=True))
-    columns |= {f"q{part}": value + 0.0 * t for part, value in attitude.items()}
-    for j in range(1, 5):
-        columns |= {f"l{j}": 0.19 + 0.0 * t, f"fn{j}": 0.0 * t, f"ff{j}": 0.0 * t}
-        telemetry |= {f"thrust{j}": 3.0 + 0.1 * j + 0.0 * t, f"command{j}": 3.0 + 0.0 * t}
-    telemetry |= {f"ref_{a}": wanted[a] for a in "xyz"}
-    telemetry |= {f"ref_v{a}": wanted.get(f"v{a}", 0.0 * t) for a in "xyz"}
-    telemetry |= {f"aim_q{part}": value + 0.0 * t for part, value in attitude.items()}
-    telemetry |= {
-        f"est_{a}": flown[a] + off for a, off in zip("xyz", (3e-3, 4e-3, 0.0), strict=True)
-    }
-    measures: dict[str, float | None] = dict.fromkeys(MEASURES)
-    units = dict.fromkeys(columns | telemetry, "") | {"est_x": "m"}
-    scenario = scenario_from(tables)
-    return Flight(scenario, Outcome.NO_CONTACT, measures, columns, units, telemetry)
-
-
-def made_up_steps(robot: str) -> Flight:
-    t = np.arange(0.0, 20.0, 0.01)
-    wanted = {a: STEP_FROM[a] + 1.0 * (t >= STEP_BEGINS[a] - 1e-9) for a in ("x", "y", "z")}
-    flown = {
-        a: STEP_FROM[a] + 1.0 - np.exp(-np.clip(t - STEP_BEGINS[a], 0.0, None) / LAG[robot])
-        for a in ("x", "y", "z")
-    }
-    return made_up(step_tables(robot.split()[0], 0), t, wanted, flown)
-
-
-def made_up_circle(robot: str, pace: Any) -> Flight:
-    t = np.arange(0.0, CIRCLE_TIME, 0.01)
-    turn = 2.0 * math.pi / PERIODS[pace]
-    wanted = {"x": np.cos(turn * t), "y": np.sin(turn * t), "z": 1.0 + 0.0 * t}
-    wanted |= {"vx": -turn * wanted["y"], "vy": turn * wanted["x"]}
-    flown = {"x": 1.1 * wanted["x"], "y": 1.1 * wanted["y"], "z": wanted["z"]}
-    return made_up(circle_tables(robot.split()[0], pace, 0), t, wanted, flown)
-
-
-def made_up_results(trials: int = 2) -> FlightResults:
-    """Quad 1 % off print in all steps; ARQ 2 % in rise times, 20 % in errors; circles at half."""
-    arms = (0.19,) * 4
-    results = FlightResults(trials, drops=[Drop(0.0, 0.0, 0.005, 100.0, arms, 6e-13)])
-    for robot in ROBOTS:
-        for trial in range(trials):
-            spread = 1.0 + 1e-3 * (trial - 0.5 * (trials - 1))
-            off = (1.01, 1.01) if robot == "quad" else (1.02, 1.2)
-            prints = TABLE_IV_STEPS[robot]
-            rise = {axis: off[0] * spread * prints[axis][0] for axis in prints}
-            mse = {axis: off[1] * spread * prints[axis][1] for axis in prints}
-            flight = made_up_steps(robot) if trial == 0 else None
-            results.responses.append(Response(robot, trial, rise, mse, flight))
-            for pace in PERIODS:
-                numbers = zip(QUANTITIES, TABLE_IV_CIRCLES[robot, pace], strict=True)
-                errors = {name: 0.5 * spread * number for name, number in numbers}
-                later = {name: 0.1 * error for name, error in errors.items()}
-                kept = made_up_circle(robot, pace) if trial == 0 else None
-                results.circles.append(CircleRun(robot, pace, trial, errors, later, kept))
-    return results
 
 
 @pytest.fixture(scope="module")
 def results() -> FlightResults:
-    return made_up_results()
+    return fake_free_flight_results()
 
 
 @pytest.fixture(scope="module")
 def flight() -> Flight:
-    return made_up_steps("quad")
+    return fake_steps_flight("quad")
 
 
 def panels(figure: Figure) -> dict[str, Any]:
@@ -169,8 +100,8 @@ def test_a_guided_flight_is_shown_beside_what_was_wanted(flight: Flight) -> None
     _, error = curve(axes["Error [mm]"], "of the estimated position")
     assert error == pytest.approx(5.0)  # 3 and 4 mm
     rotors = flight.scenario.vehicle.propulsion.rotors()  # type: ignore[union-attr]
-    bounds = {float(line.get_ydata()[0]) for line in axes["Thrust [N]"].lines}  # type: ignore[index]
-    assert {rotors.least, rotors.most} <= bounds
+    _, limits = curve(axes["Thrust [N]"], "limits")
+    assert set(limits[np.isfinite(limits)]) == {rotors.least, rotors.most}
     assert not [patch for ax in axes.values() for patch in ax.patches]
 
 
@@ -182,19 +113,8 @@ def test_what_a_pilot_does_not_tell_is_left_out(flight: Flight) -> None:
     assert [line.get_label() for line in axes["Tilt [deg]"].lines] == ["flown"]
 
 
-def touching(flight: Flight) -> Flight:
-    """The same flight with a contact of two arms between 2.0 and 2.1 s."""
-    t = flight.t
-    force = np.where((t > 2.0) & (t < 2.1), 100.0, 0.0)
-    measures = {
-        **flight.measures, "touch_time": 2.0, "separation_time": 2.1, "return_time": 2.1,
-    }  # fmt: skip
-    columns = {**flight.columns, "fn1": force, "fn2": 0.5 * force}
-    return replace(flight, columns=columns, measures=measures)
-
-
 def test_contacts_of_a_guided_flight_are_shaded_and_the_impact_has_a_figure(flight: Flight) -> None:
-    hit = touching(flight)
+    hit = with_contact(flight)
     axes = panels(plots.flight_figure(hit))
     assert "Contact [N]" in axes
     (shade,) = axes["x [m]"].patches
@@ -228,7 +148,7 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
 
 
 def test_the_telemetry_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
-    written = flight_files.write_flight(touching(flight), tmp_path, figures=False)
+    written = flight_files.write_flight(with_contact(flight), tmp_path, figures=False)
     assert [path.name for path in written] == [
         "summary.json", "trajectory.parquet", "telemetry.parquet",
     ]  # fmt: skip
@@ -248,11 +168,11 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
     flight: Flight, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(style, "picture", lambda draw, _: draw.__name__)
-    assert flight_files._pictures(touching(flight)) == {
+    assert flight_files._pictures(with_contact(flight)) == {
         "flight": "flight_figure", "energy": "energy_figure", "impact": "impact_figure",
     }  # fmt: skip
     assert "impact" not in flight_files._pictures(flight)
-    assert "impact" not in flight_files._pictures(replace(touching(flight), telemetry={}))
+    assert "impact" not in flight_files._pictures(replace(with_contact(flight), telemetry={}))
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:
@@ -270,7 +190,7 @@ def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> No
 
 def test_steps_begin_at_the_new_set_point(results: FlightResults) -> None:
     figure = free_flight.steps_figure(results)
-    for ax, axis in zip(figure.axes, ("x", "y", "z"), strict=True):
+    for ax, axis in nonempty(zip(figure.axes, ("x", "y", "z"), strict=True)):
         t, wanted = curve(ax, "set-point")
         assert t[np.argmax(wanted > STEP_FROM[axis])] == pytest.approx(0.0, abs=1e-6)
         t, flown = curve(ax, "Quad")
@@ -291,11 +211,11 @@ def test_circles_show_reference_less_flown(results: FlightResults) -> None:
 
 
 def test_robots_are_told_apart_by_more_than_colour() -> None:
-    looks = free_flight.FLIGHT_LOOKS
-    assert set(looks) == set(free_flight.MARKERS) == set(free_flight.NAMES) == set(ROBOTS)
-    assert len({str(line) for _, line in looks.values()}) == len(looks)
-    assert len({to_hex(colour) for colour, _ in looks.values()}) == len(looks)
-    assert len(set(free_flight.MARKERS.values())) == len(looks)
+    styles = free_flight.ROBOT_STYLES
+    assert set(styles) == set(ROBOTS)
+    for what in ("label", "line", "marker"):
+        assert len({str(getattr(one, what)) for one in styles.values()}) == len(styles)
+    assert len({to_hex(one.colour) for one in styles.values()}) == len(styles)
 
 
 def test_ratios_are_those_of_the_compared_numbers(results: FlightResults) -> None:
@@ -316,7 +236,7 @@ def test_every_axis_of_every_figure_has_its_unit(results: FlightResults) -> None
         free_flight.steps_figure(results), free_flight.circles_figure(results),
         free_flight.table_iv_figure(results), free_flight.endurance_figure(),
     ):  # fmt: skip
-        for ax in figure.axes:
+        for ax in nonempty(figure.axes):
             place = ax.get_subplotspec()
             assert place is not None
             words = [tick.get_text() for tick in ax.get_yticklabels()]
@@ -328,7 +248,7 @@ def test_every_axis_of_every_figure_has_its_unit(results: FlightResults) -> None
 
 
 def test_hover_time_falls_with_payload_from_the_printed_one() -> None:
-    for robot, printed in TABLE_I.items():
+    for robot, printed in nonempty(TABLE_I.items()):
         payloads, times = free_flight.endurance_points(robot)
         assert payloads[0] == 0.0
         assert times[0] == pytest.approx(printed.hover_time, rel=0.01)
@@ -350,7 +270,7 @@ def folder(results: FlightResults, tmp_path_factory: pytest.TempPathFactory) -> 
 
 @pytest.fixture(scope="module")
 def page(folder: Path) -> Any:
-    return MADE_UP["Page"]((folder / "report.html").read_text(encoding="utf-8"))
+    return Page((folder / "report.html").read_text(encoding="utf-8"))
 
 
 def test_the_files_are_there(folder: Path) -> None:
@@ -412,7 +332,7 @@ def test_the_verdict_follows_the_results(results: FlightResults, page: Any) -> N
 
 
 def test_nothing_is_said_to_disagree_that_does_not(results: FlightResults) -> None:
-    good = made_up_results()
+    good = fake_free_flight_results()
     for k, trial in enumerate(good.responses):
         prints = TABLE_IV_STEPS[trial.robot]
         rise, mse = ({a: prints[a][n] for a in prints} for n in (0, 1))
@@ -439,7 +359,7 @@ def test_csv_holds_the_curves(folder: Path) -> None:
 
 
 def test_all_parts_make_one_page_with_unlike_anchors(results: FlightResults) -> None:
-    slider = MADE_UP["MADE_UP"]["made_up_results"]()
+    slider = fake_slider_results()
     told = Results(slider, feature_rows(), results)
     sections = report.report_sections(told, ABOUT)
     anchors = [section.anchor for section in sections]
@@ -460,10 +380,10 @@ def test_all_parts_make_one_page_with_unlike_anchors(results: FlightResults) -> 
 @pytest.fixture
 def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
     """Experiments that are not flown, and figures that are not drawn."""
-    slider = MADE_UP["MADE_UP"]["made_up_results"]()
+    slider = fake_slider_results()
     monkeypatch.setattr(paper_slider, "slider_experiments", lambda *_: slider)
     monkeypatch.setattr(paper_flight, "flight_experiments", lambda progress: results)
-    trials = MADE_UP["made_up_trials"]()
+    trials = fake_trials()
     monkeypatch.setattr(paper_resilience, "resilience_experiments", lambda progress: trials)
     for module, names in {
         plots: ("energy",),
@@ -473,7 +393,9 @@ def faked(results: FlightResults, monkeypatch: pytest.MonkeyPatch) -> None:
         drawings: ("robots", "contact"),
     }.items():
         for name in names:
-            monkeypatch.setattr(module, f"{name}_figure", lambda *_: Figure(figsize=(1, 1)))
+            monkeypatch.setattr(
+                module, f"{name}_figure", lambda *_: style.StyledFigure(figsize=(1, 1))
+            )
 
 
 @pytest.mark.usefixtures("faked")

@@ -1,16 +1,18 @@
-"""Pages that springback writes: whole, readable without colours, and no wider than a phone."""
+"""Pages that springback writes: complete, readable without colours, and no wider than a phone."""
 
 import re
-import runpy
 from collections.abc import Iterator
-from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
 from matplotlib.figure import Figure
 
-from campaign.made_up import filled
+from builders.campaign_folders import filled
+from builders.cases import nonempty
+from builders.figures import plane_map
+from builders.pages import Page
+from builders.paper_results import fake_free_flight_results, fake_slider_results
 from interfaces.browsing import browser as a_browser
 from interfaces.browsing import needs_browser, resized
 from springback.campaign.access import Campaign
@@ -25,35 +27,15 @@ from springback.interfaces.reproduction.report import Results
 from springback.paper.printed import printed_success
 from springback.studies.comparison import Mark, Row
 
-HERE = Path(__file__).parent
-MAPS = runpy.run_path(str(HERE.parent / "cli/test_map_command.py"))
-FLIGHTS = runpy.run_path(str(HERE / "test_free_flight.py"))
-SLIDER = runpy.run_path(str(HERE.parent / "figures/test_plots.py"))
 #: Attributes that load something, and what they may hold.
 LOADS = ("src", "href", "srcset", "data", "poster", "action")
-
-
-class Outline(HTMLParser):
-    """Tags with their attributes, headings in their order, words outside styles."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.tags: list[tuple[str, dict[str, str | None]]] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append((tag, dict(attrs)))
-
-    @property
-    def levels(self) -> list[int]:
-        return [int(tag[1]) for tag, _ in self.tags if re.fullmatch(r"h[1-6]", tag)]
 
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Report, summary of a campaign, and map, as they are written."""
     place = tmp_path_factory.mktemp("pages")
-    told = Results(slider=SLIDER["made_up_results"](), flight=FLIGHTS["made_up_results"]())
+    told = Results(slider=fake_slider_results(), flight=fake_free_flight_results())
     with pytest.MonkeyPatch.context() as patch:  # pictures as large as they are, but empty
         for module in (flight, drawings, free_flight, slider):
             for name in [name for name in dir(module) if name.endswith("_figure")]:
@@ -65,16 +47,14 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     (place / "report.html").write_text(text, encoding="utf-8")
     filled(place / "campaign")
     write_summary(summary(Campaign(place / "campaign")), place)
-    (place / "map.html").write_text(
-        map_page(MAPS["plane_map"](), printed_success), encoding="utf-8"
-    )
+    (place / "map.html").write_text(map_page(plane_map(), printed_success), encoding="utf-8")
     return {name: place / f"{name}.html" for name in ("report", "summary", "map")}
 
 
 def test_pages_load_nothing(pages: dict[str, Path]) -> None:
-    for name, path in pages.items():
+    for name, path in nonempty(pages.items()):
         text = path.read_text("utf-8")
-        for tag, attributes in Outline(text).tags:
+        for tag, attributes in Page(text).tags:
             assert tag not in {"link", "script", "iframe", "object", "embed", "base"}, name
             for key in LOADS:
                 value = attributes.get(key)
@@ -84,28 +64,28 @@ def test_pages_load_nothing(pages: dict[str, Path]) -> None:
 
 
 def test_headings_go_down_step_by_step_and_pictures_have_words(pages: dict[str, Path]) -> None:
-    for name, path in pages.items():
-        outline = Outline(path.read_text("utf-8"))
-        assert outline.levels.count(1) == 1, name
-        assert outline.levels[0] == 1
-        for one, other in zip(outline.levels, outline.levels[1:], strict=False):
+    for name, path in nonempty(pages.items()):
+        page_read = Page(path.read_text("utf-8"))
+        assert page_read.levels.count(1) == 1, name
+        assert page_read.levels[0] == 1
+        for one, other in zip(page_read.levels, page_read.levels[1:], strict=False):
             assert other <= one + 1, name
-        pictures = [attributes for tag, attributes in outline.tags if tag == "img"]
+        pictures = [attributes for tag, attributes in page_read.tags if tag == "img"]
         assert pictures
         assert all((one["alt"] or "").strip() and one["width"] and one["height"] for one in pictures)  # fmt: skip
-        named = [attributes["id"] for _, attributes in outline.tags if attributes.get("id")]
+        named = [attributes["id"] for _, attributes in page_read.tags if attributes.get("id")]
         assert len(named) == len(set(named)), name
-        assert {a["href"] for tag, a in outline.tags if tag == "a"} <= {f"#{i}" for i in named}
+        assert {a["href"] for tag, a in page_read.tags if tag == "a"} <= {f"#{i}" for i in named}
 
 
 def test_the_answer_and_a_picture_stand_before_the_contents(pages: dict[str, Path]) -> None:
-    for name, path in pages.items():
-        tags = [tag for tag, _ in Outline(path.read_text("utf-8")).tags]
+    for name, path in nonempty(pages.items()):
+        tags = [tag for tag, _ in Page(path.read_text("utf-8")).tags]
         assert tags.index("img") < tags.index("nav") < tags.index("main"), name
 
 
 def test_tables_and_wide_pictures_scroll_within_themselves(pages: dict[str, Path]) -> None:
-    for path in pages.values():
+    for path in nonempty(pages.values()):
         text = path.read_text("utf-8")
         assert len(re.findall(r"<table>", text)) == len(re.findall(r'<div class="box"[^>]*><table>', text))  # fmt: skip
         assert len(re.findall(r"<img ", text)) == len(re.findall(r'<div class="box"[^>]*><img ', text))  # fmt: skip
@@ -135,7 +115,7 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
             dissipation_from="ARQ's own restitution"),
         row(1.00, 0.0, Mark.CONTRADICTED, experiment="Resilience", reading=""),
     ]  # fmt: skip
-    section = overview.overview(rows)
+    (section,) = overview.overview(rows)
     assert section.summary
     assert section.answer == (
         "Of 5 printed numbers to which nothing was fitted, each counted once, 1 agree within 5 % "
@@ -143,13 +123,13 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
     )
     words = " ".join(block for block in section.blocks if isinstance(block, str))
     assert "1 further numbers were put in as printed and 1 fitted" in words
-    worse = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
+    (worse,) = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
     assert worse.answer.startswith("Of 6 printed numbers")
-    assert "Nothing was compared" in str(overview.overview([]).blocks[0])
+    assert "Nothing was compared" in str(overview.overview([])[0].blocks[0])
 
 
 def test_every_number_that_nothing_was_fitted_to_is_in_one_part() -> None:
-    rows = [*SLIDER["made_up_results"]().rows, *FLIGHTS["made_up_results"]().rows()]
+    rows = [*fake_slider_results().rows, *fake_free_flight_results().rows()]
     parts = overview.groups(rows)
     found = [id(one) for group in parts.values() for one in group]
     assert sorted(found) == sorted(id(one) for one in overview.untouched(rows))
@@ -168,7 +148,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
 @pytest.mark.parametrize("width", [390, 1440])
 def test_no_page_is_wider_than_the_screen(browser: Any, pages: dict[str, Path], width: int) -> None:
     resized(browser, width, 844)
-    for name, path in pages.items():
+    for name, path in nonempty(pages.items()):
         browser.get(path.as_uri())
         assert browser.execute_script("return document.documentElement.scrollWidth") <= width, name
         clipped = browser.execute_script(
@@ -183,7 +163,7 @@ def test_pages_can_be_read_in_the_dark(browser: Any, pages: dict[str, Path]) -> 
     dark = {"features": [{"name": "prefers-color-scheme", "value": "dark"}]}
     try:
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", dark)
-        for path in pages.values():
+        for path in nonempty(pages.values()):
             browser.get(path.as_uri())
             ground = browser.execute_script(
                 "return getComputedStyle(document.body).backgroundColor"

@@ -3,15 +3,15 @@
 import csv
 import json
 import re
-import runpy
 from dataclasses import replace
-from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any
 
 import pytest
 from matplotlib.figure import Figure
 
+from builders.cases import nonempty
+from builders.pages import ABOUT, Page
+from builders.paper_results import fake_slider_results, fake_trials
 from springback.interfaces.figures import flight
 from springback.interfaces.reports import page as report_page
 from springback.interfaces.reproduction import report, resilience
@@ -21,60 +21,15 @@ from springback.interfaces.reproduction.overview import groups
 from springback.interfaces.reproduction.report import Results
 from springback.paper.resilience import ResilienceResults
 from springback.paper.slider import READINGS, SliderResults
-from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import MEASURES, Outcome
+from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark
-from springback.studies.trials import Trial
 
-# Run by path, so that it does not matter under which name this folder is imported.
-MADE_UP = runpy.run_path(str(Path(__file__).parents[1] / "figures/test_plots.py"))
-ABOUT = {"springback": "0.1.0", "python": "3.x", "numpy": "2.x", "numba": "0.x"}
 HOSTILE = "<script>alert('x')</script> & \"x\""
-
-
-class Page(HTMLParser):
-    """What the tests need of a page."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.tags: list[tuple[str, dict[str, str | None]]] = []
-        self.tables: dict[str, list[list[dict[str, Any]]]] = {}
-        self.words = ""
-        self._open: list[str] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append((tag, dict(attrs)))
-        if tag == "caption":
-            self._caption, self._rows = "", []
-        elif tag == "tr":
-            self._rows.append([])
-        elif tag in ("td", "th"):
-            self._rows[-1].append({"text": "", "value": None})
-        elif tag == "data":
-            self._rows[-1][-1]["value"] = float(dict(attrs)["value"] or "")
-        if tag not in ("meta", "img"):
-            self._open.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self._open.pop() == tag, f"{tag} closes another element"
-        if tag == "caption":
-            self.tables[self._caption] = self._rows
-
-    def handle_data(self, data: str) -> None:
-        self.words += data
-        if "caption" in self._open:
-            self._caption += data
-        elif self._open and {"td", "th"} & set(self._open):
-            self._rows[-1][-1]["text"] += data
 
 
 @pytest.fixture(scope="module")
 def results() -> SliderResults:
-    made: SliderResults = MADE_UP["made_up_results"](
-        (*READINGS, replace(READINGS[1], name=HOSTILE))
-    )
-    return made
+    return fake_slider_results((*READINGS, replace(READINGS[1], name=HOSTILE)))
 
 
 @pytest.fixture(scope="module")
@@ -178,7 +133,7 @@ def test_csv_holds_the_same_numbers(folder: Path) -> None:
 def test_the_same_results_give_the_same_bytes(
     results: SliderResults, folder: Path, tmp_path: Path
 ) -> None:
-    for path in report.write_report(Results(results), tmp_path, about=ABOUT):
+    for path in nonempty(report.write_report(Results(results), tmp_path, about=ABOUT)):
         assert path.read_bytes() == (folder / path.relative_to(tmp_path)).read_bytes(), path.name
 
 
@@ -220,15 +175,6 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
     )
 
 
-def made_up_trials(lost: Outcome = Outcome.RECOVERED) -> ResilienceResults:
-    """Ten trials of each robot at 3.5 m/s; ARQ recovers, Quad ends as is asked for."""
-    measures = dict.fromkeys([*MEASURES, *RECOVERY_MEASURES], 1.0)
-    ends = {"arq": Outcome.RECOVERED, "quad": lost}
-    return ResilienceResults(10, flown=[
-        Trial(robot, 0.0, 3.5, k, end, measures) for robot, end in ends.items() for k in range(10)
-    ])  # fmt: skip
-
-
 def test_the_verdict_on_collisions_follows_the_trials() -> None:
     def said(of: ResilienceResults) -> str:
         return " ".join(
@@ -238,23 +184,61 @@ def test_the_verdict_on_collisions_follows_the_trials() -> None:
             if isinstance(block, str)
         )
 
-    against = said(made_up_trials())
+    against = said(fake_trials())
     assert "ARQ recovers in 10 of 10 trials; printed are 100 %. Quad at 3.5 m/s" in against
     assert "contradicts the paper" in against
     assert "study why" in against
     assert "No trial of the 20 failed" in against
-    as_printed = said(made_up_trials(Outcome.HIT_GROUND))
+    as_printed = said(fake_trials(Outcome.HIT_GROUND))
     assert "Quad at 3.5 m/s recovers in 0 of 10 trials, as printed." in as_printed
     assert "contradicts the paper" not in as_printed
     assert "10 of 20 failed trials ended: touched the ground (10)" in as_printed
 
 
+def written_words(text: dict[str, Any]) -> list[str]:
+    """Phrases of a part, and the paragraphs, captions and heads of its sections."""
+    words = [entry for entry in text.values() if isinstance(entry, str)]
+    for section in text["sections"]:
+        for block in section["blocks"]:
+            given = {"text": block} if isinstance(block, str) else block
+            words += [given.get("text", ""), given.get("caption", ""), *given.get("head", ())]
+    return words
+
+
 def test_words_carry_no_typed_numbers() -> None:
-    for name in ("report", "slider", "flight", "resilience", "overview"):
-        for key, words in report_page.Wording.of(name).text.items():
-            if isinstance(words, str):
-                law = words.replace("1 + 1.5 c_a", "")  # the law itself
-                assert not re.search(r"\d", law), key
+    for name in ("report", "slider", "flight", "resilience", "overview", "campaign"):
+        words = written_words(report_page.Wording.of(name).text)
+        assert any("{" in word for word in words), name
+        for word in words:
+            law = word.replace("1 + 1.5 c_a", "")  # the law itself
+            assert not re.search(r"\d", re.sub(r"{[^}]*}", "", law)), (name, word)
+
+
+def test_a_part_is_laid_out_as_its_file_says_and_what_is_missing_is_left_out() -> None:
+    words = report_page.Wording({"part": "A part", "sections": [
+        {"anchor": "unflown", "title": "Unflown", "blocks": ["never"]},
+        {"anchor": "flown", "title": "Flown", "answers": True, "blocks": [
+            "{count} flights, {share:.1f} % {name.text}, {none}",
+            {"when": "count", "text": "{share}"}, {"when": "absent", "text": "no"},
+            {"table": "rows", "caption": "of {count}", "head": ["", "{share} %"]},
+            {"table": "headed", "caption": "c"}, {"table": "empty", "caption": "c"},
+            {"blocks": "made"},
+        ]},
+    ]})  # fmt: skip
+    (section,) = words.sections({"unflown": {}, "flown": {
+        "count": 2_000_000, "share": -12.3456789, "name": report_page.TableCell("won"),
+        "none": None, "rows": [("a", 1.5), ("b", None)], "headed": [("h",), ("x",)], "empty": [],
+        "made": ("a paragraph",),
+    }})  # fmt: skip
+    assert (section.part, section.title, section.answers) == ("A part", "Flown", True)
+    assert section.blocks == (
+        "2000000 flights, −12.3 % won, –", "-12.3457",
+        report_page.Table("of 2000000", ("", "-12.3457 %"), (
+            (report_page.TableCell("a"), report_page.TableCell("1.5", 1.5)),
+            (report_page.TableCell("b"), report_page.TableCell("–")),
+        )),
+        report_page.Table("c", ("h",), ((report_page.TableCell("x"),),)), "a paragraph",
+    )  # fmt: skip
 
 
 def test_numbers_are_rounded_and_signed_like_print() -> None:

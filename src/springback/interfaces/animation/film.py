@@ -14,6 +14,7 @@ import numpy as np
 from springback.errors import InputError
 from springback.extras import needs
 from springback.interfaces.animation.timing import timing
+from springback.interfaces.output.robots import BLUE, GREEN, ORANGE, RED
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -30,7 +31,7 @@ COLOURS, SAMPLED = 64, 12
 """Chosen: colours of a GIF, and frames from which they are taken."""
 HOLD = 1.0
 """Chosen: the last frame stays so long [s]."""
-INKS = ("#0072B2", "#D55E00", "#009E73", "#E69F00")
+INKS = (BLUE, RED, GREEN, ORANGE)
 """Colours of thin lines, which a palette made from areas would miss."""
 QUALITY = 80
 """Of WebP, chosen; of MP4 the constant rate factor is `CRF`."""

@@ -14,12 +14,13 @@ from matplotlib.lines import Line2D
 from springback.interfaces.animation.bodies import SceneInstant, pose, views
 from springback.interfaces.animation.panel import ScenePanel
 from springback.interfaces.animation.timing import EARLY, LATE, FilmTiming, origin
-from springback.interfaces.figures.style import BLUE, GREY, INK, RED, Look, as_written
+from springback.interfaces.figures.style import as_written
+from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
-
-LOOKS: tuple[Look, ...] = ((BLUE, "-"), (RED, (0, (5, 1.5))))
+LOOKS = tuple(ROBOTS.values())
+"""Of the first flight and the second."""
 NEAR = 1.25
 """Chosen: half of what a view shows, over the reach of the robot, at an impact."""
 WIDEST = 1.4
@@ -103,7 +104,7 @@ class Frame:
         lower = self._panel(scene, above, k, box, "from above")
         upper.ax.text(
             0.015, 0.95, as_written(scene.label), transform=upper.ax.transAxes, va="top",
-            weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2][0],
+            weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2].colour,
         )  # fmt: skip
         return upper, lower
 
@@ -117,7 +118,7 @@ class Frame:
             spine.set(color="#D5D9DE", linewidth=0.8)
         size = 9 * self.unit
         ax.text(0.015, 0.03, words, transform=ax.transAxes, fontsize=size, color="#5B6067")
-        return ScenePanel(ax, view, scene, LOOKS[k % 2][0], self.unit)
+        return ScenePanel(ax, view, scene, LOOKS[k % 2].colour, self.unit)
 
     # -- where to look ----------------------------------------------------------------------------
 
@@ -200,10 +201,10 @@ class _Curve:
             values = next(s.values for s in scene.series if s.panel == "Acceleration")
             t = scene.t - origin(scene)
             top = max(top, float(values[(t >= begin) & (t <= end)].max(initial=0.0)))
-            colour, style = LOOKS[k % 2]
+            look = LOOKS[k % 2]
             name = as_written(scene.label)
-            (line,) = self.ax.plot([], [], color=colour, ls=style, lw=1.8 * unit, label=name)
-            (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=colour)
+            (line,) = self.ax.plot([], [], lw=1.8 * unit, label=name, **look.curve)
+            (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=look.colour)
             self.curves.append((line, dot, 1e3 * t, values))
             self.moving += [line, dot]
         for artist in self.moving:

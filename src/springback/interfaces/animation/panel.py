@@ -24,7 +24,7 @@ from springback.interfaces.animation.bodies import (
     ring,
     sphere_outline,
 )
-from springback.interfaces.figures.style import GREEN, GREY, INK, ORANGE
+from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]

@@ -67,9 +67,7 @@ def why(
 
 
 def _written(results: Any, pairs: Any, folder: Path, figures: bool) -> None:
-    import csv
-
-    from springback.interfaces.output.folders import write_json
+    from springback.files import write_csv, write_json
 
     rows = [{**cell.as_dict(), "part": part}
             for part, cells in (("ablation", results.cells), ("range", results.ranges))
@@ -77,10 +75,7 @@ def _written(results: Any, pairs: Any, folder: Path, figures: bool) -> None:
     paired = [pair.as_dict() for pair in pairs.pairs]
     said = sentences(results, pairs)
     write_json(folder / "why.json", {"cells": rows, "pairs": paired, "sentences": said})
-    with (folder / "why.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_csv(folder / "why.csv", rows)
     if figures:
         from springback.interfaces.figures.ablation import (
             ablation_figure,

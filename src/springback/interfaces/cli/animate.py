@@ -75,11 +75,11 @@ def animate(
     for scene in scenes:
         for doubt in scene.notes:
             note(f"{scene.label}: {doubt}", quiet)
-    from springback.results.atomic_files import drafted
+    from springback.files import atomic_file
 
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        with drafted(out, suffix=out.suffix) as draft, progress_bar("drawing", quiet) as show:
+        with atomic_file(out, suffix=out.suffix) as draft, progress_bar("drawing", quiet) as show:
             count = write_film(
                 scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
             )

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -76,7 +73,8 @@ def choices(
     Friction along e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
     assumes, and the time of a trial: which set gives most of the printed table?
     """
-    from springback.interfaces.output.folders import output_folder, write_json
+    from springback.files import write_csv, write_json
+    from springback.interfaces.output.folders import output_folder
     from springback.paper.choices import choices_data, choices_sentences, fly_choices
     from springback.studies.clipping import hidden_velocity
 
@@ -91,9 +89,9 @@ def choices(
         data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
         said = choices_sentences(results)
         write_json(folder / "choices.json", data | {"sentences": said})
-        _write_csv(folder / "choices.csv", data["cells"])
-        _write_csv(folder / "agreement.csv", data["agreement"])
-        _write_csv(folder / "hidden.csv", data["hidden"])
+        write_csv(folder / "choices.csv", data["cells"])
+        write_csv(folder / "agreement.csv", data["agreement"])
+        write_csv(folder / "hidden.csv", data["hidden"])
         if figures:
             from springback.interfaces.figures.friction import hidden_figure
             from springback.interfaces.figures.style import save
@@ -135,7 +133,8 @@ def friction(
     Friction along both tangents holds the two front cages, and arms at 45 degrees give way only
     where their cages slide.
     """
-    from springback.interfaces.output.folders import output_folder, write_json
+    from springback.files import write_csv, write_json
+    from springback.interfaces.output.folders import output_folder
     from springback.studies.friction import friction_sentences, friction_study
 
     figures = not no_figures and have_figures(quiet)
@@ -147,8 +146,8 @@ def friction(
         said = friction_sentences(results)
         data = {"impacts": impacts, "flown": flown, "sentences": said}
         write_json(folder / "friction.json", data)
-        _write_csv(folder / "friction.csv", impacts)
-        _write_csv(folder / "flown.csv", flown)
+        write_csv(folder / "friction.csv", impacts)
+        write_csv(folder / "flown.csv", flown)
         if figures:
             from springback.interfaces.figures.friction import friction_figure
             from springback.interfaces.figures.style import save
@@ -156,10 +155,3 @@ def friction(
             save(friction_figure(results), folder / "stroke")
     print_result(data if as_json else "\n".join(said), as_json)
     note(f"written to {out}", quiet)
-
-
-def _write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)

@@ -93,7 +93,7 @@ def _write(envelope: Any, folder: Path, figures: bool) -> list[Path]:
     import csv
     from importlib.util import find_spec
 
-    from springback.interfaces.output.folders import write_json
+    from springback.files import write_json
 
     written = [folder / "map.json", folder / "map.csv"]
     write_json(written[0], envelope.as_dict())

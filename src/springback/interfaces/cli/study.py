@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 from typing import Any
 
@@ -76,13 +75,13 @@ def detection(
 
 
 def _written(results: Any, data: dict[str, Any], folder: Path, figures: bool) -> None:
-    from springback.interfaces.output.folders import write_json
+    from springback.files import write_csv, write_json
     from springback.studies import detection_tables as tables
 
     write_json(folder / "detection.json", data)
-    _write_csv(folder / "roc.csv", tables.roc_rows(results))
-    _write_csv(folder / "delays.csv", tables.delay_rows(results))
-    _write_csv(folder / "characterisation.csv", tables.characterisation_rows(results))
+    write_csv(folder / "roc.csv", tables.roc_rows(results))
+    write_csv(folder / "delays.csv", tables.delay_rows(results))
+    write_csv(folder / "characterisation.csv", tables.characterisation_rows(results))
     if figures:
         from springback.interfaces.figures import detection as plots
         from springback.interfaces.figures.style import save
@@ -90,10 +89,3 @@ def _written(results: Any, data: dict[str, Any], folder: Path, figures: bool) ->
         save(plots.roc_figure(results), folder / "roc", numbers=False)
         save(plots.delay_figure(results), folder / "delay")
         save(plots.direction_figure(results), folder / "direction")
-
-
-def _write_csv(path: Path, rows: list[dict[str, Any]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)

@@ -2,91 +2,71 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from matplotlib.colors import ListedColormap
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.style import BLUE, GREY, INK, RED, WIDTH, StyledFigure, styled
-from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, Range, WhyResults
+from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.output.robots import GREY, ROBOTS
+from springback.studies.ablation import RANGES, VARIANTS, WhyResults
+from springback.studies.ablation import ROBOTS as FLOWN
 from springback.studies.ablation_pairs import CHANGES, PairResults
 from springback.studies.run_ups import CONDITIONS
 
-TITLES = {"arq": "ARQ", "quad": "Quad"}
-#: Light to dark with failures: colours of one hue, told apart in grey, too.
-SHADES = ListedColormap(np.linspace((0.55, 0.16, 0.05), (0.97, 0.97, 0.97), 11).tolist())
-LOOKS: dict[str, dict[str, Any]] = {
-    "arq": {"color": BLUE, "marker": "o", "ls": "-"},
-    "quad": {"color": RED, "marker": "s", "ls": (0, (5, 1.5))},
-}
+TESTS = "Pitch at contact [deg], speed [m/s]"
+SHARE = "Share of trials that succeed [-]"
 
 
 def _test(pitch: float, speed: float) -> str:
     return f"{pitch:+.0f}°\n{speed:g}" if pitch else f"0°\n{speed:g}"
 
 
+def _small(ax: Axes, title: str, xlabel: str) -> None:
+    """Words of a heat map."""
+    ax.set_title(title, size=9)
+    ax.set_xlabel(xlabel, size=8)
+
+
 @styled
 def ablation_figure(results: WhyResults) -> Figure:
     """Successes of each test, robot by robot, variant by variant."""
-    rows = [v for v in VARIANTS if any(results.successes(v, robot) for robot in ROBOTS)]
+    rows = [v for v in VARIANTS if any(results.successes(v, robot) for robot in FLOWN)]
     figure = StyledFigure(figsize=(WIDTH * 1.75, 0.24 * len(rows) + 1.1), layout="constrained")
-    panels = figure.subplots(1, 2, sharey=True)
-    for axes, robot in zip(panels, ROBOTS, strict=True):
-        share = np.full((len(rows), len(CONDITIONS)), np.nan)
-        for i, variant in enumerate(rows):
-            cells = results.successes(variant, robot)
-            for j, test in enumerate(CONDITIONS):
-                if test in cells:
-                    share[i, j] = cells[test].successes / cells[test].trials
-        image = axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
-        image.set_label("_Share of trials that succeed [-]")
-        for (i, j), value in np.ndenumerate(share):
-            cell = results.successes(rows[i], robot).get(CONDITIONS[j])
-            flown = robot in rows[i].robots
-            text = str(cell.successes) if cell else "–" if flown else ""
-            dark = bool(cell) and value < 0.5
-            axes.text(j, i, text, ha="center", va="center", size=8,
-                      color="white" if dark else INK)  # fmt: skip
-        axes.set_xticks(range(len(CONDITIONS)), [_test(*test) for test in CONDITIONS], size=8)
-        axes.set_title(f"{TITLES[robot]}: successes (– unflown)", size=9)
-        axes.set_xlabel("Pitch at contact [deg], speed [m/s]", size=8)
-        axes.tick_params(length=0)
-        axes.grid(visible=False)
-        for edge in axes.spines.values():
-            edge.set_visible(False)
+    for ax, robot in zip(figure.subplots(1, 2, sharey=True), FLOWN, strict=True):
+        cells = [[results.successes(v, robot).get(test) for test in CONDITIONS] for v in rows]
+        shares = [[c.successes / c.trials if c else np.nan for c in row] for row in cells]
+        words = [
+            [str(c.successes) if c else "–" if robot in v.robots else "" for c in row]
+            for v, row in zip(rows, cells, strict=True)
+        ]
+        chart = Chart(ax, TESTS, "variant", ROBOTS[robot].label)
+        names = [f"{v.cause}: {v.name}" for v in rows]
+        chart.heat_map(SHARE, shares, words, names, [_test(*test) for test in CONDITIONS])
+        _small(ax, f"{chart.panel}: successes (– unflown)", TESTS)
         for i in range(1, len(rows)):
             if rows[i].cause != rows[i - 1].cause:
-                axes.axhline(i - 0.5, color=GREY, lw=0.6)
-    labels = [f"{v.cause}: {v.name}" for v in rows]
-    panels[0].set_yticks(range(len(rows)), labels, size=8)
+                ax.axhline(i - 0.5, color=GREY, lw=0.6)
     return figure
-
-
-def _values(one: Range) -> np.ndarray[Any, np.dtype[np.float64]]:
-    return np.array(one.values)
 
 
 @styled
 def ranges_figure(results: WhyResults) -> Figure:
     """Share of all trials that succeed along each number that the paper does not print."""
     figure = StyledFigure(figsize=(WIDTH * 1.5, 5.6), layout="constrained")
-    columns = 2
-    grid = figure.subplots(-(-len(RANGES) // columns), columns, sharey=True)
-    for axes, one in zip(grid.flat, RANGES, strict=False):
-        for robot in ROBOTS:
+    grid = figure.subplots(-(-len(RANGES) // 2), 2, sharey=True)
+    for ax, one in zip(grid.flat, RANGES, strict=False):
+        unit = one.unit.replace("^2", "²") or "-"
+        chart = Chart(ax, f"{one.name} [{unit}]", "Share [-]")
+        for robot in FLOWN:
+            label, colour, line, marker = ROBOTS[robot]
             shares = [results.share(one, value, robot) for value in one.values]
-            axes.plot(_values(one), shares, label=TITLES[robot], ms=3.5, **LOOKS[robot])
-        axes.axvline(one.default, color=GREY, lw=0.9, ls=(0, (1.2, 1.2)), label="_default")
-        shown = one.unit.replace("^2", "²")
-        unit = f" [{shown or '-'}]"
-        axes.set_xlabel(f"{one.name}{unit}")
-        axes.set_ylim(-0.05, 1.08)
-        axes.set_yticks([0.0, 0.5, 1.0])
-    for axes in grid[:, 0]:
-        axes.set_ylabel("Share [-]")
-    for axes in list(grid.flat)[len(RANGES) :]:
-        axes.set_visible(False)
+            chart.curve(label, one.values, shares, ms=3.5, color=colour, ls=line, marker=marker)
+        chart.vline("default", one.default, ls=(0, (1.2, 1.2)))
+        ax.set_ylim(-0.05, 1.08)
+        ax.set_yticks([0.0, 0.5, 1.0])
+    for ax in list(grid.flat)[len(RANGES) :]:
+        ax.set_visible(False)
     grid.flat[0].legend(loc="lower left")
     return figure
 
@@ -94,27 +74,19 @@ def ranges_figure(results: WhyResults) -> Figure:
 @styled
 def pairs_figure(results: PairResults) -> Figure:
     """Recovered trials under every two changes at the paper's fastest; one change on the edge."""
-    names = [change.cause for change in CHANGES]
+    causes, names = [c.cause for c in CHANGES], [c.name for c in CHANGES]
     figure = StyledFigure(figsize=(WIDTH * 1.75, 0.3 * len(names) + 2.0), layout="constrained")
-    for axes, robot in zip(figure.subplots(1, 2, sharey=True), ROBOTS, strict=True):
-        share = np.full((len(names), len(names)), np.nan)
-        for i, first in enumerate(names):
-            for j, second in enumerate(names[: i + 1]):
-                pair = results.at(first, second, robot)
-                if pair is not None:
-                    share[i, j] = pair.share
-                    axes.text(j, i, str(pair.successes), ha="center", va="center", size=8,
-                              color="white" if pair.share < 0.5 else INK)  # fmt: skip
-        image = axes.imshow(share, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
-        image.set_label("_Share of trials that succeed [-]")
+    for ax, robot in zip(figure.subplots(1, 2, sharey=True), FLOWN, strict=True):
+        pairs = [
+            [results.at(one, other, robot) if j <= i else None for j, other in enumerate(causes)]
+            for i, one in enumerate(causes)
+        ]
+        shares = [[np.nan if p is None else p.share for p in row] for row in pairs]
+        words = [["" if p is None else str(p.successes) for p in row] for row in pairs]
+        chart = Chart(ax, "second change", "first change", ROBOTS[robot].label)
+        chart.heat_map(SHARE, shares, words, names, causes)
+        ax.set_xticks(range(len(causes)), causes, size=8, rotation=45, ha="right")
         base = results.at("none", "none", robot)
-        told = f"; unchanged {base.successes}/{base.trials}" if base else ""
-        axes.set_title(f"{TITLES[robot]}{told}", size=9)
-        axes.set_xticks(range(len(names)), names, size=8, rotation=45, ha="right")
-        axes.set_yticks(range(len(names)), [change.name for change in CHANGES], size=8)
-        axes.set_xlabel("and, too", size=8)
-        axes.tick_params(length=0)
-        axes.grid(visible=False)
-        for edge in axes.spines.values():
-            edge.set_visible(False)
+        unchanged = f"; unchanged {base.successes}/{base.trials}" if base else ""
+        _small(ax, chart.panel + unchanged, "and, too")
     return figure

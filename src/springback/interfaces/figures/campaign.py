@@ -12,30 +12,18 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
-from springback.interfaces.figures.envelope import ROBOTS, SCALE
-from springback.interfaces.figures.style import BLUE, GREEN, PINK, RED, SHADE, StyledFigure, styled
+from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.envelope import SCALE
+from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
-#: Of robots in their order, beside those that have looks of their own.
-LOOKS: dict[str, dict[str, Any]] = {
-    "arq": {"color": BLUE, "marker": "o", "ls": "-"},
-    "quad": {"color": RED, "marker": "s", "ls": (0, (5, 1.5))},
-}
-OTHERS: tuple[dict[str, Any], ...] = (
-    {"color": GREEN, "marker": "^", "ls": (0, (5, 1.5, 1, 1.5))},
-    {"color": PINK, "marker": "v", "ls": (0, (1.2, 1))},
-)
+SHARE = "Share that succeeds [-]"
 #: Panels side by side, and their size [in].
 ABREAST, PANEL = 3, (2.5, 2.0)
 #: Labels of levels longer than this in all are written at a slant (chosen).
 LONG = 22
 #: Ticks along a logarithmic axis: so many are enough, and at most so many are written (chosen).
 ENOUGH, MOST_TICKS = 3, 5
-
-
-def looks(robots: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """Colour, marker and line of each robot."""
-    free = iter(OTHERS * len(robots))
-    return {robot: LOOKS.get(robot) or next(free) for robot in robots}
 
 
 def shown_unit(unit: str) -> str:
@@ -68,15 +56,15 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
     keys: dict[str, Any] = {}
     lowest = 1.0
     for axes, one in zip(grid.flat, found, strict=False):
-        for robot, look in looks(list(one.robots)).items():
+        chart = Chart(axes, label(one.scale), SHARE)
+        for robot, look in robot_styles(one.robots).items():
             cells = one.robots[robot]
             if cells:
-                keys[ROBOTS.get(robot, robot)] = _line(axes, one, robot, look)
+                keys[look.label] = _line(chart, one, robot, look)
                 lowest = min(lowest, *(cell.success.low or 0.0 for cell in cells))
         _ticks(axes, one.scale)
     bottom = max(-0.04, lowest - 0.06 * (1.0 - lowest) - 0.005)
     for axes in grid[:, 0]:
-        axes.set_ylabel("Share that succeeds [-]")
         axes.set_ylim(bottom, 1.0 + 0.06 * (1.0 - bottom))
     for axes in list(grid.flat)[len(found) :]:
         axes.set_visible(False)
@@ -84,31 +72,30 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
     return figure
 
 
-def _line(axes: Axes, one: Marginal, robot: str, look: dict[str, Any]) -> Any:
+def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
     """One robot along one field: points with bars at levels, else a line in a band."""
     cells = one.robots[robot]
     x = shown(one.scale, [cell.place for cell in cells])
-    y = np.array([cell.success.value for cell in cells], float)
-    low = np.array([cell.success.low for cell in cells], float)
-    high = np.array([cell.success.high for cell in cells], float)
-    if one.scale.labels:
+    y, low, high = np.array(
+        [(cell.success.value, cell.success.low, cell.success.high) for cell in cells], float
+    ).T
+    style = {**look.curve, "marker": look.marker}
+    if not one.scale.labels:
+        chart.band(f"{look.label}, 95 % interval", x, low, high, color=look.colour, alpha=0.18)
+        return chart.curve(look.label, x, y, ms=3.2, **style)
+    words = {}
+    if not one.scale.edges:  # words, side by side
         names = list(one.robots)
-        if not one.scale.edges:  # words, side by side
-            x = x + 0.14 * (names.index(robot) - 0.5 * (len(names) - 1))
-        reach = np.maximum(0.0, [y - low, high - y])
-        style = {**look, "ls": "none"} if not one.scale.edges else look
-        return axes.errorbar(
-            x, y, yerr=reach, ms=4.0, capsize=2.0, elinewidth=0.9, label=ROBOTS.get(robot, robot),
-            **style,
-        )  # fmt: skip
-    name = ROBOTS.get(robot, robot)
-    bounds = f"_{name}, 95 % interval"
-    axes.fill_between(x, low, high, color=look["color"], alpha=0.18, lw=0.0, label=bounds)
-    return axes.plot(x, y, ms=3.2, label=name, **look)[0]
+        words = {chart.x: [one.scale.labels[int(place)] for place in x]}
+        x = x + 0.14 * (names.index(robot) - 0.5 * (len(names) - 1))
+        style["ls"] = "none"
+    return chart.errorbars(
+        look.label, x, y, low, high, columns=words, ms=4.0, capsize=2.0, elinewidth=0.9, **style
+    )
 
 
 def _ticks(axes: Axes, scale: Scale) -> None:
-    axes.set_xlabel(label(scale))
+    axes.set_xlabel(label(scale))  # of words, too
     if scale.logarithmic:
         axes.set_xscale("log")
         _log_ticks(axes.xaxis, scale)
@@ -169,21 +156,25 @@ def field_map_figure(found: FieldMap) -> Figure:
     figure = StyledFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
     axes = figure.subplots(1, len(robots), sharex=True, sharey=True, squeeze=False)[0]
     image: Any = None
-    for panel, robot in zip(axes, robots, strict=True):
-        shares = np.ma.masked_invalid(found.shares(robot))
+    for panel, look in zip(axes, robot_styles(robots).items(), strict=True):
+        shares = np.ma.masked_invalid(found.shares(look[0]))
         image = panel.pcolormesh(
             _edges(found.x), _edges(found.y), shares, cmap=SCALE, vmin=0.0, vmax=1.0,
             edgecolors="white", linewidth=0.4,
         )  # fmt: skip
         panel.set_facecolor(SHADE)
         panel.grid(visible=False)
-        panel.set_title(ROBOTS.get(robot, robot))
         panel.set_xlabel(label(found.x))
+        chart = Chart(panel, label(found.x), label(found.y), look[1].label)
+        x, y = np.meshgrid(_middles(found.x), _middles(found.y))
+        chart.record(
+            "", {chart.x: x.ravel(), chart.y: y.ravel(), SHARE: shares.filled(np.nan).ravel()}
+        )
         _map_ticks(panel.xaxis, found.x)
         _map_ticks(panel.yaxis, found.y)
     axes[0].set_ylabel(label(found.y))
     bar = figure.colorbar(image, ax=axes, shrink=0.95, pad=0.02, aspect=26)
-    bar.set_label("Share that succeeds [-]")
+    bar.set_label(SHARE)
     bar.ax.grid(visible=False)
     return figure
 
@@ -195,14 +186,27 @@ def _edges(scale: Scale) -> Any:
     return shown(scale, scale.edges)
 
 
+def _middles(scale: Scale) -> Any:
+    """Middles of cells, those of levels by their words."""
+    if scale.labels:
+        return _level_words(scale)
+    edges = shown(scale, scale.edges)
+    return 0.5 * (edges[1:] + edges[:-1])
+
+
+def _level_words(scale: Scale) -> tuple[str, ...]:
+    """Levels as they are written: numbers in the shown unit."""
+    if scale.edges:
+        return tuple(f"{value:.4g}" for value in shown(scale, scale.edges))
+    return scale.labels
+
+
 def _map_ticks(axis: Any, scale: Scale) -> None:
     if not scale.labels:
         if scale.logarithmic:
             axis.axes.set(**{f"{axis.axis_name}scale": "log"})
             _log_ticks(axis, scale)
         return
-    words = scale.labels
-    if scale.edges:
-        words = tuple(f"{value:.4g}" for value in shown(scale, scale.edges))
+    words = _level_words(scale)
     step = math.ceil(len(words) / 9)
     axis.set_ticks(range(0, len(words), step), words[::step])

@@ -13,7 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from springback.interfaces.figures.style import GREY, INK, RED, SHADE, StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.output.robots import GREY, INK, RED, SHADE
 from springback.studies.axes import Axis
 from springback.studies.envelope import LEVEL, Envelope, Place, Values
 from springback.studies.run_ups import CONDITIONS

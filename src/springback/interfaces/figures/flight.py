@@ -1,4 +1,4 @@
-"""Figures of flights, in one house style.
+"""Figures of flights.
 
 Nothing here computes physics: every number shown is a measure or a trajectory column.
 """
@@ -9,10 +9,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from springback.errors import InputError
+from springback.interfaces.figures.chart import HIGH, LOW, Chart
 from springback.interfaces.figures.guided import guided_panels
 from springback.interfaces.figures.panels import (
     Array,
@@ -25,28 +25,17 @@ from springback.interfaces.figures.panels import (
     short,
     stacked,
 )
-from springback.interfaces.figures.style import (
-    BLUE,
-    GREEN,
-    GREY,
-    INK,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    WIDTH,
-    StyledFigure,
-    styled,
-)
+from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
 
 
 @styled
 def flight_figure(flight: Flight) -> Figure:
-    """What there is to see of a flight, over time.
+    """A flight over time.
 
-    With a pilot aboard that is the reference beside the flight, attitude, thrusts, and the error of
-    the estimate; without one, the motion around the contacts as in `impact_figure`.
+    With a pilot: the reference beside the flight, attitude, thrusts, and the error of the estimate;
+    without one: the motion around the contacts, as in `impact_figure`.
 
     Args:
         flight: With a trajectory.
@@ -66,7 +55,7 @@ def flight_figure(flight: Flight) -> Figure:
 def impact_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
-    A flight that touches something is shown around its contacts (with a pilot aboard around the
+    A flight that touches something is shown around its contacts (with a pilot around the
     first impact), with time and position counted from the first touch; one that touches nothing is
     shown whole.  Arm lengths appear if an arm slides.
 
@@ -113,7 +102,7 @@ def _motion(flight: Flight) -> Figure:
 
 
 def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
-    """How time is shown, and which instants are: all, or those around the contacts.
+    """The scale of time, and the instants that are shown: all, or those around the contacts.
 
     With a pilot, who may push on, only the first impact is shown.
     """
@@ -131,7 +120,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
 
 @styled
 def energy_figure(*flights: Flight) -> Figure:
-    """Where the energy went: what was put in, what each loss took, what was left.
+    """The energy balance of flights: input, losses, and what remains.
 
     Shares are of what was put in: the energy at the start, the work of the rotors, and the fall.
 
@@ -148,22 +137,24 @@ def energy_figure(*flights: Flight) -> Figure:
     figure = StyledFigure(figsize=(WIDTH, (0.6 + 0.26 * len(shown)) * len(flights) + 0.35))
     axes = list(figure.subplots(len(flights), 1, sharex=True, squeeze=False)[:, 0])
     for ax, each, flight in zip(axes, steps, flights, strict=True):
-        _waterfall(ax, [step for step in each if step[0] in shown])
-        ax.set_title(short(flight.scenario.name, 50))
+        chart = Chart(ax, "Energy [J]", "category", short(flight.scenario.name, 50))
+        _waterfall(chart, [step for step in each if step[0] in shown])
     longest = max(ax.dataLim.x1 for ax in axes) if shown else 1.0
     axes[-1].set_xlim(0.0, 1.42 * longest)  # room for the numbers
-    axes[-1].set_xlabel("Energy [J]")
     return figure
 
 
-def _waterfall(ax: Axes, steps: list[tuple[str, float, str]]) -> None:
+def _waterfall(chart: Chart, steps: list[tuple[str, float, str]]) -> None:
     """A bar for each step, each beginning where the last one ended; what is left begins at zero."""
     put_in = sum(value for name, value, _ in steps if value > 0.0 and not name.startswith("left"))
-    level, leaving = 0.0, False
+    ax, level, leaving = chart.ax, 0.0, False
     for y, (name, value, colour) in enumerate(steps):
         if name.startswith("left") and not leaving:
             level, leaving = 0.0, True
         ax.barh(y, value, 0.72, left=level, color=colour)
+        low, high = sorted((level, level + value))
+        bar = {chart.y: name, chart.x: value, chart.x + LOW: low, chart.x + HIGH: high}
+        chart.record("", bar)
         share = f" ({100.0 * abs(value) / put_in:.1f} %)" if put_in > 0.0 else ""
         sign = "−" if value < 0.0 else ""
         ax.annotate(

@@ -1,15 +1,17 @@
-"""Figures of flights with a pilot: what was wanted beside what was flown."""
+"""Figures of flights with a pilot: reference and flight."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from springback.interfaces.figures.panels import Array, Curve, Panel, alike, arms_of, body_curves
-from springback.interfaces.figures.style import BLUE, GREY, ORANGE, Look
+from springback.interfaces.figures.style import Look
+from springback.interfaces.output.robots import BLUE, GREY, ORANGE
 from springback.results.flight import Flight
 
-WANTED: Look = (ORANGE, (0, (3.2, 1.4)))
-LIMIT: Look = (GREY, (0, (1.2, 1.2)))
+FLOWN: Look = {"color": BLUE, "ls": "-"}
+WANTED: Look = {"color": ORANGE, "ls": (0, (3.2, 1.4))}
+LIMIT: Look = {"color": GREY, "ls": (0, (1.2, 1.2))}
 HOVERING = {"m": 0.05, "deg": 2.0, "m/s": 0.1}
 """Chosen: curves within this are shown on an axis that spans twice as much, not magnified."""
 
@@ -37,7 +39,7 @@ def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
 def guided_panels(flight: Flight) -> list[Panel]:
     """Position, velocity, attitude, tilt, thrusts, arms, contact forces, error of the estimate.
 
-    What the pilot does not tell (a reference, an attitude it aims at, an estimate) is left out.
+    What the telemetry lacks (a reference, an attitude set-point, an estimate) is left out.
     """
     return [
         *_positions(flight), _velocities(flight), *_attitudes(flight), _thrusts(flight),
@@ -49,7 +51,7 @@ def _positions(flight: Flight) -> list[Panel]:
     c, d = flight.columns, flight.telemetry
     panels = []
     for axis in "xyz":
-        curves = [Curve("flown", c["t"], c[axis], (BLUE, "-"))]
+        curves = [Curve("flown", c["t"], c[axis], FLOWN)]
         if f"ref_{axis}" in d:
             curves.append(Curve("wanted", d["t"], d[f"ref_{axis}"], WANTED))
         panels.append(_panel(f"{axis} [m]", "m", curves, axis == "x"))
@@ -69,27 +71,26 @@ def _attitudes(flight: Flight) -> list[Panel]:
         Curve(name, c["t"], np.degrees(angle))
         for name, angle in zip(names, euler_angles(c), strict=True)
     ]
-    tilted = [Curve("flown", c["t"], np.degrees(tilt(c)), (BLUE, "-"))]
+    tilted = [Curve("flown", c["t"], np.degrees(tilt(c)), FLOWN)]
     if "aim_qw" in d:
         tilted.append(Curve("aimed at", d["t"], np.degrees(tilt(d, "aim_q")), WANTED))
     return [_panel("Attitude [deg]", "deg", angles), _panel("Tilt [deg]", "deg", tilted)]
 
 
 def _thrusts(flight: Flight) -> Panel:
-    """Of the rotors, with the least and the most that they give."""
+    """Thrusts of the rotors, with their limits."""
     d = flight.telemetry
     t = d["t"]
-    rotors = [int(name[6:]) for name in d if name.startswith("thrust")]
+    numbers = [int(name[6:]) for name in d if name.startswith("thrust")]
     curves = [
         Curve(name, t, values)
-        for name, values in alike("rotor", [(j, d[f"thrust{j}"]) for j in rotors])
+        for name, values in alike("rotor", [(j, d[f"thrust{j}"]) for j in numbers])
     ]
     propulsion = flight.scenario.vehicle.propulsion
     if propulsion is not None:
-        bounds = propulsion.rotors()
-        for k, bound in enumerate((bounds.most, bounds.least)):
-            name = "limits" if k == 0 else "_limit"
-            curves.append(Curve(name, t[[0, -1]], np.full(2, bound), LIMIT))
+        rotors = propulsion.rotors()
+        bounds = np.array([rotors.most, rotors.most, np.nan, rotors.least, rotors.least])
+        curves.append(Curve("limits", t[[0, -1, -1, 0, -1]], bounds, LIMIT))
     return Panel("Thrust [N]", curves)
 
 

@@ -1,15 +1,17 @@
-"""What figures over time are made of: panels above one another, with contacts shaded."""
+"""Figures over time: stacked panels, with contacts shaded."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import cycle
 from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.style import LOOKS, SHADE, WIDTH, Look, StyledFigure, as_written
+from springback.interfaces.figures.chart import AREA, Chart
+from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 ROUNDING = 1e-6
@@ -20,7 +22,7 @@ POINTS = 800
 
 
 class Curve(NamedTuple):
-    """A curve over time; without a look it gets the next of the house."""
+    """A curve over time; without a look it gets the next of `LOOKS`."""
 
     name: str
     t: Array
@@ -34,11 +36,11 @@ class Panel(NamedTuple):
     label: str
     curves: Sequence[Curve]
     min_span: float = 2.0
-    """What the vertical axis spans when the curves are flat."""
+    """Span of the vertical axis when the curves are flat."""
     flat: float = ROUNDING
     """Curves that vary less count as flat."""
     explained: bool = True
-    """Whether it has a legend."""
+    """True for a panel with a legend."""
 
 
 def stacked(
@@ -54,14 +56,15 @@ def stacked(
     """
     figure = StyledFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
     axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
-    shaded = list(shades)
-    for ax, panel in zip(axes, panels, strict=True):
-        for start, end in shaded:
-            ax.axvspan(start, end, color=SHADE, lw=0.0, zorder=0.1, label="_contact")
-        _draw(ax, panel)
-    if shaded:
+    charts = [Chart(ax, time, panel.label) for ax, panel in zip(axes, panels, strict=True)]
+    for start, end in shades:
+        charts[0].span("contact", start, end)
+        for ax in axes[1:]:
+            ax.axvspan(start, end, **AREA)
+    if axes[0].patches:
         axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=9)
-    axes[-1].set_xlabel(time)
+    for chart, panel in zip(charts, panels, strict=True):
+        _draw(chart, panel)
     begin = min(float(curve.t[0]) for panel in panels for curve in panel.curves)
     end = max(float(curve.t[-1]) for panel in panels for curve in panel.curves)
     axes[-1].set_xlim(begin, end if end > begin else begin + 1.0)
@@ -69,23 +72,20 @@ def stacked(
     return figure
 
 
-def _draw(ax: Axes, panel: Panel) -> None:
-    looks = iter(LOOKS * len(panel.curves))
+def _draw(chart: Chart, panel: Panel) -> None:
+    looks = cycle(LOOKS)
     for curve in panel.curves:
-        colour, line = curve.look or next(looks)
-        ax.plot(*thinned(curve.t, curve.values), color=colour, ls=line, label=curve.name)
-    spread(ax, panel.min_span, panel.flat)
-    ax.set_ylabel(panel.label)
-    if not panel.explained:
-        return
-    ax.legend(
-        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.3,
-        columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
-    )  # fmt: skip
+        chart.curve(curve.name, *thinned(curve.t, curve.values), **(curve.look or next(looks)))
+    spread(chart.ax, panel.min_span, panel.flat)
+    if panel.explained:
+        chart.ax.legend(
+            loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.3,
+            columnspacing=1.0, handletextpad=0.5, handlelength=2.0,
+        )  # fmt: skip
 
 
 def thinned(t: Array, values: Array) -> tuple[Array, Array]:
-    """A long curve with as many points as can be told apart, its extremes kept.
+    """A long curve with as many points as can be distinguished, its extremes kept.
 
     Of every few neighbouring points the least and the greatest stay, in their order.
     """
@@ -151,5 +151,5 @@ def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]
 
 
 def short(name: str, most: int = 24) -> str:
-    """A name that fits into a legend, and is drawn as it is written."""
-    return as_written(name if len(name) <= most else name[: most - 1] + "…")
+    """A name that fits into a legend."""
+    return name if len(name) <= most else name[: most - 1] + "…"

@@ -1,66 +1,91 @@
-"""The house style of figures, and how they become files.
+"""The style of figures, and their files.
 
 Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and
-leave no global state behind.  Colours are those of Okabe and Ito, which colour-blind readers tell
-apart; curves differ in line style, too, so that they survive a black-and-white printer.
+leave no global state behind.  Curves differ in colour and in line style.
 """
 
 from __future__ import annotations
 
 import functools
 import io
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, ParamSpec
+from typing import Any, ParamSpec, cast
 
+import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
-from springback.interfaces.figures.data import csv_of
+from springback.files import csv_text
+from springback.interfaces.output.robots import BLUE, GREEN, GREY, ORANGE, PINK, SKY
 
 P = ParamSpec("P")
-Look = tuple[str, Any]
-"""Colour and line style of a curve."""
+Look = dict[str, Any]
+"""Colour and line style of a curve, as keywords."""
 
-INK, BLUE, ORANGE, GREEN = "#222222", "#0072B2", "#E69F00", "#009E73"
-PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
-SHADE = "#E4E8EE"
 LOOKS: tuple[Look, ...] = (
-    (BLUE, "-"), (ORANGE, (0, (5, 1.5))), (GREEN, (0, (5, 1.5, 1, 1.5))), (PINK, (0, (1.2, 1))),
-    (SKY, (0, (8, 2))), (GREY, (0, (3, 1, 1, 1, 1, 1))),
+    {"color": BLUE, "ls": "-"}, {"color": ORANGE, "ls": (0, (5, 1.5))},
+    {"color": GREEN, "ls": (0, (5, 1.5, 1, 1.5))}, {"color": PINK, "ls": (0, (1.2, 1))},
+    {"color": SKY, "ls": (0, (8, 2))}, {"color": GREY, "ls": (0, (3, 1, 1, 1, 1, 1))},
 )  # fmt: skip
-"""Of curves in one panel, in this order."""
+"""Looks of the curves of a panel, in this order."""
 WIDTH = 4.8
-"""Of a figure [in]: at this width type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
-COLUMN, TWO_COLUMNS = 3.5, 7.16
-"""[in]: what figures are set in when printed; those wider than `WIDTH` span two columns."""
+"""Width of a figure [in]: type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
 RESOLUTION = 200
-"""Of PNG files [dots per inch]."""
+"""Resolution of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.springback"]
+DIGITS = 10
+"""Significant digits of numbers in CSV files."""
 
 
 class StyledFigure(Figure):
-    """A figure that notebooks show without pyplot."""
+    """A figure with the table that it was drawn from; notebooks show it without pyplot."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        """A figure of matplotlib, with an empty table."""
+        super().__init__(*args, **kwargs)
+        self.table: list[Mapping[str, Any]] = []
+        """Blocks of rows: values by head, each an array, or one value for all rows."""
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """The table row by row, without those that hold a number that is not finite."""
+        for block in self.table:
+            columns = np.broadcast_arrays(*map(np.atleast_1d, block.values()))
+            for values in zip(*(column.tolist() for column in columns), strict=True):
+                if all(math.isfinite(v) for v in values if isinstance(v, float)):
+                    yield dict(zip(block, map(_plain, values), strict=True))
+
+    def csv(self) -> str:
+        """The table as comma-separated values; missing values are empty."""
+        heads = list(dict.fromkeys(head for block in self.table for head in block))
+        return csv_text([heads, *([*map(row.get, heads)] for row in self.rows())])
 
     def _repr_png_(self) -> bytes:
         return png(self)
 
 
-def as_written(text: str) -> str:
-    r"""Text of the user's for a figure, in which ``$`` begins no formula.
+def _plain(value: Any) -> Any:
+    if isinstance(value, float):
+        return f"{value + 0.0:.{DIGITS}g}"  # no negative zero
+    return " ".join(value.split()).replace("−", "-") if isinstance(value, str) else value
 
-    A scenario named ``a $\foo$ b`` would be an error of the typesetter else.
+
+def as_written(text: str) -> str:
+    r"""User text for a figure, in which ``$`` begins no formula.
+
+    Otherwise the typesetter would fail on a scenario named ``a $\foo$ b``.
     """
     return text.replace("$", r"\$")
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Draw in the house style, whatever the user's own settings are, and leave those untouched."""
+def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
+    """Draw in springback's style, whatever the user's settings are, and leave those untouched."""
 
     @functools.wraps(draw)
-    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> StyledFigure:
         with style.context(STYLE):
-            figure = draw(*args, **kwargs)
+            figure = cast("StyledFigure", draw(*args, **kwargs))
             figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
             figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
         return figure
@@ -68,16 +93,13 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     return drawn
 
 
-def picture(draw: Callable[P, Figure], *args: P.args, **kwargs: P.kwargs) -> tuple[bytes, str]:
+def picture(
+    draw: Callable[P, StyledFigure], *args: P.args, **kwargs: P.kwargs
+) -> tuple[bytes, str]:
     """PNG file and numbers (CSV) of a figure wanted for nothing else: laid out once, not twice."""
     with style.context(STYLE):
         figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
-        return png(figure), csv_of(figure)
-
-
-def printed_width(figure: Figure) -> float:
-    """How wide a figure is in print [in]."""
-    return COLUMN if figure.get_size_inches()[0] <= WIDTH else TWO_COLUMNS
+        return png(figure), figure.csv()
 
 
 def png(figure: Figure) -> bytes:
@@ -88,7 +110,7 @@ def png(figure: Figure) -> bytes:
     return buffer.getvalue()
 
 
-def save(figure: Figure, path: Path, *, numbers: bool = True) -> list[Path]:
+def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path]:
     """Write a figure as PNG and PDF, and what it shows as CSV, with no dates in them.
 
     The same figure gives the same files.
@@ -104,10 +126,10 @@ def save(figure: Figure, path: Path, *, numbers: bool = True) -> list[Path]:
     path.parent.mkdir(parents=True, exist_ok=True)
     files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
     files[0].write_bytes(png(figure))
-    nobody = {"Creator": None, "Producer": None, "CreationDate": None}
+    undated = {"Creator": None, "Producer": None, "CreationDate": None}
     with style.context(STYLE):
-        figure.savefig(files[1], format="pdf", metadata=nobody)
+        figure.savefig(files[1], format="pdf", metadata=undated)
     if numbers:
         files.append(path.with_name(path.name + ".csv"))
-        files[-1].write_text(csv_of(figure), encoding="utf-8")
+        files[-1].write_text(figure.csv(), encoding="utf-8")
     return files

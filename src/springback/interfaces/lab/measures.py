@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.interfaces.lab.scenarios import NAMES
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings, shown
+from springback.interfaces.output.robots import robot_label
 from springback.paper.printed import (
     RECOVERY_PITCH,
     SUCCESS,
@@ -137,7 +137,7 @@ def went_well(settings: LabSettings, flight: Flight) -> bool:
 
 def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     """What happened to a robot, in one or two sentences."""
-    name, m = NAMES[robot], flight.measures
+    name, m = robot_label(robot), flight.measures
     if m["touch_speed"] is None:
         return f"{name} touches nothing."
     what = "mat" if settings.surface == "mat" else "wall"

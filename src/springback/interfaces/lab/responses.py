@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from springback.interfaces.lab.measures import measure_rows, printed_for, sentence, went_well
-from springback.interfaces.lab.scenarios import NAMES, file_name, lab_scenario, robots_of
+from springback.interfaces.lab.scenarios import file_name, lab_scenario, robots_of
 from springback.interfaces.lab.settings import LabSettings, query_of
+from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, Series, plain, scene_of
 from springback.results.energy_history import ledger
@@ -74,12 +75,12 @@ def answer(settings: LabSettings) -> dict[str, Any]:
 def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
     """One flight: its scene, with the curves of the lab in place of the scene's own."""
     coarse = coarsened(flight)
-    scene = scene_of(coarse, label=NAMES[robot])
+    scene = scene_of(coarse, label=robot_label(robot))
     books = ledger(flight)
     series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
     return {
         "robot": robot,
-        "label": NAMES[robot],
+        "label": robot_label(robot),
         "outcome": flight.outcome.word,
         "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),

@@ -15,6 +15,7 @@ import tomli_w
 
 from springback.contact.cage import ArmTip, Ring, support
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings, query_of, shown
+from springback.interfaces.output.robots import robot_label
 from springback.kernels.vectors import Vec
 from springback.paper.slider import MAT_THICKNESS
 from springback.scenario.files import checked_scenario
@@ -31,7 +32,6 @@ DURATION, UNANSWERED = 8.0, 5.0
 #: Height of all of it [m], the paper's.
 HEIGHT = 1.0
 GRAVITY = 9.81
-NAMES = {"arq": "ARQ", "quad": "Quad"}
 
 Table = dict[str, Any]
 
@@ -167,7 +167,7 @@ def _flight(s: LabSettings, robot: str) -> Table:
 def _name(s: LabSettings, robot: str) -> str:
     where = {"wall": "wall", "mat": "mat", "own": "own surface"}[s.surface]
     slides = ", slider" if s.mode == "impact" and s.guide == "slider" else ""
-    return f"{NAMES[robot]}, {shown(s.speed)} m/s, {shown(s.pitch)} deg, {where}{slides}"
+    return f"{robot_label(robot)}, {shown(s.speed)} m/s, {shown(s.pitch)} deg, {where}{slides}"
 
 
 def _vehicle(s: LabSettings, robot: str, preset: str) -> Any:

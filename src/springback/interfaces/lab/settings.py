@@ -24,6 +24,7 @@ from springback.interfaces.lab.controls import (
     shortened,
     slider_control,
 )
+from springback.interfaces.output.robots import ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
 from springback.problems import problem_paths
 from springback.recovery.parameters import Answering
@@ -73,7 +74,7 @@ Robots = choice_control(
     ("both", "arq", "quad"),
     ChoiceControl(
         "Robot",
-        {"both": "Both", "arq": "ARQ", "quad": "Quad"},
+        {"both": "Both", **{name: robot.label for name, robot in ROBOTS.items()}},
         "ARQ has springs in its arms; Quad is its rigid twin.",
         "Robot",
     ),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import json
 import os
 import re
 import secrets
@@ -14,14 +13,13 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 from springback.errors import InputError
 from springback.interfaces.output import interrupts
 
-#: How names of folders end that are still being written.
+#: Suffix of folders that are still being written.
 DRAFT = ".springback-draft"
-#: A draft that nobody holds is one of a killed process, unless it is as young as this [s] (chosen).
+#: A draft without a holder is that of a killed process, unless it is as young as this [s] (chosen).
 YOUNG = 10.0
 #: The file without which a folder is no result.
 SUMMARY = "summary.json"
@@ -42,8 +40,8 @@ def output_folder(
 
     Args:
         folder: To be written.
-        force: Whether results in it may be replaced.
-        replaces: Names of files that do not outlive the results they belong to.
+        force: Replace results in it.
+        replaces: Names of files that are removed with the results they belong to.
 
     Raises:
         InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
@@ -86,7 +84,7 @@ def _hidden(anchor: Path, name: str) -> Path:
     return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
 
 
-#: What a system says when a disk takes no more.
+#: Errors of a disk that takes no more data.
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EROFS, errno.EFBIG}
 
 
@@ -103,7 +101,7 @@ def _remove(draft: Path) -> None:
 
 @contextmanager
 def _held(folder: Path) -> Iterator[None]:
-    """Hold a folder: the system lets go when this process ends, however that comes about."""
+    """Lock a folder: the system unlocks it when this process ends, however it ends."""
     if sys.platform == "win32":
         yield
         return
@@ -155,9 +153,7 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
         os.rename(draft, folder)
         return
     elsewhere = folder.stat().st_dev != draft.stat().st_dev
-    if elsewhere or Path.cwd().is_relative_to(
-        folder
-    ):  # a disk is mounted there, or one stands in it
+    if elsewhere or Path.cwd().is_relative_to(folder):  # a mount point, or the working directory
         _move_into(draft, folder, replaces)
         return
     _keep_others(folder, draft, replaces)
@@ -177,7 +173,7 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
 
 
 def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
-    """What else lies in a folder lies in its draft, too: as links, where the disk has them."""
+    """Keep the other files of a folder in its draft: as links, where the disk has them."""
     for path in folder.iterdir():
         target = draft / path.name
         if path.name in replaces or (target.exists() and not target.is_dir()):
@@ -220,13 +216,3 @@ def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
         elif not (os.path.lexists(target) and os.path.samestat(source.lstat(), target.lstat())):
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.move(source, target)
-
-
-# -- JSON -----------------------------------------------------------------------------------------
-
-
-def write_json(path: Path, data: Any) -> None:
-    """Plain data as JSON, without NaN or infinity."""
-    path.write_text(
-        json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n", encoding="utf-8"
-    )

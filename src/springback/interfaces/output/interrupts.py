@@ -1,4 +1,4 @@
-"""What a command says when Ctrl-C ends it, whatever it is doing then."""
+"""Ctrl-C: a command ends at once, with a message, whatever it is doing."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ _came = threading.Event()
 
 
 def say(words: str) -> None:
-    """Set what is said from here on."""
+    """Set the message."""
     _words[0] = words
 
 
 def words() -> str:
-    """What is to be said."""
+    """The message."""
     return _words[0]
 
 
 def came() -> bool:
-    """Whether Ctrl-C was pressed: what happens afterwards happens because of it."""
+    """True once Ctrl-C was pressed: later errors are its consequences."""
     return _came.is_set()
 
 
 def listen() -> None:
-    """Have Ctrl-C end this process whatever it is doing, and be remembered.
+    """Let Ctrl-C end this process whatever it is doing, and remember it.
 
     Python drops exceptions raised while an object is taken apart or a library calls back; one that
     Ctrl-C raised there is raised again.
@@ -57,7 +57,7 @@ def listen() -> None:
 
 
 def _once_more() -> None:
-    """Press Ctrl-C for the main thread, so that it also wakes up."""
+    """Interrupt the main thread again, which also wakes it up."""
     ident = threading.main_thread().ident
     if ident is not None and hasattr(signal, "pthread_kill"):
         signal.pthread_kill(ident, signal.SIGINT)
@@ -66,5 +66,5 @@ def _once_more() -> None:
 
 
 def deafen() -> None:
-    """Ctrl-C is being answered; no more of it."""
+    """Ignore Ctrl-C from here on: one is being handled."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,9 +1,7 @@
-"""Answers to questions in SQL as text and files."""
+"""Results of SQL queries as text and files."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -12,19 +10,19 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from springback.results.atomic_files import drafted
+from springback.files import atomic_file, csv_text
 
 Row = tuple[Any, ...]
-#: What a file of an answer may end in, and the form that this stands for.
+#: Suffixes of files of results, and their formats.
 SUFFIXES = {".csv": "csv", ".json": "json", ".md": "markdown"}
-#: Rows and signs of a column that a table shows at most (chosen).
+#: Rows and characters of a column that a table shows at most (chosen).
 MOST_ROWS, WIDEST = 200, 48
 
 
 def lines_of(
     columns: Sequence[str], stretches: Iterable[Sequence[Row]], form: str
 ) -> Iterator[str]:
-    """An answer as lines of text, while it comes: never more than a stretch of it is kept.
+    """A result as lines of text, as it arrives: never more than a chunk of it is kept.
 
     Args:
         columns: Names.
@@ -40,12 +38,12 @@ def lines_of(
     if form == "markdown":
         yield from as_markdown(columns, []).splitlines()
     else:
-        yield as_csv(columns, []).rstrip("\n")
+        yield csv_text([columns]).rstrip("\n")
     for rows in stretches:
         if rows and form == "markdown":
             yield "\n".join(_markdown_line([shown(v) for v in row]) for row in rows)
         elif rows:
-            yield _csv_rows(rows).rstrip("\n")
+            yield csv_text(rows).rstrip("\n")
 
 
 def _table_lines(columns: Sequence[str], stretches: Iterable[Sequence[Row]]) -> Iterator[str]:
@@ -75,7 +73,7 @@ def _more(count: int) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value as people read it."""
+    """A value for people."""
     if value is None:
         return "-"
     if isinstance(value, float):
@@ -119,19 +117,8 @@ def _markdown_line(entries: Sequence[str]) -> str:
     return f"| {' | '.join(entries)} |"
 
 
-def as_csv(columns: Sequence[str], rows: Sequence[Row]) -> str:
-    """Comma-separated values; what is not there is empty."""
-    return _csv_rows([columns, *rows])
-
-
-def _csv_rows(rows: Sequence[Sequence[Any]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()
-
-
 def _plain(value: Any) -> Any:
-    """A value as JSON has it: numbers that are none are null."""
+    """A value for JSON: numbers that are not finite are null."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
     if isinstance(value, dict):
@@ -142,7 +129,7 @@ def _plain(value: Any) -> Any:
 
 
 def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], path: Path) -> int:
-    """Write an answer to a file while it comes, whole or not at all.
+    """Write a result to a file as it arrives, whole or not at all.
 
     Args:
         columns: Names.
@@ -161,7 +148,7 @@ def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], pat
             yield rows
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    with drafted(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+    with atomic_file(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
         for line in lines_of(columns, counted(), SUFFIXES[path.suffix]):
             file.write(line + "\n")
     return count

@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from springback.interfaces.replay.scene import NAMES, Scene, scene_of
+from springback.interfaces.output.robots import robot_label
+from springback.interfaces.replay.scene import Scene, scene_of
 from springback.results.flight import Flight
 
 #: Settings in which two flights differ that are named (chosen); more are counted.
@@ -21,7 +22,7 @@ def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
         flights: Beside one another.
         origins: Of each the folder or file that it was read from, where there is one.
     """
-    robots = [NAMES.get(f.scenario.vehicle.name, f.scenario.vehicle.name) for f in flights]
+    robots = [robot_label(f.scenario.vehicle.name) for f in flights]
     scenarios = [flight.scenario.name for flight in flights]
     for names in (robots, scenarios):
         if len(set(names)) == len(names):

@@ -26,6 +26,7 @@ import numpy as np
 from springback.contact.parameters import Own
 from springback.dynamics.motion import Slider
 from springback.errors import InputError
+from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.events import Event, events_of, impacts_of
 from springback.interfaces.replay.geometry import Drawable, drawn
 from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
@@ -36,10 +37,6 @@ from springback.simulation.record import Model
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Names that everybody writes so.
-NAMES = {
-    "arq": "ARQ", "quad": "Quad", "arq-slider": "ARQ on slider", "quad-slider": "Quad on slider",
-}  # fmt: skip
 #: Energies that move by less than this share of the one that moves most are not plotted; chosen.
 SEEN = 1e-4
 #: Recomputed forces may differ from the columns by this share of the peak; chosen: rounding.
@@ -150,7 +147,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     propulsion = flight.scenario.vehicle.propulsion
     known = flight.summary()["units"]
     return Scene(
-        label=label or NAMES.get(robot, robot),
+        label=label or robot_label(robot),
         scenario=flight.scenario.name,
         outcome=flight.outcome.word,
         sentence=flight.message,

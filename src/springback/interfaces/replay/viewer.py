@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from springback.errors import InputError
+from springback.files import write_atomically
 from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import Scene, plain
 from springback.interfaces.web.page import Page, page_of
 from springback.interfaces.web.server import App
-from springback.results.atomic_files import drafted
 from springback.results.flight import Flight, fly
 from springback.results.saved import read_result
 from springback.scenario.files import read_scenario
@@ -86,8 +86,7 @@ def exported(page: Page, path: Path, *, force: bool = False) -> None:
     if path.exists() and not force:
         raise InputError(f"--export {path}: is there already; --force replaces it")
     try:
-        with drafted(path) as draft:
-            draft.write_text(page.text, encoding="utf-8")
+        write_atomically(path, page.text)
     except OSError as error:
         raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
 

@@ -1,10 +1,11 @@
-"""What a flight leaves in its folder: its numbers, and figures of them."""
+"""The files of a flight: its numbers, and figures of them."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from springback.interfaces.output.folders import SUMMARY, write_json
+from springback.files import write_json
+from springback.interfaces.output.folders import SUMMARY
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, sealed
@@ -20,15 +21,15 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     """Write ``summary.json``, ``trajectory.parquet``, a pilot's ``telemetry.parquet``, and figures.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
-    flight beside what was wanted, and ``impact.png`` the collision if there was one.  What each
-    shows is in a CSV file of the same name.  The summary names all of them with their digests
+    flight beside its reference, and ``impact.png`` the collision if there was one.  The numbers of
+    each are in a CSV file of the same name.  The summary names all of them with their digests
     (``files``) and has one of its own (``seal``), so that no file of another flight is taken for
     one of this.
 
     Args:
         flight: Any.
         folder: To write into.
-        figures: Whether figures are wanted.
+        figures: Write figures, too.
 
     Returns:
         The files written.

@@ -1,56 +1,30 @@
-"""What a report is made of: one page that needs nothing else, of sections, of blocks.
+"""Reports: one page that needs nothing else, made of sections, and these of blocks.
 
-A block is a paragraph, a table or a picture; one template lays them out.  Words are in files of
-their own (``templates/*.toml``); numbers come in by name.
+A block is a paragraph, a table or a picture; one template lays them out.  Words and the order of
+blocks are in files of their own (``templates/*.toml``); code computes the numbers, by name.
 """
 
 from __future__ import annotations
 
 import base64
 import re
+import string
 import tomllib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any, NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
-from matplotlib.figure import Figure
 
 from springback.interfaces.figures import style
 from springback.studies.comparison import Mark
 
 
 @dataclass(frozen=True)
-class Wording:
-    """The words of a part of the report, by key."""
-
-    text: dict[str, Any]
-
-    @classmethod
-    def of(cls, name: str) -> Wording:
-        """The words in a file of ``templates``, named without suffix."""
-        path = files("springback.interfaces") / "templates" / f"{name}.toml"
-        return cls(tomllib.loads(path.read_text("utf-8")))
-
-    def say(self, key: str, **values: Any) -> str:
-        """A paragraph, with its numbers put in."""
-        words: str = self.text[key]
-        return words.strip("\n").replace("\n", " ").format(**values)
-
-    def head(self, key: str) -> tuple[str, ...]:
-        """The heads of a table's columns."""
-        return tuple(self.text["heads"][key])
-
-    def title(self, key: str) -> str:
-        """The title of a section."""
-        return str(self.text["titles"][key])
-
-
-@dataclass(frozen=True)
 class TableCell:
-    """A cell of a table: a text and, if it stands for a number, the number itself."""
+    """A cell of a table: a text and, if it shows a number, the number itself."""
 
     text: str
     value: float | None = None
@@ -58,6 +32,17 @@ class TableCell:
     mark: Mark | None = None
     links: tuple[tuple[str, str], ...] = ()
     """Words that lead to anchors of the page, after the text."""
+
+
+Entry = TableCell | str | float | None
+"""An entry of a table: a cell, or a text or number that becomes one; None is a dash."""
+
+
+def table_cell(entry: Entry) -> TableCell:
+    """An entry as a cell; what is None is a dash."""
+    if isinstance(entry, TableCell):
+        return entry
+    return TableCell(entry) if isinstance(entry, str) else TableCell(plain(entry), entry)
 
 
 @dataclass(frozen=True)
@@ -71,17 +56,24 @@ class Table:
     """Shown only when asked for, being long."""
 
 
+def table(
+    caption: str, head: Sequence[str], rows: Iterable[Sequence[Entry]], *, folded: bool = False
+) -> Table:
+    """A table of entries; see `table_cell`."""
+    return Table(caption, tuple(head), tuple(tuple(map(table_cell, row)) for row in rows), folded)
+
+
 @dataclass(frozen=True)
 class FigureBlock:
     """A figure within the page."""
 
     name: str
     text: str
-    figure: Figure
+    figure: style.StyledFigure
 
     @property
     def anchor(self) -> str:
-        """Where it stands on the page."""
+        """Its anchor on the page."""
         return f"figure-{self.name}"
 
     @property
@@ -97,7 +89,7 @@ class FigureBlock:
 
 
 class KeyPoint(NamedTuple):
-    """What a section says, in a sentence."""
+    """The answer of a section, in a sentence."""
 
     anchor: str
     name: str
@@ -106,7 +98,7 @@ class KeyPoint(NamedTuple):
 
 @dataclass(frozen=True)
 class KeyPoints:
-    """What some sections say, with links that lead there."""
+    """Answers of sections, with links to them."""
 
     points: tuple[KeyPoint, ...]
 
@@ -124,7 +116,7 @@ class Section:
     part: str = ""
     """Title of the part of the page that begins here, if one does."""
     summary: bool = False
-    """Stands before the contents, at the very top."""
+    """At the very top, before the contents."""
     answers: bool = False
     """Begins with a question and its answer, the second paragraph."""
 
@@ -135,13 +127,101 @@ class Section:
         return words[1] if self.answers and len(words) > 1 else ""
 
 
+Content = Mapping[str, Any]
+"""Numbers, texts, rows of tables and figures, by the names that the blocks of a section use."""
+
+
+class _Words(string.Formatter):
+    """Text with numbers put in: as they are, or by a format of Python's, with a true minus."""
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        if isinstance(value, int | float | None):
+            if value is None or not format_spec:
+                return plain(value)
+            return format(value, format_spec).replace("-", "−")
+        return str(format(value, format_spec))
+
+
+@dataclass(frozen=True)
+class Wording:
+    """The words of a part of the report, by key, and its sections."""
+
+    text: dict[str, Any]
+
+    @classmethod
+    def of(cls, name: str) -> Wording:
+        """The words in a file of ``templates``, named without suffix."""
+        path = files("springback.interfaces") / "templates" / f"{name}.toml"
+        return cls(tomllib.loads(path.read_text("utf-8")))
+
+    def say(self, key: str, **values: Any) -> str:
+        """A paragraph, with its numbers put in."""
+        return _said(self.text[key], values)
+
+    def head(self, key: str) -> tuple[str, ...]:
+        """The heads of a table's columns."""
+        return tuple(self.text["heads"][key])
+
+    def title(self, key: str) -> str:
+        """The title of a section."""
+        return str(self.text["titles"][key])
+
+    def sections(self, content: Mapping[str, Content]) -> list[Section]:
+        """The sections of a part, as its file lays them out.
+
+        A block of a section is a paragraph; ``table``, the name of its rows, with ``caption`` and
+        ``head``, without which the first row is the head; ``figure``, its name, with ``caption``;
+        ``text``; or ``blocks``, the name of some that are made already.  Those that name something,
+        by ``when``, too, are left out if it is missing or empty.
+
+        Args:
+            content: For each section, by its anchor, the numbers, rows of tables and figures that
+                its blocks name.  A section that is missing here, or empty, is left out.
+        """
+        found: list[Section] = []
+        for entry in self.text["sections"]:
+            values = content.get(entry["anchor"])
+            if values:
+                blocks = (block for each in entry["blocks"] for block in _blocks(each, values))
+                part = "" if found else self.text.get("part", "")
+                flags = {name: entry.get(name, False) for name in ("summary", "answers")}
+                title = entry["title"]
+                found.append(Section(entry["anchor"], title, tuple(blocks), part, **flags))
+        return found
+
+
+def _said(words: str, values: Mapping[str, Any]) -> str:
+    return _Words().vformat(words.strip("\n").replace("\n", " "), (), values)
+
+
+def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks:
+    """The blocks that an entry of a section's file describes."""
+    if isinstance(entry, str):
+        return (_said(entry, values),)
+    kind = next(key for key in ("text", "table", "figure", "blocks") if key in entry)
+    needed = [entry[key] for key in ("when", kind) if key in entry and key != "text"]
+    if not all(values.get(name) for name in needed):
+        return ()
+    if kind == "text":
+        return (_said(entry["text"], values),)
+    if kind == "blocks":
+        return tuple(values[entry["blocks"]])
+    caption = _said(entry["caption"], values)
+    if kind == "figure":
+        return (FigureBlock(entry["figure"], caption, values[entry["figure"]]),)
+    lines = values[entry["table"]]
+    if "head" in entry:
+        lines = [[_said(word, values) for word in entry["head"]], *lines]
+    return (table(caption, lines[0], lines[1:], folded=entry.get("folded", False)),)
+
+
 def page(title: str, sections: Sequence[Section], lead: str) -> str:
     """The HTML page of some sections; it refers to nothing outside itself.
 
     Args:
         title: Of the page.
         sections: In their order.
-        lead: What the page is, below its title.
+        lead: The line below the title.
     """
     environment = Environment(
         loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
@@ -170,7 +250,9 @@ def number(value: float, decimals: int) -> str:
 
 
 def plain(value: float | None) -> str:
-    """A given or printed number with no more digits than it has."""
+    """A given or printed number with no more digits than it has; a count with all of them."""
+    if isinstance(value, int):
+        return str(value)
     return "–" if value is None else f"{value:.6g}".replace("e+0", "e")
 
 

@@ -1,23 +1,17 @@
-"""What the result of the collisions in flight depends on, and where both robots fail.
+"""Assumptions that decide the collisions in flight, and the limits of both robots.
 
 The words are in ``templates/resilience.toml``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from springback.interfaces.figures import envelope as plots_map
-from springback.interfaces.reports.page import (
-    Blocks,
-    FigureBlock,
-    Table,
-    TableCell,
-    Wording,
-    number,
-    plain,
-)
+from springback.interfaces.output.robots import ROBOTS as LOOKS
+from springback.interfaces.reports.page import Content, Entry, TableCell, Wording, number, plain
 from springback.interfaces.reproduction.figures import choices
-from springback.interfaces.reproduction.figures.choices import ORDER
-from springback.interfaces.reproduction.figures.resilience import NAMES
+from springback.interfaces.reproduction.figures.choices import ORDER, signed
 from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import printed_success
@@ -26,60 +20,42 @@ from springback.paper.resilience import ROBOTS, ResilienceResults
 WORDS = Wording.of("resilience")
 
 
-def signed(degrees: float) -> str:
-    """An angle with its sign, as in a text."""
-    return f"{degrees:+g}".replace("-", "−") if degrees else "0"
-
-
 def condition(pitch: float, speed: float) -> str:
     """A condition in words."""
     return f"{signed(pitch)}°, {plain(speed)} m/s"
 
 
-def choices_blocks(results: ResilienceResults) -> Blocks:
+def choices_content(results: ResilienceResults) -> Content:
     """The table under each set of choices, and how much of print each gives."""
     found = results.choices
     if found is None or not found.cells:
-        return ()
-    counted = [found.agreement(*one) for one in found.flown]
-    sets = tuple(
+        return {}
+    sets = [
         (
-            TableCell(one.choice.name), TableCell(f"{one.close} of {one.numbers}", one.close),
+            one.choice.name, TableCell(f"{one.close} of {one.numbers}", one.close),
             TableCell(f"{one.plausible} of {one.numbers}", one.plausible),
             TableCell(f"{one.words} of {one.phrases}", one.words),
         )
-        for one in counted
-    )  # fmt: skip
+        for one in (found.agreement(*flown) for flown in found.flown)
+    ]  # fmt: skip
     best = found.best()
     columns = [one for one in found.flown if one[0].friction == best.choice.friction]
-    lines = [
-        (
-            TableCell(f"{NAMES[robot]}, {condition(*test)}"),
-            *(_fate(found.table(*one).get((robot, *test))) for one in columns),
-        )
-        for robot in ROBOTS
-        for test in ORDER
-    ]
-    heads = ("", *(choice.estimator for choice, _ in columns))
-    words = WORDS.say(
-        "choices", theirs=EKF2, ours=OURS, trials=found.trials, duration=plain(best.duration),
-        best=best.choice.name, met=best.total, all=best.numbers + best.phrases,
-    )  # fmt: skip
-    how = WORDS.say("choices_how", chance=plain(100 * PLAUSIBLE), printed_trials=PRINTED_TRIALS)
-    return (
-        words,
-        FigureBlock("choices", WORDS.say("choices_picture", trials=found.trials),
-                choices.choices_figure(found)),
-        how,
-        Table(WORDS.say("choices_caption"), WORDS.head("choices"), sets),
-        Table(WORDS.say("fates_caption", friction=best.choice.friction), heads, tuple(lines)),
-    )  # fmt: skip
+    fates: list[Sequence[Entry]] = [("", *(choice.estimator for choice, _ in columns))]
+    for of in ((robot, *test) for robot in ROBOTS for test in ORDER):
+        outcomes = (_fate(found.table(*one).get(of)) for one in columns)
+        fates.append((f"{LOOKS[of[0]].label}, {condition(*of[1:])}", *outcomes))
+    return {
+        "theirs": EKF2, "ours": OURS, "trials": found.trials, "duration": best.duration,
+        "best": best.choice.name, "met": best.total, "all": best.numbers + best.phrases,
+        "chance": 100 * PLAUSIBLE, "printed_trials": PRINTED_TRIALS, "agreement": sets,
+        "fates": fates, "friction": best.choice.friction, "choices": choices.choices_figure(found),
+    }  # fmt: skip
 
 
-def _fate(cell: Chosen | None) -> TableCell:
+def _fate(cell: Chosen | None) -> TableCell | None:
     """Recovered of the trials; medians of height lost, distance and time."""
     if cell is None:
-        return TableCell("–")
+        return None
     loss, far, time = (
         "–" if (value := cell.medians.get(name)) is None else number(value, 2)
         for name in ("height_loss", "excursion", "recovery_time")
@@ -88,11 +64,11 @@ def _fate(cell: Chosen | None) -> TableCell:
     return TableCell(f"{cell.successes} of {cell.trials}", cell.share, detail)
 
 
-def map_blocks(results: ResilienceResults) -> Blocks:
-    """Where on a map of speed and pitch each robot recovers."""
+def map_content(results: ResilienceResults) -> Content:
+    """Recoveries of each robot over speed and pitch."""
     envelope = results.envelope
     if envelope is None:
-        return ()
-    words = WORDS.say("map", theirs=EKF2, trials=envelope.trials)
-    pictured = WORDS.say("map_picture", trials=envelope.trials)
-    return (words, FigureBlock("map", pictured, plots_map.map_figure(envelope, printed_success)))
+        return {}
+    figure = plots_map.map_figure(envelope, printed_success)
+    figure.table += envelope.rows()
+    return {"theirs": EKF2, "trials": envelope.trials, "map": figure}

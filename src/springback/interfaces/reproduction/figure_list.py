@@ -1,11 +1,11 @@
-"""Every figure of the paper, and what stands for it here."""
+"""Every figure of the paper, and its counterpart here."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 from typing import NamedTuple
 
-from springback.interfaces.reports.page import Table, TableCell, Wording
+from springback.interfaces.reports.page import Entry, TableCell, Wording
 
 WORDS = Wording.of("figures")
 
@@ -27,23 +27,16 @@ PAPER_FIGURES = tuple(
 )
 
 
-def figures_table(drawn: Collection[str]) -> Table:
+def figure_rows(drawn: Collection[str]) -> list[tuple[Entry, ...]]:
     """Figures of the paper beside those of a report.
 
     Args:
         drawn: Names of the figures that the report holds.
     """
-    rows = []
+    rows: list[tuple[Entry, ...]] = []
     for figure in PAPER_FIGURES:
         links = tuple((WORDS.text["ours"][n], f"figure-{n}") for n in figure.ours if n in drawn)
         missing = WORDS.say("missing") if figure.ours and not links else ""
-        text = missing or ("" if links else "–")
-        rows.append(
-            (
-                TableCell(figure.name),
-                TableCell(figure.shows),
-                TableCell(text, links=links),
-                TableCell(figure.note),
-            )
-        )
-    return Table(WORDS.say("caption"), WORDS.head("figures"), tuple(rows))
+        ours = TableCell(missing or ("" if links else "–"), links=links)
+        rows.append((figure.name, figure.shows, ours, figure.note))
+    return rows

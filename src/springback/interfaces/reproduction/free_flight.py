@@ -1,22 +1,22 @@
 """Features and free flight in the report: Table I and Table IV.
 
-The words are in ``templates/flight.toml``.
+The words and their order are in ``templates/flight.toml``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from itertools import product
 from typing import Any
 
 import numpy as np
 
+from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import (
-    Blocks,
-    FigureBlock,
+    Content,
+    Entry,
     Section,
-    Table,
     TableCell,
     Wording,
     listed,
@@ -25,7 +25,13 @@ from springback.interfaces.reports.page import (
     words_of_power,
 )
 from springback.interfaces.reproduction.figures import free_flight
-from springback.interfaces.reproduction.figures.free_flight import BAND, ERRORS, NAMES, PACES, Ratio
+from springback.interfaces.reproduction.figures.free_flight import (
+    BAND,
+    ERRORS,
+    PACES,
+    ROBOT_STYLES,
+    Ratio,
+)
 from springback.paper.features import TABLE_I
 from springback.paper.free_flight import (
     CIRCLE_TIME,
@@ -41,8 +47,7 @@ from springback.paper.free_flight import (
 from springback.studies.comparison import Mark, Row
 
 WORDS = Wording.of("flight")
-ANSWERS = ("features", "flight")
-"""Sections that begin with a question and its answer."""
+NAMES = {name: look.label for name, look in ROBOT_STYLES.items()}
 TWICE = 2.0
 """Factor within which a mean square error on a circle is counted as near."""
 THOUSANDTHS = "10⁻³"
@@ -52,22 +57,16 @@ CURVE_STEP = 0.01
 
 def flight_sections(features: Sequence[Row], results: FlightResults | None) -> list[Section]:
     """The part of features and free flight, section by section; what is not there is left out."""
-    rows = results.rows() if results is not None else []
-    steps = sorted((row for row in rows if row.reading == "steps"), key=_rise_first)
-    circles = [row for row in rows if row.reading.endswith("circle")]
-    blocks: dict[str, Blocks] = {
-        "features": _features(features) if features else (),
-        "flight": _answer(results, rows) if results is not None else (),
-        "steps": _steps(results, steps) if results is not None and steps else (),
-        "circles": _circles(results, circles) if results is not None and circles else (),
-        "flight_wrong": _wrong(results, steps, circles) if results is not None and rows else (),
-    }
-    part = WORDS.title("part")
-    kept = {key: found for key, found in blocks.items() if found}
-    return [
-        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key in ANSWERS)
-        for k, (key, found) in enumerate(kept.items())
-    ]
+    content = {"features": _features(features) if features else {}}
+    if results is not None:
+        rows = results.rows()
+        steps = sorted((row for row in rows if row.reading == "steps"), key=_rise_first)
+        circles = [row for row in rows if row.reading.endswith("circle")]
+        content["flight"] = _answer(results)
+        content["steps"] = _steps(results, steps) if steps else {}
+        content["circles"] = _circles(results, circles) if circles else {}
+        content["flight_wrong"] = _wrong(results, steps, circles) if rows else {}
+    return WORDS.sections(content)
 
 
 def _digits(value: float | None, digits: int = 3) -> str:
@@ -94,7 +93,7 @@ def _label(row: Row, unit: str | None = None) -> str:
 
 
 def _set(unit: str) -> str:
-    """A unit as it stands in a text."""
+    """A unit as it is written in a text."""
     return unit.replace("^2", "²")
 
 
@@ -121,55 +120,40 @@ def _named(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
 # --- Table I
 
 
-def _features(rows: Sequence[Row]) -> Blocks:
-    names = {"quad": "Quad", "arq": "ARQ"}
-    wrong = _named(rows, names)
-    disagreement = (
-        WORDS.say("features_wrong", names=wrong) if wrong else WORDS.say("features_right")
-    )
-    exponent = plain(1.5)
-    return (
-        WORDS.say("features_asked"),
-        _features_verdict(rows),
-        WORDS.say("features_how"),
-        _features_table(rows),
-        disagreement,
-        WORDS.say("endurance", exponent=exponent),
-        FigureBlock("endurance", WORDS.say("endurance_picture"), free_flight.endurance_figure()),
-    )
-
-
-def _features_verdict(rows: Sequence[Row]) -> str:
+def _features(rows: Sequence[Row]) -> Content:
     payload = next(r for r in rows if r.robot == "arq" and r.quantity == "largest payload")
     hover = [
         r for r in rows
         if r.robot == "arq" and r.quantity == "hover time" and r.mark is not Mark.FITTED
     ]  # fmt: skip
-    return WORDS.say(
-        "features_verdict",
-        payload=_ours(payload),
-        payload_printed=plain(payload.printed),
-        times=_range([f"{r.ours:.0f}" for r in hover]),
-        batteries=_range([r.reading.removeprefix("battery ").removesuffix(" kg") for r in hover]),
-        time_printed=plain(TABLE_I["arq"].hover_time),
-    )
+    wrong = _named(rows, {name: look.label for name, look in LOOKS.items()})
+    return {
+        "payload": _ours(payload),
+        "payload_printed": payload.printed,
+        "times": _range([f"{r.ours:.0f}" for r in hover]),
+        "batteries": _range(
+            [r.reading.removeprefix("battery ").removesuffix(" kg") for r in hover]
+        ),
+        "time_printed": TABLE_I["arq"].hover_time,
+        "table_i": _features_table(rows),
+        "wrong": wrong,
+        "right": not wrong,
+        "exponent": 1.5,
+        "endurance": free_flight.endurance_figure(),
+    }
 
 
 def _range(words: Sequence[str]) -> str:
     return " to ".join(dict.fromkeys((words[0], words[-1]))) if words else "–"
 
 
-def _features_table(rows: Sequence[Row]) -> Table:
-    lines = []
+def _features_table(rows: Sequence[Row]) -> list[list[Entry]]:
+    lines: list[list[Entry]] = []
     for line in _by_line(sorted(rows, key=lambda row: row.robot != "arq")).values():
-        first = next(iter(line.values()))
-        cells = []
-        for robot in ("quad", "arq"):
-            row = line.get(robot)
-            cells += [_printed(row), _ours(row)]
+        cells = [cell(line.get(robot)) for robot in ("quad", "arq") for cell in (_printed, _ours)]
         notes = dict.fromkeys(row.note for row in line.values() if row.note)
-        lines.append((TableCell(_label(first)), *cells, TableCell("; ".join(notes) or "–")))
-    return Table(WORDS.say("features_caption"), WORDS.head("features"), tuple(lines))
+        lines.append([_label(next(iter(line.values()))), *cells, "; ".join(notes) or None])
+    return lines
 
 
 def _printed(row: Row | None, scale: float = 1.0) -> TableCell:
@@ -185,71 +169,57 @@ def _rise_first(row: Row) -> tuple[bool, str]:
     return (not row.quantity.startswith("rise"), row.quantity)
 
 
-def _answer(results: FlightResults, rows: Sequence[Row]) -> Blocks:
+def _answer(results: FlightResults) -> Content:
     cells = free_flight.table_iv(results)
     if not cells:
-        return (WORDS.say("flight_asked"), WORDS.say("flight_unflown"))
+        return {"unflown": True}
 
-    def count(kept: Callable[[Ratio], bool], good: Callable[[Ratio], bool]) -> tuple[int, int]:
+    def count(name: str, kept: Callable[[Ratio], bool]) -> dict[str, int]:
         found = [cell for cell in cells if kept(cell)]
-        return sum(map(good, found)), len(found)
+        met = sum(abs(cell.ratio - 1.0) <= BAND for cell in found)
+        return {f"{name}_all": len(found), f"{name}_met": met}
 
-    def near(cell: Ratio) -> bool:
-        return abs(cell.ratio - 1.0) <= BAND
-
-    quad = count(lambda c: c.test not in PACES and c.robot == "quad", near)
-    arq = count(lambda c: c.test not in PACES and c.robot != "quad", near)
-    circle = count(lambda c: c.test in PACES, near)
-    twice = count(lambda c: c.test in PACES, lambda c: 1 / TWICE <= c.ratio <= TWICE)
-    verdict = WORDS.say(
-        "flight_verdict", quad_met=quad[0], quad_all=quad[1], arq_met=arq[0], arq_all=arq[1],
-        circle_met=circle[0], circle_all=circle[1], circle_two=twice[0], band=plain(100 * BAND),
-    )  # fmt: skip
-    figure = free_flight.table_iv_figure(results)
-    return (
-        WORDS.say("flight_asked"),
-        verdict,
-        FigureBlock("table_iv", WORDS.say("ratios_picture"), figure),
-    )
+    return {
+        **count("quad", lambda c: c.test not in PACES and c.robot == "quad"),
+        **count("arq", lambda c: c.test not in PACES and c.robot != "quad"),
+        **count("circle", lambda c: c.test in PACES),
+        "circle_two": sum(c.test in PACES and 1 / TWICE <= c.ratio <= TWICE for c in cells),
+        "band": 100 * BAND,
+        "table_iv": free_flight.table_iv_figure(results),
+    }
 
 
-def _steps(results: FlightResults, rows: Sequence[Row]) -> Blocks:
-    picture = FigureBlock("steps", WORDS.say("steps_picture"), free_flight.steps_figure(results))
-    caption = WORDS.say("steps_caption", trials=results.trials)
-    return (WORDS.say("steps", dwell=plain(DWELL)), picture, _table_iv(caption, rows))
+def _steps(results: FlightResults, rows: Sequence[Row]) -> Content:
+    return {
+        "dwell": DWELL,
+        "trials": results.trials,
+        "steps": free_flight.steps_figure(results),
+        "compared": _table_iv(rows),
+    }
 
 
-def _circles(results: FlightResults, rows: Sequence[Row]) -> Blocks:
-    slow, fast = (f"{PERIODS[pace]:.2f}" for pace in ("slow", "fast"))
-    words = WORDS.say(
-        "circles", radius=plain(RADIUS), slow=slow, fast=fast, time=f"{CIRCLE_TIME:.1f}"
-    )
-    picture = FigureBlock(
-        "circles", WORDS.say("circles_picture"), free_flight.circles_figure(results)
-    )
-    caption = WORDS.say("circles_caption", trials=results.trials)
-    return (words, picture, _table_iv(caption, rows, 1e3, f"{THOUSANDTHS} "))
+def _circles(results: FlightResults, rows: Sequence[Row]) -> Content:
+    return {
+        "radius": RADIUS, "slow": PERIODS["slow"], "fast": PERIODS["fast"], "time": CIRCLE_TIME,
+        "trials": results.trials,
+        "circles": free_flight.circles_figure(results),
+        "compared": _table_iv(rows, 1e3, f"{THOUSANDTHS} "),
+    }  # fmt: skip
 
 
-def _table_iv(caption: str, rows: Sequence[Row], scale: float = 1.0, prefix: str = "") -> Table:
+def _table_iv(rows: Sequence[Row], scale: float = 1.0, prefix: str = "") -> list[list[Entry]]:
     """Ours and print for each robot, side by side."""
-    lines = []
+    head = [f"{name}, {whose}" for name in NAMES.values() for whose in ("printed", "ours")]
+    lines: list[list[Entry]] = [["", *head]]
     for line in _by_line(rows).values():
         first = next(iter(line.values()))
-        cells = []
+        cells: list[Entry] = []
         for robot in NAMES:
             row = line.get(robot)
-            ours = _ours(row, scale)
-            cells += [
-                _printed(row, scale),
-                TableCell(ours.text, ours.value, _ratio(row), ours.mark),
-            ]
+            cells += [_printed(row, scale), replace(_ours(row, scale), detail=_ratio(row))]
         label = _label(first, prefix + first.unit)
-        lines.append(
-            (TableCell(label.removeprefix(WORDS.text["told"]) if prefix else label), *cells)
-        )
-    heads = (head for name in NAMES.values() for head in (f"{name}, printed", f"{name}, ours"))
-    return Table(caption, ("", *heads), tuple(lines))
+        lines.append([label.removeprefix(WORDS.text["implied"]) if prefix else label, *cells])
+    return lines
 
 
 def _ratio(row: Row | None) -> str:
@@ -257,39 +227,38 @@ def _ratio(row: Row | None) -> str:
     return "" if deviation is None else f"× {1.0 + deviation:.2f}"
 
 
-def _wrong(results: FlightResults, steps: Sequence[Row], circles: Sequence[Row]) -> Blocks:
-    blocks: list[str | Table | FigureBlock] = []
-    if names := _named(steps, NAMES):
-        blocks.append(WORDS.say("wrong_steps", names=names))
-    if count := sum(row.mark is Mark.CONTRADICTED for row in circles):
-        words = WORDS.say("wrong_circles", count=count, all=len(circles))
-        blocks += [words, _without_start(results)]
-    if not blocks:
-        blocks.append(WORDS.say("right"))
+def _wrong(results: FlightResults, steps: Sequence[Row], circles: Sequence[Row]) -> Content:
+    names = _named(steps, NAMES)
+    count = sum(row.mark is Mark.CONTRADICTED for row in circles)
+    content: dict[str, Any] = {
+        "steps": names, "count": count, "all": len(circles), "right": not names and not count,
+        "scale": THOUSANDTHS, "without_start": _without_start(results) if count else [],
+    }  # fmt: skip
     if results.drops:
-        last = results.drops[-1]
-        words = WORDS.say(
-            "drops", count=len(results.drops), height=plain(DROP_HEIGHT),
-            stroke=f"{1e3 * max(drop.stroke for drop in results.drops):.1f}",
-            left=words_of_power(last.left),
-        )  # fmt: skip
-        blocks.append(words)
-    return (*blocks, WORDS.say("spread"))
+        stroke = 1e3 * max(drop.stroke for drop in results.drops)
+        left = words_of_power(results.drops[-1].left)
+        content |= {
+            "drops": len(results.drops),
+            "height": DROP_HEIGHT,
+            "stroke": stroke,
+            "left": left,
+        }
+    return content
 
 
-def _without_start(results: FlightResults) -> Table:
+def _without_start(results: FlightResults) -> list[list[Entry]]:
     """Circles with and without the first round, beside print."""
-    lines = []
+    head = [f"{NAMES[robot]}, {rounds} rounds" for robot in ROBOTS for rounds in ("all", "later")]
+    lines: list[list[Entry]] = [["", *head]]
     for pace, (k, name) in product(PERIODS, enumerate(QUANTITIES)):
-        cells = [TableCell(f"{pace} circle, {name[0]}_{name[1]}")]
+        cells: list[Entry] = [f"{pace} circle, {name[0]}_{name[1]}"]
         for robot in ROBOTS:
             printed = TABLE_IV_CIRCLES[robot, pace][k]
             for first in (True, False):
                 ours = float(np.mean(results.circle_mse(robot, pace, name, first_round=first)))
                 cells.append(TableCell(_digits(1e3 * ours), ours, f"× {ours / printed:.2f}"))
-        lines.append(tuple(cells))
-    heads = (f"{NAMES[robot]}, {WORDS.text[key]}" for robot in ROBOTS for key in ("all", "later"))
-    return Table(WORDS.say("start_caption", scale=THOUSANDTHS), ("", *heads), tuple(lines))
+        lines.append(cells)
+    return lines
 
 
 # --- the same as data
@@ -317,7 +286,7 @@ def flight_data(results: FlightResults) -> dict[str, Any]:
 
 
 def flight_tables(results: FlightResults | None) -> dict[str, list[dict[str, Any]]]:
-    """What the figures show, by the name of a CSV file."""
+    """Data of the figures, by the name of a CSV file."""
     tables = {"endurance.csv": _endurance_rows()}
     if results is not None:
         tables |= {"steps.csv": _step_rows(results), "circles.csv": _circle_rows(results)}

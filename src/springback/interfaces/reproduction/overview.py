@@ -1,32 +1,33 @@
-"""What a report begins with: the question, the answer in a sentence and a picture, part by part.
+"""The summary of a report: the question, the answer in a sentence and a picture, part by part.
 
 The words are in ``templates/overview.toml``.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from springback.interfaces.reports.page import (
-    FigureBlock,
+    Entry,
     KeyPoint,
     KeyPoints,
     Section,
-    Table,
     TableCell,
     Wording,
     percent,
     plain,
 )
 from springback.interfaces.reproduction.figures.overview import overview_figure
-from springback.paper.choices import OURS
 from springback.paper.slider import COUNTED, DEFAULT
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("overview")
 WITHIN = (AGREEMENT, 0.10, 0.25)
 """Chosen: shares of the printed value within which agreement is counted."""
+SHARES = ("share", "wider", "widest")
+"""Names of these in the text."""
 OWN = "ARQ's own"
 """Begins where c_a comes from in tests that ask what a fit to ARQ would take."""
 Groups = dict[str, list[Row]]
@@ -82,7 +83,7 @@ class Counts(NamedTuple):
 
 
 def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
-    """Every printed number once, with what stands for it, a row for each set of choices.
+    """Every printed number once, with its counterparts, a row for each set of choices.
 
     A number that can be defined in several ways counts by one of them: COR when the cage leaves,
     contact time until the body is back, the pitch that was flown.
@@ -105,7 +106,7 @@ def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
 
 
 def counts(rows: Sequence[Row], share: float = AGREEMENT) -> Counts:
-    """How many printed numbers agree within a share of them, each counted once.
+    """The numbers of printed values that agree within a share of them, each counted once.
 
     Args:
         rows: All compared numbers.
@@ -143,7 +144,7 @@ def _agrees(row: Row, share: float) -> bool:
 
 
 def _taken(row: Row, slider: str, estimator: str) -> bool:
-    """Whether a row belongs to a set of choices; what has no alternatives belongs to all."""
+    """True for a row of a set of choices; one without alternatives belongs to all."""
     if row.experiment in ("Table III", "Sweep"):
         return row.reading in ("Quad", slider)
     if row.experiment == "Resilience" and row.quantity == "success rate":
@@ -152,7 +153,7 @@ def _taken(row: Row, slider: str, estimator: str) -> bool:
 
 
 def within(rows: Sequence[Row], share: float) -> int:
-    """How many numbers deviate from print by at most a share of it.
+    """The number of values that deviate from print by at most a share of it.
 
     Args:
         rows: Compared numbers.
@@ -161,7 +162,7 @@ def within(rows: Sequence[Row], share: float) -> int:
     return sum(abs(row.deviation) <= share for row in rows if row.deviation is not None)
 
 
-def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
+def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> list[Section]:
     """The summary of a report.
 
     Args:
@@ -169,53 +170,39 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> Section:
         sections: Of the report, whose answers are gathered.
     """
     parts = groups(rows)
-    free = [row for group in parts.values() for row in group]
-    title = WORDS.title("overview")
-    if not free:
-        return Section("overview", title, (WORDS.say("verdict_none"), _marks(rows)), summary=True)
-    answers = [KeyPoint(s.anchor, s.title, s.answer) for s in sections if s.answer]
-    if len(answers) == 1:  # no need to say it twice on one page
-        answers = []
-    found = [counts(rows, share) for share in WITHIN]
-    first = found[0]
-    verdict = WORDS.say(
-        "verdict", count=first.numbers, share=plain(100 * AGREEMENT), default=first.default,
-        somehow=first.somehow, wider=plain(100 * WITHIN[1]), wider_somehow=found[1].somehow,
-    )  # fmt: skip
-    readings = WORDS.text["readings"] if first.reading else ""
-    if first.best > first.default:
-        changed = first.reading not in ("", DEFAULT)
-        best = [WORDS.say("best_slider", reading=first.reading)] if changed else []
-        best += [WORDS.say("best_flight", estimator=first.estimator)] if first.estimator else []
-        verdict += " " + WORDS.say(
-            "verdict_best", best=first.best, count=first.numbers, choices=" and ".join(best)
-        )
-    verdict += _failures_of(rows)
-    note = WORDS.say(
-        "note", given=sum(row.mark is Mark.GIVEN for row in rows),
-        fitted=sum(row.mark is Mark.FITTED for row in rows),
-    )  # fmt: skip
-    words = WORDS.say("picture", agreement=plain(100 * AGREEMENT))
-    return Section(
-        "overview",
-        title,
-        (
-            WORDS.say("asked"),
-            verdict,
-            *([WORDS.say("readings", default=DEFAULT, ours=OURS)] if readings else []),
-            FigureBlock("overview", words, overview_figure(parts)),
-            *([KeyPoints(tuple(answers))] if answers else []),
-            _by_part(parts),
-            note,
-            _marks(rows),
-        ),
-        summary=True,
-        answers=True,
-    )
+    by_mark = Counter(row.mark for row in rows)
+    marks = [(TableCell("", mark=mark), by_mark[mark], mark.value) for mark in Mark]
+    content: dict[str, Any] = {"marks": marks, "compared": len(rows), "nothing": not parts}
+    if parts:
+        answers = [KeyPoint(s.anchor, s.title, s.answer) for s in sections if s.answer]
+        first, wider = (counts(rows, share) for share in WITHIN[:2])
+        content |= {
+            **{name: 100 * share for name, share in zip(SHARES, WITHIN, strict=True)},
+            "count": first.numbers, "default": first.default, "somehow": first.somehow,
+            "wider_somehow": wider.somehow, "more": _best(first) + _failures_of(rows),
+            "reading": first.reading, "overview": overview_figure(parts),
+            # no need to say it twice on one page
+            "answers": (KeyPoints(tuple(answers)),) if len(answers) > 1 else (),
+            "parts": _by_part(parts), "given": by_mark[Mark.GIVEN], "fitted": by_mark[Mark.FITTED],
+        }  # fmt: skip
+    return WORDS.sections({"overview": content})
+
+
+def _best(found: Counts) -> str:
+    """The choices with which most come out, if these are not the default ones."""
+    if found.best <= found.default:
+        return ""
+    best = []
+    if found.reading not in ("", DEFAULT):
+        best.append(WORDS.say("best_slider", reading=found.reading))
+    if found.estimator:
+        best.append(WORDS.say("best_flight", estimator=found.estimator))
+    choices = " and ".join(best)
+    return " " + WORDS.say("verdict_best", best=found.best, count=found.numbers, choices=choices)
 
 
 def _failures_of(rows: Sequence[Row]) -> str:
-    """How a collision that print has failing goes with each estimator, and ARQ's beside it."""
+    """Recoveries, with each estimator, from a collision that fails in print, beside ARQ's."""
     found = {
         (row.robot, *row.reading.partition("; ")[::2]): row.ours
         for row in rows
@@ -235,18 +222,14 @@ def _failures_of(rows: Sequence[Row]) -> str:
     return ""
 
 
-def _by_part(parts: Groups) -> Table:
-    lines = []
+def _by_part(parts: Groups) -> list[Sequence[Entry]]:
+    lines: list[Sequence[Entry]] = []
     for name, rows in parts.items():
-        counts = (within(rows, share) for share in WITHIN)
-        cells = (TableCell(f"{count} of {len(rows)}", count) for count in counts)
+        near = (within(rows, share) for share in WITHIN)
+        cells = (TableCell(f"{count} of {len(rows)}", count) for count in near)
         far = max(rows, key=lambda row: abs(_deviation(row)))
-        lines.append(
-            (TableCell(name), TableCell(str(len(rows)), len(rows)), *cells, _farthest(far))
-        )
-    shares = [plain(100 * share) for share in WITHIN]
-    head = tuple(word.format(*shares) for word in WORDS.head("parts"))
-    return Table(WORDS.say("caption"), head, tuple(lines))
+        lines.append((name, len(rows), *cells, _farthest(far)))
+    return lines
 
 
 def _deviation(row: Row) -> float:
@@ -256,11 +239,3 @@ def _deviation(row: Row) -> float:
 def _farthest(row: Row) -> TableCell:
     name = row.quantity if " " in row.quantity else row.quantity.replace("_", " ")
     return TableCell(name, detail=percent(row.deviation), mark=row.mark)
-
-
-def _marks(rows: Sequence[Row]) -> Table:
-    counts = {mark: sum(row.mark is mark for row in rows) for mark in Mark}
-    marks = tuple(
-        (TableCell("", mark=m), TableCell(str(n), n), TableCell(m.value)) for m, n in counts.items()
-    )
-    return Table(WORDS.say("marks", count=len(rows)), ("mark", "numbers", "meaning"), marks)

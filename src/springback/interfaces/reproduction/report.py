@@ -6,27 +6,25 @@ flight, and collisions in flight.  What the parts have in common is here.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from springback.files import write_csv, write_json
 from springback.interfaces.figures import style
-from springback.interfaces.output.folders import write_json
 from springback.interfaces.reports.page import (
+    Content,
     FigureBlock,
     Section,
-    Table,
     TableCell,
     Wording,
     listed,
     page,
     percent,
-    plain,
     rounded,
 )
-from springback.interfaces.reproduction.figure_list import figures_table
+from springback.interfaces.reproduction.figure_list import figure_rows
 from springback.interfaces.reproduction.free_flight import (
     flight_data,
     flight_sections,
@@ -48,13 +46,13 @@ from springback.studies.comparison import AGREEMENT, Row
 WORDS = Wording.of("report")
 Rows = Sequence[Mapping[str, Any]]
 
-#: What the page is.
+#: The line below the title.
 REPRODUCTION = f"A reproduction of {PAPER}"
 
 
 @dataclass(frozen=True)
 class Results:
-    """What was reproduced; a part that was not is None."""
+    """The parts of the paper that were reproduced; any other is None."""
 
     slider: SliderResults | None = None
     features: list[Row] = field(default_factory=list)
@@ -82,7 +80,7 @@ class Results:
 
     @property
     def title(self) -> str:
-        """Of the page."""
+        """Title of the page."""
         return WORDS.title(self._kind)
 
 
@@ -93,8 +91,8 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
 
     Args:
         results: What was reproduced.
-        folder: Made if it is not there.
-        about: What the results were made with, by name: versions of programs.
+        folder: Made if it does not exist.
+        about: Versions of programs, by name.
 
     Returns:
         The files written.
@@ -104,10 +102,10 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
     written = [folder / name for name in ("report.html", "comparison.json", "comparison.csv")]
     written[0].write_text(page(results.title, sections, REPRODUCTION), encoding="utf-8")
     write_json(written[1], _data(results, about))
-    _write_csv(written[2], [row.as_dict() for row in results.rows])
+    write_csv(written[2], [row.as_dict() for row in results.rows])
     for name, rows in tables.items():
         written.append(folder / name)
-        _write_csv(written[-1], rows)
+        write_csv(written[-1], rows)
     for section in sections:
         for block in section.blocks:
             if isinstance(block, FigureBlock):
@@ -123,44 +121,37 @@ def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]
     if results.resilience is not None:
         sections += resilience_sections(results.resilience)
     parted = sum(bool(section.part) for section in sections) > 1
-    if not parted:
-        sections = [replace(section, part="") for section in sections]
     drawn = [b.name for s in sections for b in s.blocks if isinstance(b, FigureBlock)]
-    part = WORDS.title("data_part") if parted else ""
-    paper = Section("figures", WORDS.title("figures"), (figures_table(drawn),), part)
-    return [overview(results.rows, sections), *sections, paper, _everything(results, about)]
+    data = {"figures": {"figures": figure_rows(drawn)}, "data": _everything(results, about)}
+    ends = WORDS.sections(data)
+    if not parted:
+        sections, ends = ([replace(s, part="") for s in found] for found in (sections, ends))
+    return [*overview(results.rows, sections), *sections, *ends]
 
 
-def _everything(results: Results, about: Mapping[str, Any]) -> Section:
-    rows = tuple(
+def _everything(results: Results, about: Mapping[str, Any]) -> Content:
+    rows = [
         (
-            *map(TableCell, (r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit)),
-            *(TableCell(plain(value), value) for value in (r.ours, r.printed)),
-            TableCell(percent(r.deviation)), TableCell("", mark=r.mark), _c_a(r),
-            TableCell(r.dissipation_from),
+            r.experiment, r.robot, r.surface, r.reading, r.quantity, r.unit, r.ours, r.printed,
+            percent(r.deviation), TableCell("", mark=r.mark), _c_a(r), r.dissipation_from,
         )
         for r in results.rows
-    )  # fmt: skip
-    made_with = tuple((TableCell(str(key)), TableCell(str(value))) for key, value in about.items())
+    ]  # fmt: skip
     tables = list(_tables(results))
-    key = "files" if tables else "files_without_tables"
-    blocks = (
-        Table(WORDS.say("all_caption", count=len(rows)), WORDS.head("all"), rows, folded=True),
-        Table(WORDS.say("made_with"), WORDS.head("made_with"), made_with),
-        WORDS.say(key, tables=listed(tables)),
-    )
-    return Section("data", WORDS.title("data"), blocks)
+    curves = f", the curves and points of the figures in {listed(tables)}" if tables else ""
+    made_with = [(str(key), str(value)) for key, value in about.items()]
+    return {"count": len(rows), "all": rows, "made_with": made_with, "curves": curves}
 
 
-def _c_a(row: Row) -> TableCell:
+def _c_a(row: Row) -> TableCell | None:
     """c_a of a test in which something was hit; other numbers have none."""
     if not row.dissipation_from:
-        return TableCell("–")
+        return None
     return TableCell(rounded(row.dissipation, 3), row.dissipation)
 
 
 def _tables(results: Results) -> dict[str, Rows]:
-    """What the figures show, by the name of a CSV file."""
+    """Data of the figures, by the name of a CSV file."""
     tables: dict[str, Rows] = {}
     if results.slider is not None:
         tables["sweep.csv"] = sweep_rows(results.slider)
@@ -184,10 +175,3 @@ def _data(results: Results, about: Mapping[str, Any]) -> dict[str, Any]:
         **flight,
         **resilience,
     }
-
-
-def _write_csv(path: Path, rows: Rows) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]) if rows else [], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)

@@ -1,4 +1,4 @@
-"""Collisions in flight in the report: who survives what, and how.
+"""Collisions in flight in the report: which robot survives which, and how.
 
 The words are in ``templates/resilience.toml``.
 """
@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import (
-    Blocks,
-    FigureBlock,
+    Content,
+    Entry,
     Section,
-    Table,
     TableCell,
     Wording,
     listed,
@@ -25,10 +25,10 @@ from springback.interfaces.reports.page import (
     plain,
     words_of_power,
 )
-from springback.interfaces.reproduction.choices import choices_blocks, condition, map_blocks, signed
+from springback.interfaces.reproduction.choices import choices_content, condition, map_content
 from springback.interfaces.reproduction.figures import resilience
-from springback.interfaces.reproduction.figures.choices import ORDER
-from springback.interfaces.reproduction.figures.resilience import NAMES, POSES, SEEN
+from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.resilience import POSES, SEEN
 from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
@@ -40,7 +40,6 @@ from springback.paper.resilience import (
     ROBOTS,
     SLOWEST,
     ResilienceResults,
-    Sample,
     Tally,
     asked_extremes,
     motion,
@@ -50,6 +49,7 @@ from springback.paper.resilience import (
 from springback.recovery.parameters import Settling
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.studies.comparison import Mark, Row
+from springback.studies.trials import Trial
 from springback.vehicle.library import VEHICLES
 
 WORDS = Wording.of("resilience")
@@ -68,7 +68,9 @@ CURVES = {
     "asked_pitch": "pitch asked for [rad]",
     "aimed_pitch": "pitch asked for, with feedback [rad]",
 }  # fmt: skip
-"""What of a collision is in a CSV file, and under which head."""
+"""Columns of a collision in a CSV file, and their heads."""
+DEGREES = math.degrees(1.0)
+TRIGGERS = ("hall", "acceleration", "wrench")
 LOSSES = ("loss_contact", "loss_friction", "loss_arm")
 
 
@@ -77,24 +79,16 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
     if not results.flown:
         return []
     rows = results.rows()
-    blocks: dict[str, Blocks] = {
-        "resilience": _answer(results, rows),
-        "choices": choices_blocks(results),
-        "map": map_blocks(results),
-        "recovery": (*_fast(results, rows), *_recovery(results), *_compared(results)),
-        "detection": (*_detection(results), *_where(results)),
+    return WORDS.sections({
+        "resilience": _answer(results),
+        "choices": choices_content(results),
+        "map": map_content(results),
+        "recovery": {**_fast(results, rows), **_recovery(results), **_compared(results)},
+        "detection": {**_detection(results), **_where(results)},
         "energy_of_hits": _energy(results),
-        "repeated": _repeated(results) if results.repeats else (),
-        "resilience_method": _method(results),
-    }
-    kept = {key: found for key, found in blocks.items() if found}
-    return [
-        Section(
-            key, WORDS.title(key), found, WORDS.title("part") if k == 0 else "",
-            answers=key == "resilience",
-        )
-        for k, (key, found) in enumerate(kept.items())
-    ]  # fmt: skip
+        "repeated": _repeated(results) if results.repeats else {},
+        "resilience_method": {"scatter": _scatter(results)},
+    })  # fmt: skip
 
 
 # -- numbers --------------------------------------------------------------------------------------
@@ -107,14 +101,24 @@ def _share(value: float) -> str:
 def _middle(
     results: ResilienceResults, of: tuple[str, float, float], measure: str,
     scale: float = 1.0, decimals: int = 1,
-) -> TableCell:  # fmt: skip
+) -> TableCell | None:  # fmt: skip
     """Median of the trials of a condition, in the unit that is shown, with least and most."""
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
-        return TableCell("–")
+        return None
     least, most = number(min(found), decimals), number(max(found), decimals)
     median = float(np.median(found))
     return TableCell(number(median, decimals), median / scale, f"{least} to {most}")
+
+
+def _middles(
+    results: ResilienceResults, columns: Sequence[tuple[str, float, int]]
+) -> list[Sequence[Entry]]:
+    """A row of medians for each condition: measure, scale and decimals of each column."""
+    return [
+        (_name(of), *(_middle(results, of, *column) for column in columns))
+        for of in _conditions(results)
+    ]
 
 
 def _median(results: ResilienceResults, of: tuple[str, float, float], measure: str) -> float:
@@ -128,12 +132,12 @@ def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
     return [(robot, *c) for robot in ROBOTS for c in ORDER if (robot, *c) in flown]
 
 
-def _name(of: tuple[str, float, float]) -> TableCell:
-    return TableCell(f"{NAMES[of[0]]}, {condition(*of[1:])}")
+def _name(of: tuple[str, float, float]) -> str:
+    return f"{LOOKS[of[0]].label}, {condition(*of[1:])}"
 
 
 def _row(rows: Sequence[Row], quantity: str) -> TableCell:
-    """A compared pitch as it stands in a text."""
+    """A compared pitch for a text."""
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return TableCell("–", mark=Mark.CONTRADICTED)
@@ -143,30 +147,22 @@ def _row(rows: Sequence[Row], quantity: str) -> TableCell:
 # -- who survives what ----------------------------------------------------------------------------
 
 
-def _answer(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
-    tallies = results.tallies()
-    settled, low = Settling(), wilson(results.trials, results.trials)[0]
-    words = WORDS.say(
-        "counted", tolerance=plain(settled.tolerance), speed=plain(settled.speed),
-        dwell=plain(settled.dwell), trials=results.trials, low=f"{100 * low:.0f}",
-    )  # fmt: skip
+def _answer(results: ResilienceResults) -> Content:
+    tallies, settled = results.tallies(), Settling()
     gentle = [pitch for (_, pitch, _), word in SUCCESS_WORDS.items() if word == "fairly good"]
-    picture = WORDS.say(
-        "success_picture", confidence=plain(100 * CONFIDENCE), slow=plain(SLOW[1]),
-        good=SUCCESS_WORDS["quad", *SLOW], least=signed(min(gentle)), most=signed(max(gentle)),
-        drops=SUCCESS_WORDS["quad", STEEPEST, SLOW[1]], steep=signed(STEEPEST),
-    )  # fmt: skip
-    return (
-        WORDS.say(
-            "asked", conditions=len({t[1:3] for t in tallies}), trials=results.trials,
-            fast=plain(FASTEST[1]),
-        ),
-        _verdict(tallies, results.chosen()),
-        FigureBlock("resilience", picture, resilience.success_figure(results)),
-        words,
-        _success(tallies),
-        _failures(results),
-    )  # fmt: skip
+    ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
+    return {
+        "conditions": len({t[1:3] for t in tallies}), "trials": results.trials,
+        "fast": FASTEST[1], "verdict": _verdict(tallies, results.chosen()),
+        "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed(STEEPEST),
+        "good": SUCCESS_WORDS["quad", *SLOW], "drops": SUCCESS_WORDS["quad", STEEPEST, SLOW[1]],
+        "least": signed(min(gentle)), "most": signed(max(gentle)),
+        "tolerance": settled.tolerance, "speed": settled.speed, "dwell": settled.dwell,
+        "low": 100 * wilson(results.trials, results.trials)[0],
+        "success": _success(tallies), "resilience": resilience.success_figure(results),
+        "ways": listed(f"{w} ({count})" for w, count in sorted(ways.items())) if ways else "",
+        "unfailing": not ways, "lost": sum(ways.values()), "all": len(results.flown),
+    }  # fmt: skip
 
 
 def _verdict(
@@ -183,181 +179,147 @@ def _verdict(
             right = rate_mark(tally.rate, SUCCESS[tally[:3]]) is Mark.PREDICTED
             words += " " + WORDS.say(
                 "verdict_quad_agrees" if right else "verdict_quad_against",
-                fast=plain(FASTEST[1]), successes=tally.successes, all=tally.trials,
+                fast=FASTEST[1], successes=tally.successes, all=tally.trials,
             )  # fmt: skip
     cells = [chosen.get((robot, *FASTEST)) for robot in ROBOTS]
     if all(cells):
         arq_fast, quad_fast = (cell for cell in cells if cell is not None)
         words += " " + WORDS.say(
-            "verdict_chosen", estimator=EKF2, fast=plain(FASTEST[1]), arq=arq_fast.successes,
-            quad=quad_fast.successes, all=quad_fast.trials, duration=plain(quad_fast.duration),
+            "verdict_chosen", estimator=EKF2, fast=FASTEST[1], arq=arq_fast.successes,
+            quad=quad_fast.successes, all=quad_fast.trials, duration=quad_fast.duration,
         )  # fmt: skip
     return words.strip()
 
 
-def _success(tallies: Sequence[Tally]) -> Table:
-    found, lines = {tally[:3]: tally for tally in tallies}, []
+def _success(tallies: Sequence[Tally]) -> list[Sequence[Entry]]:
+    found = {tally[:3]: tally for tally in tallies}
+    lines: list[Sequence[Entry]] = []
     for test in ORDER:
-        cells = []
-        for robot in ROBOTS:
-            of = (robot, *test)
+        cells: list[Entry] = []
+        for of in ((robot, *test) for robot in ROBOTS):
             printed = SUCCESS.get(of)
             if printed is None:
-                cells.append(TableCell(SUCCESS_WORDS.get(of, "–")))
+                cells.append(SUCCESS_WORDS.get(of))
             else:
                 cells.append(TableCell(WORDS.say("printed_share", share=_share(printed)), printed))
             cells.append(_tally(found.get(of), printed))
-        lines.append((TableCell(condition(*test)), *cells))
-    caption = WORDS.say("success_caption", confidence=plain(100 * CONFIDENCE))
-    return Table(caption, WORDS.head("success"), tuple(lines))
+        lines.append((condition(*test), *cells))
+    return lines
 
 
-def _tally(tally: Tally | None, printed: float | None) -> TableCell:
+def _tally(tally: Tally | None, printed: float | None) -> TableCell | None:
     if tally is None:
-        return TableCell("–")
-    text = WORDS.say(
-        "share", share=_share(tally.rate), successes=tally.successes, trials=tally.trials
-    )
-    interval = WORDS.say("interval", low=f"{100 * tally.low:.0f}", high=f"{100 * tally.high:.0f}")
+        return None
+    share = _share(tally.rate)
+    text = WORDS.say("share", share=share, successes=tally.successes, trials=tally.trials)
+    interval = WORDS.say("interval", low=100 * tally.low, high=100 * tally.high)
     mark = None if printed is None else rate_mark(tally.rate, printed)
     return TableCell(text, tally.rate, interval, mark)
-
-
-def _failures(results: ResilienceResults) -> str:
-    ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
-    if not ways:
-        return WORDS.say("failures_none", all=len(results.flown))
-    told = listed(f"{word} ({count})" for word, count in sorted(ways.items()))
-    return WORDS.say("failures", lost=sum(ways.values()), all=len(results.flown), ways=told)
 
 
 # -- the recovery ---------------------------------------------------------------------------------
 
 
-def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Blocks:
+def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
+    """ARQ at its fastest."""
     flown = results.values("arq", *FASTEST, "nose_up")
     sample = results.sample("arq", *FASTEST)
     if not flown or sample is None:
-        return ()
-    up, down = (signed(value) for value in RECOVERY_PITCH)
-    words = WORDS.say(
-        "pitch", fast=plain(FASTEST[1]), up=up, down=down, trials=len(flown),
-        ours_up=_row(rows, "pitch, nose up"), ours_down=_row(rows, "pitch, nose down"),
-    )  # fmt: skip
-    blocks: list[Any] = [words]
+        return {}
+    content = {
+        "fast": FASTEST[1], "trials": len(flown),
+        "ours_up": _row(rows, "pitch, nose up"), "ours_down": _row(rows, "pitch, nose down"),
+        "collision": resilience.fast_figure(sample),
+        "orientation": resilience.side_figure([sample]),
+    }  # fmt: skip
+    content["up"], content["down"] = (signed(value) for value in RECOVERY_PITCH)
     if (aimed := asked_extremes(sample.flight, "aimed_pitch")) is not None:
-        asked = WORDS.say(
-            "pitch_asked", asked_up=_row(rows, "pitch asked for, nose up"),
-            asked_down=_row(rows, "pitch asked for, nose down"),
-            aimed_up=number(aimed[0], 0), aimed_down=number(aimed[1], 0),
-        )  # fmt: skip
-        blocks.append(asked)
-    words = WORDS.say("fast_picture", fast=plain(FASTEST[1]))
-    blocks.append(FigureBlock("collision", words, resilience.fast_figure(sample)))
-    blocks.append(_side("fast_side_picture", "orientation", [sample]))
-    return tuple(blocks)
+        content["asked_up"] = _row(rows, "pitch asked for, nose up")
+        content["asked_down"] = _row(rows, "pitch asked for, nose down")
+        content["aimed_up"], content["aimed_down"] = aimed
+    return content
 
 
-def _side(key: str, name: str, samples: Sequence[Sample]) -> FigureBlock:
-    words = WORDS.say(key, seen=plain(SEEN), step=plain(POSES))
-    return FigureBlock(name, words, resilience.side_figure(samples))
-
-
-def _recovery(results: ResilienceResults) -> Blocks:
-    degrees = math.degrees(1.0)
+def _recovery(results: ResilienceResults) -> Content:
     columns = (
         ("recovery_time", 1.0, 2), ("height_loss", 1.0, 2), ("excursion", 1.0, 2),
-        ("nose_up", degrees, 0), ("nose_down", degrees, 0),
+        ("nose_up", DEGREES, 0), ("nose_down", DEGREES, 0),
     )  # fmt: skip
-    lines = tuple(
-        (_name(of), *(_middle(results, of, *column) for column in columns))
-        for of in _conditions(results)
-    )
     flown = [trial.measures for trial in results.flown if trial.success]
-    far = sum((m["excursion"] or 0.0) > FAR for m in flown)
-    again = sum((m["impacts"] or 0.0) > 1.0 for m in flown)
     low = min(results.flown, key=lambda trial: trial.measures["lowest_height"] or 0.0)
-    words = WORDS.say(
-        "recovery", far=far, again=again, all=len(flown), who=NAMES[low.robot],
-        where=condition(low.pitch, low.speed),
-        height=number(low.measures["lowest_height"] or 0.0, 2),
-    )  # fmt: skip
-    return (Table(WORDS.say("recovery_caption"), WORDS.head("recovery"), lines), words)
+    return {
+        "seen": SEEN, "step": POSES, "medians": _middles(results, columns), "all": len(flown),
+        "far": sum((m["excursion"] or 0.0) > FAR for m in flown),
+        "again": sum((m["impacts"] or 0.0) > 1.0 for m in flown),
+        "who": LOOKS[low.robot].label, "where": condition(low.pitch, low.speed),
+        "height": low.measures["lowest_height"] or 0.0,
+    }  # fmt: skip
 
 
-def _compared(results: ResilienceResults) -> Blocks:
+def _compared(results: ResilienceResults) -> Content:
+    """Both robots in the same collision."""
     samples = [s for robot in ROBOTS if (s := results.sample(robot, *SLOW)) is not None]
     if len(samples) < len(ROBOTS):
-        return ()
-    numbers = {
-        f"{robot}_{name}": number(_median(results, (robot, *SLOW), measure), 2)
+        return {}
+    medians = {
+        f"{robot}_{name}": _median(results, (robot, *SLOW), measure)
         for robot in ROBOTS
         for name, measure in (("far", "excursion"), ("time", "recovery_time"))
     }
-    pictured = WORDS.say("compared_picture", slow=plain(SLOW[1]), level=plain(SLOW[0]))
-    return (
-        WORDS.say("compared", slow=plain(SLOW[1]), **numbers),
-        FigureBlock("robots", pictured, resilience.compared_figure(samples)),
-        _side("compared_side_picture", "orientations", samples),
-    )
+    return medians | {
+        "slow": SLOW[1], "level": SLOW[0], "robots": resilience.compared_figure(samples),
+        "orientations": resilience.side_figure(samples),
+    }  # fmt: skip
 
 
 # -- noticing and locating ------------------------------------------------------------------------
 
 
-def _detection(results: ResilienceResults) -> Blocks:
-    lines, everyone = [], [*results.flown, *results.slower]
-    for robot in ROBOTS:
-        for test in (SLOWEST, SLOW, FASTEST):
-            of = (robot, *test)
-            found = [t for t in everyone if (t.robot, t.pitch, t.speed) == of]
-            if found:
-                delays = (
-                    _middle(results, of, f"{trigger}_delay", 1e3)
-                    for trigger in ("hall", "acceleration", "wrench")
-                )
-                missed = sum(t.measures["detection_delay"] is None for t in found)
-                wrong = sum(t.measures["false_alarms"] or 0.0 for t in found)
-                name = TableCell(f"{NAMES[robot]}, {plain(test[1])} m/s")
-                counts = (TableCell(str(missed), missed), TableCell(plain(wrong), wrong))
-                lines.append((name, *delays, *counts))
-    words = WORDS.say(
-        "detection", slowest=plain(SLOWEST[1]),
-        missed=sum(t.measures["detection_delay"] is None for t in everyone),
-        false_alarms=plain(sum(t.measures["false_alarms"] or 0.0 for t in everyone)),
-    )  # fmt: skip
-    caption = WORDS.say("detection_caption", level=plain(SLOW[0]))
-    return (words, Table(caption, WORDS.head("detection"), tuple(lines)))
+def _detection(results: ResilienceResults) -> Content:
+    everyone = [*results.flown, *results.slower]
+    lines: list[Sequence[Entry]] = []
+    for of in ((robot, *test) for robot in ROBOTS for test in (SLOWEST, SLOW, FASTEST)):
+        found = [t for t in everyone if (t.robot, t.pitch, t.speed) == of]
+        if found:
+            delays = (_middle(results, of, f"{trigger}_delay", 1e3) for trigger in TRIGGERS)
+            name = f"{LOOKS[of[0]].label}, {plain(of[2])} m/s"
+            lines.append((name, *delays, *_unnoticed(found)))
+    missed, false_alarms = _unnoticed(everyone)
+    return {
+        "slowest": SLOWEST[1], "level": SLOW[0], "missed": missed, "false_alarms": false_alarms,
+        "delays": lines,
+    }  # fmt: skip
 
 
-def _where(results: ResilienceResults) -> Blocks:
-    degrees = math.degrees(1.0)
+def _unnoticed(trials: Sequence[Trial]) -> tuple[int, float]:
+    """Collisions without an alarm, and alarms without a collision."""
+    measures = [trial.measures for trial in trials]
+    missed = sum(m["detection_delay"] is None for m in measures)
+    return missed, sum(m["false_alarms"] or 0.0 for m in measures)
+
+
+def _where(results: ResilienceResults) -> Content:
     columns = (
-        ("position_error", 1e3, 1), ("direction_error", degrees, 1),
-        ("arms_direction_error", degrees, 1), ("acceleration_direction_error", degrees, 1),
+        ("position_error", 1e3, 1), ("direction_error", DEGREES, 1),
+        ("arms_direction_error", DEGREES, 1), ("acceleration_direction_error", DEGREES, 1),
     )  # fmt: skip
-    lines = tuple(
-        (_name(of), *(_middle(results, of, *column) for column in columns))
-        for of in _conditions(results)
-    )
 
     def small(measure: str, bound: float) -> int:
         found = [trial.measures[measure] for trial in results.flown]
         return sum(value is not None and value < bound for value in found)
 
-    words = WORDS.say(
-        "where", all=len(results.flown), near=small("position_error", PLACE),
-        straight=small("direction_error", ANGLE), place=plain(1e3 * PLACE),
-        angle=plain(math.degrees(ANGLE)),
-    )  # fmt: skip
-    return (words, Table(WORDS.say("where_caption"), WORDS.head("where"), lines))
+    return {
+        "all": len(results.flown), "near": small("position_error", PLACE),
+        "straight": small("direction_error", ANGLE), "place": 1e3 * PLACE,
+        "angle": math.degrees(ANGLE), "errors": _middles(results, columns),
+    }  # fmt: skip
 
 
 # -- energy, repetition, method -------------------------------------------------------------------
 
 
-def _energy(results: ResilienceResults) -> Blocks:
-    lines = []
+def _energy(results: ResilienceResults) -> Content:
+    lines: list[Sequence[Entry]] = []
     for of in _conditions(results):
         speed, mass = _median(results, of, "touch_speed"), VEHICLES[of[0]].vehicle.mass
         kinetic = 0.5 * mass * speed**2
@@ -365,49 +327,41 @@ def _energy(results: ResilienceResults) -> Blocks:
         lines.append((_name(of), TableCell(number(kinetic, 2), kinetic), *losses))
     fast = {name: _median(results, ("arq", *FASTEST), name) for name in LOSSES}
     worst = max(abs(t.measures["ledger_residual"] or 0.0) for t in results.flown)
-    words = WORDS.say(
-        "energy", fast=plain(FASTEST[1]), residual=words_of_power(worst),
-        arms=number(100 * fast["loss_arm"] / sum(fast.values()), 0),
-    )  # fmt: skip
-    return (words, Table(WORDS.say("energy_caption"), WORDS.head("energy"), tuple(lines)))
+    return {
+        "fast": FASTEST[1], "residual": words_of_power(worst), "losses": lines,
+        "arms": 100 * fast["loss_arm"] / sum(fast.values()),
+    }  # fmt: skip
 
 
-def _repeated(results: ResilienceResults) -> Blocks:
+def _repeated(results: ResilienceResults) -> Content:
     arq, quad = results.repeated("arq"), results.repeated("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
-    words = WORDS.say(
-        "repeated", collisions=results.repeats[0].asked, steep=signed(REPEATED[0]),
-        flights=len(arq), won=sum(r.success for r in arq), quad_flights=len(quad),
-        quad_won=sum(r.success for r in quad), both=len(results.repeats),
-        worst=number(1e3 * max(gaps), 0) if gaps else "–",
-        swung=sum(r.alarms > r.collisions for r in results.repeats),
-    )  # fmt: skip
-    lines = []
+    lines: list[Sequence[Entry]] = []
     for repeat in results.repeats:
         worst = max(repeat.returns) if repeat.returns else None
-        counts = (repeat.collisions, repeat.recovered, repeat.alarms)
         lines.append((
-            TableCell(f"{NAMES[repeat.robot]}, {repeat.trial + 1}"),
-            *(TableCell(str(count), count) for count in counts),
-            TableCell("–") if worst is None else TableCell(number(1e3 * worst, 1), worst),
-            TableCell(WORDS.say("yes" if repeat.success else "no")),
+            f"{LOOKS[repeat.robot].label}, {repeat.trial + 1}",
+            repeat.collisions, repeat.recovered, repeat.alarms,
+            None if worst is None else TableCell(number(1e3 * worst, 1), worst),
+            "yes" if repeat.success else "no",
         ))  # fmt: skip
-    table = Table(WORDS.say("repeated_caption"), WORDS.head("repeated"), tuple(lines))
-    if not any(repeat.flight for repeat in arq):
-        return (words, table)
-    pictured = WORDS.say("repeated_picture", collisions=arq[0].asked)
-    figure = resilience.repeated_figure(results)
-    return (words, FigureBlock("repeated", pictured, figure), table)
+    return {
+        "collisions": results.repeats[0].asked, "steep": signed(REPEATED[0]),
+        "arq_flights": len(arq), "won": sum(r.success for r in arq), "quad_flights": len(quad),
+        "quad_won": sum(r.success for r in quad), "both": len(results.repeats),
+        "worst": 1e3 * max(gaps) if gaps else None,
+        "swung": sum(r.alarms > r.collisions for r in results.repeats), "flights": lines,
+        "repeated": resilience.repeated_figure(results) if any(r.flight for r in arq) else None,
+    }  # fmt: skip
 
 
-def _method(results: ResilienceResults) -> Blocks:
-    lines = []
-    for name, spread in results.scatter._asdict().items():
+def _scatter(results: ResilienceResults) -> list[Sequence[Entry]]:
+    lines: list[Sequence[Entry]] = []
+    for name, deviation in results.scatter._asdict().items():
         what, unit = WORDS.text["scatter"][name]
-        shown = math.degrees(spread) if unit == "°" else spread
-        lines.append((TableCell(what), TableCell(plain(round(shown, 6)), spread), TableCell(unit)))
-    table = Table(WORDS.say("scatter_caption"), WORDS.head("scatter"), tuple(lines))
-    return (WORDS.say("method"), table)
+        shown = math.degrees(deviation) if unit == "°" else deviation
+        lines.append((what, TableCell(plain(round(shown, 6)), deviation), unit))
+    return lines
 
 
 # -- the same as data -----------------------------------------------------------------------------

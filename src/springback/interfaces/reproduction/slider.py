@@ -10,9 +10,12 @@ from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from springback.interfaces.figures import flight
+from springback.interfaces.output.robots import ROBOTS
 from springback.interfaces.replay.scene import scene_of
 from springback.interfaces.reports.page import (
     Blocks,
+    Content,
+    Entry,
     FigureBlock,
     Section,
     Table,
@@ -22,6 +25,7 @@ from springback.interfaces.reports.page import (
     percent,
     plain,
     rounded,
+    table,
     words_of_power,
 )
 from springback.interfaces.reproduction.figures import drawings, slider
@@ -31,7 +35,6 @@ from springback.simulation.measures import MEASURES
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("slider")
-TEXT = WORDS.text
 DRAWN = DEFAULT
 """The reading whose contact is drawn: the one with arms at an angle."""
 NEAR = (AGREEMENT, 0.10)
@@ -39,7 +42,7 @@ NEAR = (AGREEMENT, 0.10)
 
 
 class Quantity(NamedTuple):
-    """How a compared quantity is shown; the scale takes SI to the unit."""
+    """The name and format of a compared quantity; the scale takes SI to the unit."""
 
     name: str
     unit: str = ""
@@ -47,8 +50,8 @@ class Quantity(NamedTuple):
     decimals: int = 3
 
 
-QUANTITIES = {key: Quantity(**entry) for key, entry in TEXT["quantities"].items()}
-PRINTED: dict[str, list[str]] = TEXT["printed"]
+QUANTITIES = {key: Quantity(**entry) for key, entry in WORDS.text["quantities"].items()}
+PRINTED: dict[str, list[str]] = WORDS.text["printed"]
 """The printed numbers of a test, and what of ours each may be compared with."""
 Run = Mapping[str, Row]
 """Rows of one flown test by quantity."""
@@ -102,7 +105,7 @@ def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | No
 
 
 def _agrees(run: Run | None, number: str) -> bool:
-    """Whether a printed number comes out, in any of its definitions."""
+    """True if a printed number comes out, in any of its definitions."""
     rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
@@ -119,47 +122,43 @@ def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
 def slider_sections(results: SliderResults) -> list[Section]:
     """The part of the slider tests, section by section; what was not flown is left out."""
     runs = _runs(results)
-    blocks: dict[str, Blocks] = {
+    given = [
+        (r.quantity, r.ours, r.unit or None, r.note) for r in results.rows if r.mark is Mark.GIVEN
+    ]
+    return WORDS.sections({
         "answer": _answer(results, runs),
         "table": _table_iii(results, runs),
-        "time": _over_time(results),
+        "time": {"pictures": _over_time(results)} if results.cases else {},
         "disagreement": _disagreement(results, runs),
         "sweep": _sweep(results),
         "energy": _energy(results),
         "method": _method(results),
-        "given": _given(results),
-    }
-    part = WORDS.title("part")
-    kept = {key: found for key, found in blocks.items() if found}
-    return [
-        Section(key, WORDS.title(key), found, part if k == 0 else "", answers=key == "answer")
-        for k, (key, found) in enumerate(kept.items())
-    ]
+        "given": {"given": given} if given else {},
+    })  # fmt: skip
 
 
 def _over_time(results: SliderResults) -> Blocks:
-    flown = {case.robot: slider.ROBOTS[case.robot] for case in results.cases}
     return tuple(
         FigureBlock(
             f"slider_{robot}",
-            WORDS.say("time_picture", robot=name),
+            WORDS.say("time_picture", robot=ROBOTS[robot].label),
             slider.slider_figure(results, robot),
         )
-        for robot, name in flown.items()
+        for robot in dict.fromkeys(case.robot for case in results.cases)
     )
 
 
-def _answer(results: SliderResults, runs: Runs) -> Blocks:
+def _answer(results: SliderResults, runs: Runs) -> Content:
     details, met, free = [], 0, [n for n in PRINTED if n != "COR"]
     quads = {s: run for s in slider.SURFACES if (run := _nth(runs, "quad", s, "Quad", 0))}
     for surface, run in quads.items():
         met += sum(_agrees(run, number) for number in free)
         numbers = listed(_quad_number(number, run) for number in free)
-        c_a = rounded(next(iter(run.values())).dissipation, 3)
-        details.append(WORDS.say("quad", surface=surface, c_a=c_a, numbers=numbers))
-    verdict, within = "", plain(100 * AGREEMENT)
+        details.append(WORDS.say("quad", surface=surface, c_a=_c_a(run), numbers=numbers))
+    verdict = ""
     if quads:
-        verdict = WORDS.say("verdict_quad", met=met, all=len(free) * len(quads), agreement=within)
+        counted = {"met": met, "all": len(free) * len(quads), "agreement": 100 * AGREEMENT}
+        verdict = WORDS.say("verdict_quad", **counted)
     if names := [r.name for r in results.readings if ("arq", "wall", r.name) in runs]:
         complete = [
             f"reading {name} on the {surface}"
@@ -169,17 +168,11 @@ def _answer(results: SliderResults, runs: Runs) -> Blocks:
         ]
         key = "verdict_arq_some" if complete else "verdict_arq_none"
         verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=listed(complete))
-    if _gaps(results):
-        details.append(WORDS.say("gap", **_gap_words(results)))
-    blocks: list[str | Table | FigureBlock] = [
-        WORDS.say("asked", speed=plain(SLIDER_SPEED)),
-        verdict,
-    ]
-    if results.cases:
-        blocks.append(
-            FigureBlock("answer", WORDS.say("answer_picture"), slider.readme_figure(results))
-        )
-    return (*blocks, *details)
+    return {
+        **_gap_words(results), "speed": SLIDER_SPEED, "fastest": SWEEP_SPEEDS[-1],
+        "verdict": verdict, "details": details,
+        "answer": slider.readme_figure(results) if results.cases else None,
+    }  # fmt: skip
 
 
 def _quad_number(number: str, run: Run) -> str:
@@ -190,7 +183,7 @@ def _quad_number(number: str, run: Run) -> str:
     )
 
 
-def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
+def _table_iii(results: SliderResults, runs: Runs) -> Content:
     def comparison(robot: str, surface: str, caption: str, n: int) -> list[Table]:
         own = {name: f"ARQ, {name}" for name in (r.name for r in results.readings)}
         names = {"Quad": "Quad"} if robot == "quad" else own
@@ -199,232 +192,173 @@ def _table_iii(results: SliderResults, runs: Runs) -> Blocks:
         if example is None:
             return []
         damping = [_c_a(run, WORDS.say("no_dissipation")) for run in chosen.values()]
-        rows = [(TableCell("c_a [s/m]"), TableCell("–"), *damping, TableCell("–"))]
+        rows: list[Sequence[Entry]] = [("c_a [s/m]", None, *damping, None)]
         for key, row in example.items():
             quantity = QUANTITIES[key]
             label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
-            simulated, tested = _printed(row, row.printed), _tested(row)
             ours = (_ours(run.get(key)) for run in chosen.values())
-            rows.append((TableCell(label), simulated, *ours, tested))
-        title = WORDS.say(caption, robot=slider.ROBOTS[robot], surface=surface)
-        head = ("", "printed, simulation", *names.values(), "printed, test")
-        return [Table(title, head, tuple(rows))]
+            rows.append((label, _printed(row, row.printed), *ours, _tested(row)))
+        title = WORDS.say(caption, robot=ROBOTS[robot].label, surface=surface)
+        return [table(title, ["", "printed, simulation", *names.values(), "printed, test"], rows)]
 
     def both(robot: str, caption: str, n: int = 0) -> list[Table]:
         return [t for s in slider.SURFACES for t in comparison(robot, s, caption, n)]
 
     predicted = both("quad", "table_caption") + both("arq", "table_caption_predicted")
     own = both("arq", "table_caption_own", 1)
-    if not predicted:
-        return ()
-    said = _differences()
-    return (WORDS.say("table"), *predicted, said, *([WORDS.say("table_own")] if own else []), *own)
+    return {"predicted": predicted, "own": own, **_differences()} if predicted else {}
 
 
-def _differences() -> str:
-    """What the paper says of restitution on both surfaces, against its own numbers."""
+def _differences() -> dict[str, str]:
+    """Differences of restitution between both surfaces, in the paper's own numbers."""
     gaps = {}
-    for robot in slider.ROBOTS:
+    for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
         gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
         gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
-    return WORDS.say("differences", **gaps)
+    return gaps
 
 
-def _disagreement(results: SliderResults, runs: Runs) -> Blocks:
+def _disagreement(results: SliderResults, runs: Runs) -> Content:
     names = [r.name for r in results.readings if ("arq", "wall", r.name) in runs]
     if not names:
-        return ()
-
-    def giving(number: str, surface: str) -> TableCell:
-        found = [n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number)]
-        return TableCell(listed(found))
-
-    who = [(TableCell(n), *(giving(n, surface) for surface in slider.SURFACES)) for n in PRINTED]
+        return {}
+    who: list[Sequence[Entry]] = [
+        ("printed number of ARQ", *(f"given on the {s} by" for s in slider.SURFACES))
+    ]
+    for number in PRINTED:
+        giving = (
+            listed(n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number))
+            for surface in slider.SURFACES
+        )
+        who.append((number, *giving))
     gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
     good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
-    who.append((TableCell("gap of the speed sweep"), TableCell(listed(good)), TableCell("–")))
-    wanted = [
-        (
-            TableCell(f"COR on the {surface}"),
-            _c_a(_nth(runs, "quad", surface, "Quad", 0)),
-            *(_c_a(_nth(runs, "arq", surface, name, 1), "none does") for name in names),
-        )
-        for surface in slider.SURFACES
+    who.append(("gap of the speed sweep", listed(good), None))
+    wanted: list[Sequence[Entry]] = [
+        ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
     ]
-    own = ({"gap": fitted[name]} if name in fitted else None for name in names)
-    cells = (_c_a(run, "none does") for run in own)
-    wanted.append((TableCell("gap of the sweep, on the wall"), TableCell("–"), *cells))
-    head = ("printed number of ARQ", *(f"given on the {s} by" for s in slider.SURFACES))
-    columns = ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
-    return (
-        WORDS.say("explained", default=DEFAULT),
-        _counts(results, names),
-        WORDS.say("disagreement", agreement=plain(100 * AGREEMENT)),
-        Table(WORDS.say("who"), head, tuple(who)),
-        FigureBlock("readings", WORDS.say("readings_picture"), slider.readings_figure(results)),
-        WORDS.say("why"),
-        WORDS.say("wanted"),
-        Table(WORDS.say("wanted_caption"), columns, tuple(wanted)),
-    )
+    for surface in slider.SURFACES:
+        quad = _c_a(_nth(runs, "quad", surface, "Quad", 0))
+        own = (_c_a(_nth(runs, "arq", surface, name, 1), "none does") for name in names)
+        wanted.append((f"COR on the {surface}", quad, *own))
+    gap = (_c_a({"gap": fitted[n]} if n in fitted else None, "none does") for n in names)
+    wanted.append(("gap of the sweep, on the wall", None, *gap))
+    return {
+        "default": DEFAULT, "near": 100 * NEAR[0], "wider": 100 * NEAR[1], "printed": SWEEP_GAP,
+        "counts": _counts(results, names), "who": who, "wanted": wanted,
+        "readings": slider.readings_figure(results),
+    }  # fmt: skip
 
 
-def _counts(results: SliderResults, names: Sequence[str]) -> Table:
-    """How many of ARQ's numbers each reading gives, and the gap of the sweep."""
-    gaps, lines = _gaps(results), []
+def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry]]:
+    """Counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
+    gaps, lines = _gaps(results), list[Sequence[Entry]]()
     for reading in (r for r in results.readings if r.name in names):
         rows = results.counted(reading.name)
         known = [abs(row.deviation) for row in rows if row.deviation is not None]
         near = (sum(deviation <= share for deviation in known) for share in NEAR)
-        fitted = sum(row.mark is Mark.FITTED for row in rows)
         gap = gaps.get(reading.name)
         lines.append((
             TableCell(reading.name, detail=reading.text),
             *(TableCell(f"{count} of {len(rows)}", count) for count in near),
-            TableCell(str(fitted), fitted),
-            TableCell(percent(max(known)).lstrip("+") if known else "–"),
-            TableCell("–") if gap is None else TableCell(rounded(gap.ours, 0), gap.ours),
+            sum(row.mark is Mark.FITTED for row in rows),
+            percent(max(known)).lstrip("+") if known else None,
+            None if gap is None else TableCell(rounded(gap.ours, 0), gap.ours),
         ))  # fmt: skip
-    head = tuple(
-        word.format(*(plain(100 * share) for share in NEAR), plain(SWEEP_GAP))
-        for word in WORDS.head("counts")
-    )
-    return Table(WORDS.say("counts_caption"), head, tuple(lines))
+    return lines
 
 
-def _sweep(results: SliderResults) -> Blocks:
+def _sweep(results: SliderResults) -> Content:
     if not results.sweep:
-        return ()
+        return {}
     names = list(dict.fromkeys(point.reading for point in results.sweep))
     points = {(point.reading, point.speed): point for point in results.sweep}
-    rows = []
+    columns = (word for name in names for word in (f"ARQ, {name}", f"gap, {name}"))
+    rows: list[Sequence[Entry]] = [("speed [m/s]", "Quad", *columns)]
     for speed in sorted({point.speed for point in results.sweep}):
         here = [points[name, speed] for name in names]
         values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
-        rows.append(
-            (TableCell(plain(speed), speed), *(TableCell(rounded(v, 0), v) for v in values))
-        )
-    columns = (word for name in names for word in (f"ARQ, {name}", f"gap, {name}"))
-    return (
-        WORDS.say("sweep", **_gap_words(results)),
-        FigureBlock("sweep", WORDS.say("sweep_picture"), slider.sweep_figure(results)),
-        Table(WORDS.say("sweep_caption"), ("speed [m/s]", "Quad", *columns), tuple(rows)),
-    )
+        rows.append((speed, *(TableCell(rounded(v, 0), v) for v in values)))
+    return {
+        **_gap_words(results), "fastest": SWEEP_SPEEDS[-1], "points": rows,
+        "sweep": slider.sweep_figure(results),
+    }  # fmt: skip
 
 
-def _gap_words(results: SliderResults) -> dict[str, str]:
+def _gap_words(results: SliderResults) -> Content:
+    """The gap of the sweep as each reading gives it, if it was flown."""
     gaps = [
-        WORDS.say("sweep_gap", row=row, ours=rounded(row.ours, 0), deviation=percent(row.deviation))
+        WORDS.say("sweep_gap", row=row, deviation=percent(row.deviation))
         for row in _gaps(results).values()
     ]
-    speed, printed = plain(SWEEP_SPEEDS[-1]), plain(SWEEP_GAP)
-    return {"speed": speed, "printed": printed, "gaps": listed(gaps)}
+    return {"printed": SWEEP_GAP, "gaps": listed(gaps) if gaps else ""}
 
 
-def _energy(results: SliderResults) -> Blocks:
+def _energy(results: SliderResults) -> Content:
     cases = [
         case
-        for robot in slider.ROBOTS
+        for robot in slider.FLOWN
         for surface in slider.SURFACES
         for case in slider.predictions(results, robot, surface)
     ]
     on_wall = [case.flight for case in cases if case.surface == "wall"]
     if not on_wall:
-        return ()
+        return {}
     worst = max(abs(case.flight.measures["ledger_residual"] or 0.0) for case in cases)
-    return (
-        WORDS.say("energy", residual=words_of_power(worst)),
-        FigureBlock("energy", WORDS.say("energy_picture"), flight.energy_figure(*on_wall)),
-        Table(
-            WORDS.say("energy_caption"),
-            WORDS.head("energy"),
-            tuple(_energy_row(case) for case in cases),
-        ),
-    )
+    return {
+        "residual": words_of_power(worst),
+        "energy": flight.energy_figure(*on_wall),
+        "shares": [_energy_row(case) for case in cases],
+    }
 
 
-def _energy_row(case: Case) -> tuple[TableCell, ...]:
+def _energy_row(case: Case) -> tuple[Entry, ...]:
     measures = case.flight.measures
     start = measures["energy_start"] or 0.0
     parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
     shares = (TableCell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
-    robot = slider.ROBOTS[case.robot] + ("" if case.robot == "quad" else f", {case.reading.name}")
-    return (
-        TableCell(f"{robot} on the {case.surface}"),
-        TableCell(rounded(start, 2), start),
-        *shares,
-    )
+    robot = ROBOTS[case.robot].label + ("" if case.robot == "quad" else f", {case.reading.name}")
+    return (f"{robot} on the {case.surface}", TableCell(rounded(start, 2), start), *shares)
 
 
-def _method(results: SliderResults) -> Blocks:
-    first: list[str] = []
+def _method(results: SliderResults) -> Content:
+    content: dict[str, Any] = {
+        "readings": [
+            (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or None)
+            for r in results.readings
+        ],
+        "definitions": [(quantity.name, MEASURES[key][1]) for key, quantity in QUANTITIES.items()],
+    }
     if results.cases:
         scenario = results.cases[0].flight.scenario
         surface = scenario.world.obstacles[0].surface
         steps = [int(case.flight.measures["steps"] or 0) for case in results.cases]
-        first.append(
-            WORDS.say(
-                "method", arms=WORDS.say(scenario.model.arms), point=scenario.model.contact_point,
-                law=surface.law.title().replace("-", "–"), exponent=plain(surface.exponent),
-                step=plain(1e3 * scenario.simulation.impact_step), fewest=min(steps),
-                most=max(steps),
-            )
-        )  # fmt: skip
-    readings = tuple(
-        tuple(
-            map(
-                TableCell,
-                (r.name, r.text, r.vehicle, str(r.shared_by), " ".join(r.overrides) or "–"),
-            )
-        )
-        for r in results.readings
-    )
-    definitions = tuple(
-        (TableCell(quantity.name), TableCell(MEASURES[key][1]))
-        for key, quantity in QUANTITIES.items()
-    )
-    return (
-        *first,
-        *(_drawings(results) if results.cases else ()),
-        WORDS.say("fit"),
-        Table(WORDS.say("readings_caption"), WORDS.head("readings"), readings),
-        Table(WORDS.say("definitions"), WORDS.head("definitions"), definitions),
-    )
+        content |= {
+            "arms": WORDS.say(scenario.model.arms), "point": scenario.model.contact_point,
+            "law": surface.law.title().replace("-", "–"), "exponent": surface.exponent,
+            "step": 1e3 * scenario.simulation.impact_step, "fewest": min(steps),
+            "most": max(steps), "robots_drawn": drawings.robots_figure(),
+            "contact": _contact(results),
+        }  # fmt: skip
+    return content
 
 
-def _drawings(results: SliderResults) -> Blocks:
-    """The robots, and ARQ as it hits the wall in the default reading."""
-    blocks = [FigureBlock("robots_drawn", WORDS.say("robots_picture"), drawings.robots_figure())]
-    hit = [
-        case.flight
-        for case in slider.predictions(results, "arq", "wall")
-        if case.reading.name == DRAWN and case.flight.measures["touch_time"] is not None
-    ]
-    if hit:
-        words = WORDS.say("contact_picture", reading=DRAWN)
-        if hit[0].scenario.model.contact_point == "paper":
-            words += " " + WORDS.say("contact_along_arm")
-        figure = drawings.contact_figure(scene_of(hit[0], label=slider.ROBOTS["arq"]))
-        blocks.append(FigureBlock("contact_drawn", words, figure))
-    return tuple(blocks)
-
-
-def _given(results: SliderResults) -> Blocks:
-    rows = tuple(
-        (
-            TableCell(r.quantity),
-            TableCell(plain(r.ours), r.ours),
-            TableCell(r.unit or "–"),
-            TableCell(r.note),
-        )
-        for r in results.rows
-        if r.mark is Mark.GIVEN
-    )
-    return (Table(WORDS.say("given_caption"), WORDS.head("given"), rows),) if rows else ()
+def _contact(results: SliderResults) -> Blocks:
+    """ARQ as it hits the wall in the default reading."""
+    for case in slider.predictions(results, "arq", "wall"):
+        hit = case.flight
+        if case.reading.name == DRAWN and hit.measures["touch_time"] is not None:
+            words = WORDS.say("contact_picture", reading=DRAWN)
+            if hit.scenario.model.contact_point == "paper":
+                words += " " + WORDS.say("contact_along_arm")
+            figure = drawings.contact_figure(scene_of(hit, label=ROBOTS["arq"].label))
+            return (FigureBlock("contact_drawn", words, figure),)
+    return ()
 
 
 def slider_data(results: SliderResults) -> dict[str, Any]:
-    """What is known of the slider tests besides the compared numbers, as plain data."""
+    """The slider tests besides the compared numbers, as plain data."""
     cases = [
         {
             "robot": c.robot, "surface": c.surface, "reading": c.reading.name,

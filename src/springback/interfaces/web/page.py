@@ -17,14 +17,14 @@ from typing import Any, Literal, NamedTuple
 from springback.version import __version__
 
 App = Literal["replay", "lab"]
-SELF, NOBODY = "'self'", "'none'"
+SELF, NONE = "'self'", "'none'"
 
 
 class Page(NamedTuple):
     """A page, and what its browser may load for it."""
 
     text: str
-    policy: str  # Content-Security-Policy; it stands in the text, too
+    policy: str  # Content-Security-Policy; it is in the text, too
 
 
 @functools.cache
@@ -40,13 +40,13 @@ def page_of(title: str, app: App, data: Any, *, asks: bool = False) -> Page:
         title: Of the window.
         app: What the page does: ``replay`` gets ``{"flights": [scene, ...]}``.
         data: Plain data for it, without NaN.
-        asks: Whether the page may ask the server it came from; else it may ask nobody.
+        asks: Let the page query the server it came from; else it may contact no server.
     """
     script = part("springback.js")
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     policy = (
         f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; "
-        f"img-src data: blob:; connect-src {SELF if asks else NOBODY}; "
+        f"img-src data: blob:; connect-src {SELF if asks else NONE}; "
         "base-uri 'none'; form-action 'none'"
     )
     filled = {
@@ -63,6 +63,6 @@ def page_of(title: str, app: App, data: Any, *, asks: bool = False) -> Page:
 
 
 def in_script(data: Any) -> str:
-    """Plain data as JSON that can stand in a script element: it cannot end one or begin one."""
+    """Plain data as JSON for a script element, which it can neither end nor begin."""
     text = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")

@@ -40,7 +40,7 @@ class PatientProtocol(H11Protocol):
         super().connection_lost(exc)
 
     def _is_answering(self) -> bool:
-        """Whether the head of a request has come, and its answer has not gone out."""
+        """True while a request whose head has arrived is unanswered."""
         return self.cycle is not None and not self.cycle.response_complete
 
     def _begin(self) -> None:

@@ -1,4 +1,4 @@
-"""Pages served to a browser on this machine, and to nobody else unless told so."""
+"""Pages served to a browser on this machine, and to no other unless asked to."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
 App = Callable[[Scope, Receive, Send], Awaitable[None]]
 
 LOOPBACK = "127.0.0.1"
-#: Of every answer that does not say otherwise: it loads nothing, and nobody frames it or keeps it.
+#: Headers of a response, unless it has its own: it loads nothing, and is neither framed nor cached.
 HEADERS = {
     "content-security-policy": (
         "default-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -39,7 +39,7 @@ PATIENCE = 1
 
 
 def is_loopback(host: str) -> bool:
-    """Whether a host is this machine as it calls itself."""
+    """True for a name by which this machine calls itself."""
     if host == "localhost":
         return True
     try:
@@ -56,14 +56,14 @@ def _host_of(header: str) -> str:
 
 
 def is_welcome(header: str, host: str) -> bool:
-    """Whether a Host header names this server.
+    """True if a Host header names this server.
 
     A page elsewhere can have its own name lead here, and then reads what we answer (DNS rebinding);
-    such a request comes under that name.  So names must be known; a bare address is nobody's name.
+    such a request comes under that name.  So names must be known; a bare address is no name.
 
     Args:
         header: The Host header of a request.
-        host: What the server was told to bind to.
+        host: The address that the server binds to.
     """
     asked = _host_of(header)
     if is_loopback(asked) or asked == host.lower():
@@ -93,8 +93,8 @@ def guarded(app: App, host: str = LOOPBACK) -> App:
         async def sending(message: MutableMapping[str, Any]) -> None:
             if message["type"] == "http.response.start":
                 given = list(message.get("headers", []))
-                told = {name.lower() for name, _ in given}
-                given += _raw((k, v) for k, v in HEADERS.items() if k.encode() not in told)
+                present = {name.lower() for name, _ in given}
+                given += _raw((k, v) for k, v in HEADERS.items() if k.encode() not in present)
                 message = {**message, "headers": given}
             await send(message)
 
@@ -208,13 +208,13 @@ def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> 
 
 
 def url_of(host: str, port: int, path: str = "/") -> str:
-    """Where a browser on this machine finds what is bound to a host and port."""
+    """The address at which a browser on this machine finds a host and port."""
     name = LOOPBACK if host in ("", "0.0.0.0") else "::1" if host == "::" else host.strip("[]")
     return f"http://{f'[{name}]' if ':' in name else name}:{port}{path}"
 
 
 def _has_display() -> bool:
-    """Whether a browser would have a window: else one in the terminal may start."""
+    """True if a browser would have a window: else one in the terminal may start."""
     if sys.platform in ("win32", "darwin"):
         return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

@@ -10,22 +10,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
+from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.panels import Array, spread
-from springback.interfaces.figures.style import (
-    BLUE,
-    GREEN,
-    INK,
-    RED,
-    SHADE,
-    WIDTH,
-    Look,
-    StyledFigure,
-    styled,
-)
+from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.output.robots import GREEN, INK, RobotStyle
+from springback.interfaces.output.robots import ROBOTS as KNOWN
 from springback.paper.features import TABLE_I
 from springback.paper.free_flight import (
     DWELL,
@@ -43,15 +35,23 @@ from springback.results.flight import Flight
 from springback.vehicle.endurance import endurance_curve, largest_payload
 from springback.vehicle.library import VEHICLES
 
-NAMES = {"quad": "Quad", "arq": "ARQ pre-col", "arq after drops": "ARQ post-col"}
-"""Columns of Table IV, as printed."""
-FLIGHT_LOOKS: dict[str, Look] = {
-    "quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-"), "arq after drops": (GREEN, (0, (1.2, 2.4))),
-}  # fmt: skip
-MARKERS = {"quad": "s", "arq": "o", "arq after drops": "^"}
-WANTED: Look = (INK, (0, (6, 2, 1, 2)))
+ROBOT_STYLES = {
+    "quad": KNOWN["quad"],
+    "arq": KNOWN["arq"]._replace(label="ARQ pre-col"),
+    "arq after drops": RobotStyle("ARQ post-col", GREEN, (0, (1.2, 2.4)), "^"),
+}
+"""Columns of Table IV, labelled as printed."""
+WANTED: dict[str, Any] = {"color": INK, "ls": (0, (6, 2, 1, 2)), "lw": 0.9}
+RATIO = "ours / printed [-]"
 DOTTED = (0, (1.2, 1.2))
-DIAMOND: dict[str, Any] = {"mfc": "none", "mew": 1.3, "ms": 7, "ls": "none", "zorder": 4}
+DIAMOND: dict[str, Any] = {
+    "marker": "D",
+    "mfc": "none",
+    "mew": 1.3,
+    "ms": 7,
+    "ls": "none",
+    "zorder": 4,
+}
 BAND = 0.10
 """Chosen: share of the printed value that is shaded as close to it."""
 SHOWN_BEFORE, SHOWN_AFTER = 0.3, 3.0
@@ -61,7 +61,7 @@ DRAWN = 0.02
 PACES = tuple(PERIODS)
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 ERRORS = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
-"""What errs on a circle, and in which unit."""
+"""Errors on a circle, and their units."""
 
 
 def first_flights(runs: Sequence[Any]) -> dict[str, Flight]:
@@ -100,15 +100,13 @@ def steps_figure(results: FlightResults) -> Figure:
     axes = figure.subplots(3, 1, sharex=True)
     flown = first_flights(results.responses)
     for ax, axis in zip(axes, AXES, strict=True):
+        chart = Chart(ax, "Time from the new set-point [s]", f"{axis} [m]")
         for k, (robot, flight) in enumerate(flown.items()):
             t, at, wanted = step_window(flight, axis)
             if k == 0:
-                ax.plot(t, wanted, color=WANTED[0], ls=WANTED[1], lw=0.9, label="set-point")
-            colour, line = FLIGHT_LOOKS[robot]
-            ax.plot(t, at, color=colour, ls=line, label=NAMES[robot])
-        ax.set_ylabel(f"{axis} [m]")
+                chart.curve("set-point", t, wanted, **WANTED)
+            chart.curve(ROBOT_STYLES[robot].label, t, at, **ROBOT_STYLES[robot].curve)
         ax.set_ylim(STEP_FROM[axis] - 0.15, STEP_FROM[axis] + 1.25)
-    axes[-1].set_xlabel("Time from the new set-point [s]")
     axes[-1].set_xlim(-SHOWN_BEFORE, SHOWN_AFTER)
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=4)
     return figure
@@ -129,40 +127,38 @@ def circles_figure(results: FlightResults) -> Figure:
     planes = above.subplots(1, 2, sharey=True)
     panels = below.subplots(4, 2, sharex="col", sharey="row")
     for plane, column, pace in zip(planes, panels.T, PACES, strict=True):
-        _circle_column(plane, column, circle_flights(results, pace))
-        plane.set_title(f"{pace} circle")
-        column[-1].set_xlabel("Time [s]")
-    planes[0].set_ylabel("y [m]")
-    for ax, (name, unit) in zip(panels[:, 0], ERRORS.items(), strict=True):
-        ax.set_ylabel(f"{name} [{unit}]")
-    for row in panels:
-        for ax, pace in zip(row, PACES, strict=True):
-            ax.set_label(f"{pace} circle, reference less flown")
-    for ax in panels[0]:
-        ax.set_title("reference less flown")
+        above_chart = Chart(plane, "x [m]", "y [m]", f"{pace} circle")
+        errors = [
+            Chart(
+                ax, "Time [s]", f"{name} [{unit}]", f"{pace} circle, reference less flown",
+                titled=False,
+            )
+            for ax, (name, unit) in zip(column, ERRORS.items(), strict=True)
+        ]  # fmt: skip
+        column[0].set_title("reference less flown")
+        _circle_column(above_chart, errors, circle_flights(results, pace))
     below.align_ylabels(panels[:, 0])
     above.legend(*planes[0].get_legend_handles_labels(), loc="outside upper center", ncols=4)
     return figure
 
 
-def _circle_column(plane: Axes, column: Sequence[Axes], flown: Mapping[str, Flight]) -> None:
+def _circle_column(plane: Chart, column: Sequence[Chart], flown: Mapping[str, Flight]) -> None:
     for k, (robot, flight) in enumerate(flown.items()):
-        c, d, (colour, line) = flight.columns, flight.telemetry, FLIGHT_LOOKS[robot]
+        c, d, look = flight.columns, flight.telemetry, ROBOT_STYLES[robot]
         if k == 0:
-            look: dict[str, Any] = {"color": WANTED[0], "ls": WANTED[1], "lw": 0.9, "zorder": 2.5}
-            plane.plot(d["ref_x"], d["ref_y"], label="reference", **look)
-            plane.plot(d["ref_x"][0], d["ref_y"][0], "o", color=INK, ms=4, zorder=3, label="_start")
+            plane.curve("reference", d["ref_x"], d["ref_y"], zorder=2.5, **WANTED)
+            start: dict[str, Any] = {"color": INK, "marker": "o", "ms": 4, "zorder": 3}
+            plane.curve("start", d["ref_x"][0], d["ref_y"][0], key=False, **start)
         _, x, y = _drawn(c["t"], c["x"], c["y"])
-        plane.plot(x, y, color=colour, ls=line, lw=1.2, label=NAMES[robot])
+        plane.curve(look.label, x, y, lw=1.2, **look.curve)
         t, *errors = _drawn(*circle_errors_over_time(flight).values())
-        for ax, error in zip(column, errors, strict=True):
-            ax.plot(t, error, color=colour, ls=line, lw=1.2, label=f"_{NAMES[robot]}")
-            ax.set_xlim(0.0, t[-1])
-    plane.set_aspect("equal")
-    plane.set_xlabel("x [m]")
-    for ax in column:
-        spread(ax, 0.02, 0.02)
-        ax.yaxis.set_major_locator(MaxNLocator(4))
+        for chart, error in zip(column, errors, strict=True):
+            chart.curve(look.label, t, error, key=False, lw=1.2, **look.curve)
+            chart.ax.set_xlim(0.0, t[-1])
+    plane.ax.set_aspect("equal")
+    for chart in column:
+        spread(chart.ax, 0.02, 0.02)
+        chart.ax.yaxis.set_major_locator(MaxNLocator(4))
 
 
 class Ratio(NamedTuple):
@@ -178,6 +174,12 @@ class Ratio(NamedTuple):
     def ratio(self) -> float:
         """Mean of ours over print."""
         return float(np.mean(self.ours)) / self.printed
+
+    @property
+    def line(self) -> str:
+        """Its name, the same for all robots."""
+        kind = {"rise": "rise time", "mse": "MSE"}.get(self.test, self.test)
+        return f"{kind}, {self.name}"
 
 
 def table_iv(results: FlightResults) -> list[Ratio]:
@@ -205,53 +207,50 @@ def table_iv_figure(results: FlightResults) -> Figure:
     cells = table_iv(results)
     figure = StyledFigure(figsize=(WIDTH, 3.7))
     left, right = figure.subplots(1, 2)
-    _ratios(left, [cell for cell in cells if cell.test in ("rise", "mse")], "step")
-    _ratios(right, [cell for cell in cells if cell.test in PACES], "circle")
-    left.set_title("Steps")
-    right.set_title("Circles, MSE")
+    _ratios(
+        Chart(left, RATIO, "category", "Steps"),
+        [cell for cell in cells if cell.test in ("rise", "mse")],
+    )
+    right.set_xscale("log")
+    _ratios(
+        Chart(right, RATIO, "category", "Circles, MSE"),
+        [cell for cell in cells if cell.test in PACES],
+    )
     figure.legend(
         *left.get_legend_handles_labels(), loc="outside upper center", ncols=4, handlelength=1.4
     )
     return figure
 
 
-def _ratios(ax: Axes, cells: Sequence[Ratio], kind: str) -> None:
-    lines = list(dict.fromkeys((cell.test, cell.name) for cell in cells))
-    ax.axvspan(
-        1 - BAND, 1 + BAND, color=SHADE, lw=0.0, zorder=0.1, label=f"±{100 * BAND:.0f} % of print"
-    )
-    ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
-    for k, robot in enumerate(NAMES):
+def _ratios(chart: Chart, cells: Sequence[Ratio]) -> None:
+    ax, lines = chart.ax, list(dict.fromkeys(cell.line for cell in cells))
+    chart.span(f"±{100 * BAND:.0f} % of print", 1 - BAND, 1 + BAND, key=True)
+    chart.vline("agreement", 1.0, color=INK, ls="-")
+    for k, (robot, look) in enumerate(ROBOT_STYLES.items()):
         own = [cell for cell in cells if cell.robot == robot]
-        if not own:
-            continue
-        y = np.array([lines.index((c.test, c.name)) for c in own]) + 0.25 * (k - 1)
-        ratio = np.array([c.ratio for c in own])
-        least = np.array([min(c.ours) / c.printed for c in own])
-        most = np.array([max(c.ours) / c.printed for c in own])
-        ax.errorbar(
-            ratio, y, xerr=(ratio - least, most - ratio), fmt=MARKERS[robot], ms=5, lw=1.1,
-            color=FLIGHT_LOOKS[robot][0], label=NAMES[robot],
-        )  # fmt: skip
-    ax.set_yticks(range(len(lines)), [_line_name(*line) for line in lines])
+        if own:
+            names = [cell.line for cell in own]
+            y = np.array([lines.index(name) for name in names]) + 0.25 * (k - 1)
+            ratio, least, most = np.array(
+                [(c.ratio, min(c.ours) / c.printed, max(c.ours) / c.printed) for c in own]
+            ).T
+            chart.errorbars(
+                look.label, ratio, y, least, most, across=True, columns={chart.y: names},
+                fmt=look.marker, ms=5, lw=1.1, color=look.colour,
+            )  # fmt: skip
+    ax.set_yticks(range(len(lines)), lines)
     ax.set_ylim(len(lines) - 0.5, -0.5)
-    ax.set_xlabel("ours / printed [-]")
     low, high = ax.get_xlim()
-    if kind == "step":
+    if ax.get_xscale() == "linear":
         ax.set_xlim(min(low, 1 - 1.3 * BAND), max(high, 1 + 1.3 * BAND))
     else:
         ratios = [1 - BAND, 1 + BAND, *(c.ratio for c in cells)]
-        ax.set_xscale("log")
         low, high = min(ratios) / 1.3, 1.3 * max(ratios)
         ax.set_xlim(low, high)
         ticks = [v for v in (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0) if low <= v <= high]
         ax.xaxis.set_major_locator(FixedLocator(ticks))
         ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         ax.xaxis.set_minor_locator(NullLocator())
-
-
-def _line_name(test: str, name: str) -> str:
-    return {"rise": f"rise time, {name}", "mse": f"MSE, {name}"}.get(test, f"{test}, {name}")
 
 
 def endurance_points(robot: str, count: int = 60) -> tuple[Array, Array]:
@@ -266,24 +265,20 @@ def endurance_figure() -> Figure:
     """Hover time against payload; diamonds are printed hover times, lines printed payloads."""
     figure = StyledFigure(figsize=(WIDTH, 2.8))
     ax = figure.subplots()
+    chart = Chart(ax, "Payload [kg]", "Hover time [min]")
     for robot, printed in TABLE_I.items():
-        colour, line = FLIGHT_LOOKS[robot]
+        look = KNOWN[robot]
         payloads, times = endurance_points(robot)
-        ax.plot(payloads, times / 60.0, color=colour, ls=line, label=NAMES[robot].split()[0])
-        name = NAMES[robot].split()[0]
-        ax.axvline(
-            printed.largest_payload, color=colour, ls=DOTTED, lw=1.1, zorder=1.5,
-            label=f"_{name}, largest payload, printed",
+        chart.curve(look.label, payloads, times / 60.0, **look.curve)
+        largest: dict[str, Any] = {"color": look.colour, "ls": DOTTED, "lw": 1.1}
+        chart.vline(f"{look.label}, largest payload, printed", printed.largest_payload, **largest)
+        chart.curve(
+            f"{look.label}, hover time, printed", 0.0, printed.hover_time / 60.0, key=False,
+            color=look.colour, clip_on=False, **DIAMOND,
         )  # fmt: skip
-        ax.plot(
-            0.0, printed.hover_time / 60.0, "D", color=colour, clip_on=False,
-            label=f"_{name}, hover time, printed", **DIAMOND,
-        )  # fmt: skip
-    ax.plot([], [], color=INK, ls=DOTTED, lw=1.1, label="largest payload, printed")
-    ax.plot([], [], "D", color=INK, label="hover time, printed", **DIAMOND)
+    chart.key("largest payload, printed", color=INK, ls=DOTTED, lw=1.1)
+    chart.key("hover time, printed", color=INK, **DIAMOND)
     ax.set_xlim(0.0, None)
     ax.set_ylim(0.0, None)
-    ax.set_xlabel("Payload [kg]")
-    ax.set_ylabel("Hover time [min]")
     figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure

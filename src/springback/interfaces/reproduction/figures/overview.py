@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from springback.interfaces.figures.style import BLUE, INK, RED, SHADE, WIDTH, StyledFigure, styled
+from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.output.robots import BLUE, INK, RED
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 FARTHEST = 3.0
-"""Chosen: ratios beyond this, or its inverse, stand at the edge with an arrow."""
+"""Ratios beyond this, or its inverse, are arrows at the edge (chosen)."""
 TICKS = (0.33, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0)
 ROWS = 3
-"""Marks of a line stand in so many rows, so that they hide each other less."""
+"""Rows over which the marks of a line are spread, so that they hide each other less."""
 
 
 @styled
@@ -27,15 +28,16 @@ def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
     """
     figure = StyledFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
     ax = figure.subplots()
+    chart = Chart(ax, "ours / printed [-]", "category")
     within = f"within {100 * AGREEMENT:g} %"
-    ax.axvspan(1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1, label="_" + within)
-    ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
-    for y, rows in enumerate(groups.values()):
+    chart.span(within, 1 - AGREEMENT, 1 + AGREEMENT)
+    chart.vline("agreement", 1.0, color=INK, ls="-")
+    for y, (group, rows) in enumerate(groups.items()):
         for k, row in enumerate(rows):
-            _mark(ax, row, y + 0.24 * (k % ROWS - 0.5 * (ROWS - 1)))
-    ax.plot([], [], "o", color=BLUE, ms=4.5, label=within)
-    ax.plot([], [], "^", color=RED, mfc="none", ms=5, label="farther off")
-    ax.plot([], [], ">", color=RED, ms=5, label="off the scale")
+            _mark(chart, row, group, y + 0.24 * (k % ROWS - 0.5 * (ROWS - 1)))
+    chart.key(within, color=BLUE, marker="o", ls="none", ms=4.5)
+    chart.key("farther off", color=RED, marker="^", ls="none", mfc="none", ms=5)
+    chart.key("off the scale", color=RED, marker=">", ls="none", ms=5)
     ax.set_yticks(range(len(groups)), list(groups))
     ax.set_ylim(max(len(groups), 1) - 0.5, -0.5)
     ax.set_xscale("log")
@@ -43,12 +45,11 @@ def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
     ax.xaxis.set_major_locator(FixedLocator(list(TICKS)))
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     ax.xaxis.set_minor_locator(NullLocator())
-    ax.set_xlabel("ours / printed [-]")
     figure.legend(*ax.get_legend_handles_labels(), loc="outside upper center", ncols=3)
     return figure
 
 
-def _mark(ax: Axes, row: Row, y: float) -> None:
+def _mark(chart: Chart, row: Row, group: str, y: float) -> None:
     """One number; where print is zero, or far away, an arrow at the edge."""
     ratio = FARTHEST**2 if row.deviation is None else 1.0 + row.deviation
     far = not 1 / FARTHEST <= ratio <= FARTHEST
@@ -56,7 +57,8 @@ def _mark(ax: Axes, row: Row, y: float) -> None:
     good = row.mark is not Mark.CONTRADICTED
     marker = ("<" if ratio < 1.0 else ">") if far else "o" if good else "^"
     name = ", ".join(filter(None, (row.quantity, row.robot, row.surface, row.reading)))
-    ax.plot(
-        shown, y, marker, ms=4.5 if good else 5, color=BLUE if good else RED, mew=1.0,
-        mfc=None if good or far else "none", label=f"_{name}",
+    chart.curve(
+        name, shown, y, key=False, columns={chart.y: group}, marker=marker, ls="none",
+        ms=4.5 if good else 5, color=BLUE if good else RED, mew=1.0,
+        mfc=None if good or far else "none",
     )  # fmt: skip

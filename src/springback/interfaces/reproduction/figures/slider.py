@@ -7,26 +7,23 @@ value.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.panels import Array, arms_of, short
 from springback.interfaces.figures.style import (
-    BLUE,
-    GREY,
-    INK,
     LOOKS,
-    RED,
-    SHADE,
     WIDTH,
     Look,
     StyledFigure,
+    as_written,
     styled,
 )
+from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
 from springback.results.flight import Flight
 from springback.studies.comparison import AGREEMENT
@@ -34,9 +31,14 @@ from springback.studies.comparison import AGREEMENT
 if TYPE_CHECKING:
     from springback.paper.slider import Case, SliderResults
 
-ROBOTS = {"quad": "Quad", "arq": "ARQ"}
-ROBOT_LOOKS: dict[str, Look] = {"quad": (RED, (0, (5, 1.5))), "arq": (BLUE, "-")}
+FLOWN = ("quad", "arq")
+"""In the order of the paper."""
 SURFACES = ("wall", "mat")
+STATES = ("Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]")
+SPEED = "Speed at touch [m/s]"
+SINCE = "Time from first touch [ms]"
+END: Look = {"marker": "o", "mec": "white", "ms": 5, "ls": "none"}
+"""Mark of the end of contact."""
 
 
 def predictions(results: SliderResults, robot: str, surface: str) -> list[Case]:
@@ -72,21 +74,22 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
     flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
     flights = [case.flight for cases in flown.values() for case in cases]
     looks = _reading_looks(results)
-    labels = ["Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]"]
-    if any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights):
-        labels.append("Arm length [mm]")
+    slides = any(np.ptp(f.columns[f"l{_front(f)}"]) > 1e-9 for f in flights)
+    labels = STATES if slides else STATES[:3]
     figure = StyledFigure(figsize=(WIDTH, 0.9 + 1.3 * len(labels) + _legend_room(len(looks))))
     axes = figure.subplots(len(labels), 2, sharex="col", sharey="row", squeeze=False)
     for column, (surface, cases) in zip(axes.T, flown.items(), strict=True):
+        title = f"{ROBOTS[robot].label} on the {surface}"
+        charts = [
+            Chart(ax, SINCE, label, title, titled=ax is column[0])
+            for ax, label in zip(column, labels, strict=True)
+        ]
         span = _slider_times(robot, surface, cases)
         for case in cases:
-            _slider_curves(column, case, looks.get(case.reading.name, LOOKS[0]), span)
-        _slider_print(column, robot, surface)
-        column[0].set_title(f"{ROBOTS[robot]} on the {surface}")
-        column[-1].set_xlabel("Time from first touch [ms]")
+            _slider_curves(charts, case, looks.get(case.reading.name, LOOKS[0]), span)
+        _slider_print(charts, robot, surface)
         column[-1].set_xlim(*span)
-    for ax, label in zip(axes[:, 0], labels, strict=True):
-        ax.set_ylabel(label)
+    for ax in axes[:, 0]:
         ax.yaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))
     figure.align_ylabels(axes[:, 0])
     legends = [axes[row, 0].get_legend_handles_labels() for row in (0, 1)]
@@ -115,40 +118,39 @@ def _slider_times(robot: str, surface: str, cases: Sequence[Case]) -> tuple[floa
 
 
 def _slider_curves(
-    column: Sequence[Axes], case: Case, look: Look, span: tuple[float, float]
+    charts: Sequence[Chart], case: Case, look: Look, span: tuple[float, float]
 ) -> None:
     c, (t, touch) = case.flight.columns, _since_touch(case.flight)
     past = c["x"] - np.interp(touch, c["t"], c["x"])
     curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
     inside = (t > 1.1 * span[0]) & (t < 1.02 * span[1])  # the rest would only stretch the scales
     name = short("computed" if case.robot == "quad" else f"reading {case.reading.name}")
-    for k, (ax, values) in enumerate(zip(column, curves, strict=False)):
-        shown = name if k == 0 else f"_{name}"
-        ax.plot(t[inside], values[inside], color=look[0], ls=look[1], label=shown)
+    for k, (chart, values) in enumerate(zip(charts, curves, strict=False)):
+        chart.curve(name, t[inside], values[inside], key=k == 0, **look)
     left = case.flight.measures.get("contact_time")
     if left is not None:
         speed = float(np.interp(touch + left, c["t"], c["vx"]))
-        column[1].plot(1e3 * left, speed, "o", color=look[0], mec="white", ms=5, zorder=3,
-                       label=f"_{name}, end of contact")  # fmt: skip
+        end = END | {"color": look["color"], "zorder": 3}
+        charts[1].curve(f"{name}, end of contact", 1e3 * left, speed, key=False, **end)
 
 
-def _slider_print(column: Sequence[Axes], robot: str, surface: str) -> None:
-    """What the paper prints, and where contact begins."""
+def _slider_print(charts: Sequence[Chart], robot: str, surface: str) -> None:
+    """Printed values, and the beginning of contact."""
     printed = TABLE_III[robot, surface]
     after = -printed.restitution * SLIDER_SPEED
-    line: dict[str, Any] = {"color": INK, "lw": 0.9, "ls": (0, (6, 2, 1, 2))}
-    for ax in column:
-        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_contact begins")
-    column[0].axhline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="contact begins")
-    column[0].axhline(1e3 * printed.travel, **line, label="printed value")
-    column[1].axhline(after, label="_printed value", **line)
-    column[1].margins(y=0.12)
-    column[1].plot([], [], "o", color=GREY, mec="white", ms=5, label="end of contact")
-    column[1].plot(
-        1e3 * printed.contact_time, after, "D", color=INK, mfc="none", mew=1.3, ms=7, ls="none",
-        zorder=4, label="the same, printed",
+    line: Look = {"color": INK, "ls": (0, (6, 2, 1, 2)), "zorder": 2}
+    for chart in charts:
+        chart.vline("contact begins", 0.0)
+    charts[0].hline("contact begins", 0.0, key=True)
+    charts[0].hline("printed value", 1e3 * printed.travel, key=True, **line)
+    charts[1].hline("printed value", after, **line)
+    charts[1].ax.margins(y=0.12)
+    charts[1].key("end of contact", **END, color=GREY)
+    charts[1].curve(
+        "the same, printed", 1e3 * printed.contact_time, after, marker="D", color=INK, mfc="none",
+        mew=1.3, ms=7, ls="none", zorder=4,
     )  # fmt: skip
-    column[2].axhline(-printed.peak_acceleration, label="_printed value", **line)
+    charts[2].hline("printed value", -printed.peak_acceleration, **line)
 
 
 @styled
@@ -159,43 +161,40 @@ def sweep_figure(results: SliderResults) -> Figure:
     speeds = sorted({p.speed for p in results.sweep})
     figure = StyledFigure(figsize=(WIDTH, 4.7 + 0.2 * (len(names) // 2)))
     upper, lower = figure.subplots(2, 1, sharex=True)
-    bars = [("Quad", RED, [points[names[0], v].quad for v in speeds])] if names else []
+    quad = ROBOTS["quad"]
+    bars = [(quad.label, quad.colour, [points[names[0], v].quad for v in speeds])] if names else []
+    gaps = []
     for n in names:
-        bars.append((short(f"ARQ, reading {n}"), looks[n][0], [points[n, v].arq for v in speeds]))
-    _bars(upper, speeds, bars)
-    gaps = [
-        (f"_{short(f'ARQ, reading {n}')}", looks[n][0], [points[n, v].gap for v in speeds])
-        for n in names
-    ]
-    _bars(lower, speeds, gaps, first=1)
-    last = SWEEP_SPEEDS[-1]
-    lower.hlines(
-        SWEEP_GAP, last - 0.5, last + 0.5, color=INK, lw=1.6,
-        label=f"printed at {last:g} m/s: {SWEEP_GAP:.0f} m/s²",
-    )  # fmt: skip
-    upper.set_ylabel("Peak acceleration [m/s²]")
-    lower.set_ylabel("Quad less ARQ [m/s²]")
-    lower.set_xlabel("Speed at touch [m/s]")
+        label, colour = short(f"ARQ, reading {n}"), looks[n]["color"]
+        bars.append((label, colour, [points[n, v].arq for v in speeds]))
+        gaps.append((label, colour, [points[n, v].gap for v in speeds]))
+    _bars(Chart(upper, SPEED, "Peak acceleration [m/s²]"), speeds, bars)
+    below = Chart(lower, SPEED, "Quad less ARQ [m/s²]")
+    _bars(below, speeds, gaps, first=1)
+    last, printed = SWEEP_SPEEDS[-1], f"printed at {SWEEP_SPEEDS[-1]:g} m/s: {SWEEP_GAP:.0f} m/s²"
+    below.record(printed, {SPEED: last, below.y: SWEEP_GAP})
+    key = lower.hlines(SWEEP_GAP, last - 0.5, last + 0.5, color=INK, lw=1.6, label=printed)
     lower.set_xticks(speeds, [f"{v:g}" for v in speeds])
     figure.align_ylabels([upper, lower])
     figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=2)
-    lower.legend(loc="upper left")
+    lower.legend(handles=[key], loc="upper left")
     return figure
 
 
 def _bars(
-    ax: Axes, speeds: Sequence[float], bars: list[tuple[str, str, list[float]]], first: int = 0
+    chart: Chart, speeds: Sequence[float], bars: list[tuple[str, str, list[float]]], first: int = 0
 ) -> None:
     """Groups of bars; ``first`` bars are left out on the left, to line up with the panel above."""
     hatches = ("", "//", "", "\\\\", "..", "xx", "--")
     width = 0.84 / max(len(bars) + first, 1)
     for k, (name, colour, heights) in enumerate(bars, first):
         left = [v - 0.42 + (k + 0.5) * width for v in speeds]
-        ax.bar(
-            left, heights, 0.92 * width, color=colour, label=name, hatch=hatches[k % len(hatches)],
-            edgecolor="white", linewidth=0.0,
+        chart.record(name, {chart.x: speeds, chart.y: heights})
+        chart.ax.bar(
+            left, heights, 0.92 * width, color=colour, label=as_written(name), edgecolor="white",
+            hatch=hatches[k % len(hatches)], linewidth=0.0,
         )  # fmt: skip
-    ax.grid(visible=False, axis="x")
+    chart.ax.grid(visible=False, axis="x")
 
 
 @styled
@@ -217,26 +216,25 @@ def readings_figure(results: SliderResults) -> Figure:
     marks = ("s", "o", "^", "D", "v", "P")
     names, looks = [r.name for r in results.readings], _reading_looks(results)
     for ax, surface in zip(axes, SURFACES, strict=True):
-        ax.axvspan(
-            1 - AGREEMENT, 1 + AGREEMENT, color=SHADE, lw=0.0, zorder=0.1,
-            label=f"within {100 * AGREEMENT:.0f} % of print",
-        )  # fmt: skip
-        ax.axvline(1.0, color=INK, lw=0.9, label="_agreement")
+        chart = Chart(ax, "ours / printed [-]", "category", f"ARQ on the {surface}")
+        chart.span(
+            f"within {100 * AGREEMENT:.0f} % of print", 1 - AGREEMENT, 1 + AGREEMENT, key=True
+        )
+        chart.vline("agreement", 1.0, color=INK, ls="-")
         for k, name in enumerate(names):
             shift = 0.5 * (k / max(len(names) - 1, 1) - 0.5)
-            colour, look = looks[name][0], marks[k % len(marks)]
+            colour, label = looks[name]["color"], short(f"reading {name}")
             for which, face in ((2, "white"), (1, colour)):
                 found = [
                     (rows.get((surface, name, line[which])), y) for y, line in enumerate(lines)
                 ]
-                known = [(1.0 + share, y + shift) for share, y in found if share is not None]
-                label = short(f"reading {name}")
-                ax.plot(
-                    [x for x, _ in known], [y for _, y in known], look, ms=6, mew=1.2, color=colour,
-                    mfc=face, label=label if which == 1 else f"_{label}, at return",
+                known = [(share, y) for share, y in found if share is not None]
+                chart.curve(
+                    label if which == 1 else f"{label}, at return",
+                    [1.0 + share for share, _ in known], [y + shift for _, y in known],
+                    key=which == 1, columns={chart.y: [lines[y][0] for _, y in known]},
+                    marker=marks[k % len(marks)], ls="none", ms=6, mew=1.2, color=colour, mfc=face,
                 )  # fmt: skip
-        ax.set_title(f"ARQ on the {surface}")
-        ax.set_xlabel("ours / printed [-]")
         ax.xaxis.set_major_locator(MaxNLocator(5))
     axes[0].set_yticks(range(len(lines)), [line[0] for line in lines])
     axes[0].set_ylim(len(lines) - 0.5, -0.5)
@@ -254,26 +252,28 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
         case for case in predictions(results, "arq", "wall") if case.reading.name == reading
     ]
     figure = StyledFigure(figsize=(8.0, 3.0))
-    left, right = figure.subplots(1, 2)
+    left, right = (
+        Chart(ax, SINCE, label, label)
+        for ax, label in zip(figure.subplots(1, 2), STATES[1:3], strict=True)
+    )
     for case in cases:
-        (t, touch), (colour, line) = _since_touch(case.flight), ROBOT_LOOKS[case.robot]
-        c, m, name = case.flight.columns, case.flight.measures, ROBOTS[case.robot]
-        kind = f"{name}, {'rigid' if case.robot == 'quad' else 'compliant'} arms"
-        for ax, column in ((left, "vx"), (right, "ax")):
-            ax.plot(t, c[column], color=colour, ls=line, lw=2.4, label=kind)
+        (t, touch), look = _since_touch(case.flight), ROBOTS[case.robot]
+        c, m = case.flight.columns, case.flight.measures
+        kind = f"{look.label}, {'rigid' if case.robot == 'quad' else 'compliant'} arms"
+        for chart, column in ((left, "vx"), (right, "ax")):
+            chart.curve(kind, t, c[column], lw=2.4, **look.curve)
         peak, when = m["impact_peak_acceleration"], m["impact_peak_acceleration_time"]
         if peak is not None and when is not None:
-            at = 1e3 * (when - touch)
-            right.plot(at, -peak, "o", color=colour, ms=5, label=f"_{kind}, peak")
-            right.annotate(
-                f"{name}: {peak:.0f} m/s²", (at, -peak), (48, 0), textcoords="offset points",
+            at, colour = 1e3 * (when - touch), look.colour
+            right.curve(f"{kind}, peak", at, -peak, key=False, color=colour, marker="o", ms=5)
+            right.ax.annotate(
+                f"{look.label}: {peak:.0f} m/s²", (at, -peak), (48, 0), textcoords="offset points",
                 color=colour, weight="bold", fontsize=10, va="center",
                 arrowprops={"arrowstyle": "-", "color": colour, "lw": 1.0},
             )  # fmt: skip
-    for ax, label in ((left, "Velocity [m/s]"), (right, "Acceleration [m/s²]")):
-        ax.axvline(0.0, color=GREY, lw=0.9, ls=(0, (3, 2)), zorder=1.5, label="_first touch")
-        ax.set_xlim(-8.0, 52.0)
-        ax.set_xlabel("Time from first touch [ms]")
-        ax.set_title(label)
-    left.legend(loc="upper right", fontsize=10)
+    for chart in (left, right):
+        chart.vline("first touch", 0.0)
+        chart.ax.set_ylabel("")  # it is the title
+        chart.ax.set_xlim(-8.0, 52.0)
+    left.ax.legend(loc="upper right", fontsize=10)
     return figure

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from campaign.plans import plan
+from builders.plans import plan
 from springback.campaign.design.layout import Design, laid_out
 from springback.campaign.store import opened
 from springback.results.recovery_measures import RECOVERY_MEASURES

@@ -76,7 +76,7 @@ def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
 
 
 def same(a: GuidedFlown, b: GuidedFlown) -> bool:
-    """Whether motion, record, and all that is aboard are the same, bit for bit."""
+    """Equality, bit for bit, of motion, record and on-board systems."""
     trees = [
         (a.flown.motion, b.flown.motion),
         (a.flown.record, b.flown.record),
