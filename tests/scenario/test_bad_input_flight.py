@@ -208,9 +208,9 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         VEHICLE, PROPULSION + "max_trust = 3", "vehicle.propulsion.max_trust", ("did you mean max_thrust?",),
     ),
 
-    "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("beside a reference", "3")),
+    "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("with a reference", "3")),
     "slider beside a reference": (
-        DRAG, DRAG + "\n[model]\nslider = [1, 0, 0]", "model.slider", ("beside a reference",),
+        DRAG, DRAG + "\n[model]\nslider = [1, 0, 0]", "model.slider", ("with a reference",),
     ),
 }  # fmt: skip
 
