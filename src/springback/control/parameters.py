@@ -73,7 +73,8 @@ class ControlSettings(Settings):
     """Fraction of a limited force that is reserved for the horizontal. PX4's MPC_THR_XY_MARG."""
     feed_forward: bool | None = None
     """Feed forward the angular velocity from jerk and yaw rate, and the tilt in advance by the
-    known delays of the loops. By default for run-ups only; the paper's other references define no jerk.
+    known delays of the loops. By default for run-ups only; the paper's other references define no
+    jerk.
     """
     tilt_limit: quantity("rad", above=0.0, most=math.radians(89.0)) = math.radians(85.0)  # type: ignore[valid-type]
     """Largest commanded tilt. Chosen: beyond the 66 deg that the paper reports, below 90 deg."""

@@ -115,8 +115,8 @@ def _sensed(
     arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
 
     exact = revealed(truth.now, sensors.reveal)
-    told = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
-    return Sensed(told, SensorsMemory(posed.memory, moved.memory, arms.memory))
+    measurement = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
+    return Sensed(measurement, SensorsMemory(posed.memory, moved.memory, arms.memory))
 
 
 @look.register(Sensors)

@@ -134,7 +134,7 @@ def arms_inertia(second: Vec) -> Mat3:
 
     Args:
         second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane; or its rate, for the
-        rate.
+            rate.
     """
     return Mat3(
         Vec(second.y, -second.z, 0.0),
