@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.job import reference_model, starts
-from springback.batch.scenarios import made_ready
+from springback.batch.scenarios import flight_from_tables
 from springback.campaign.design.layout import laid_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
@@ -120,7 +120,7 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     """Guided flights a second, on both."""
     tables = _tables(DIFFERENT)
     build = Memo()
-    ready = [made_ready(table, build) for table in tables]
+    ready = [flight_from_tables(table, build) for table in tables]
     first, seeds = ready[0], [one.seed for one in ready]
     assert first.built_avionics is not None
     avionics, draws = first.built_avionics.avionics, first.built_avionics.noise

@@ -63,10 +63,10 @@ def test_the_mark_before_a_text_is_read_over(tmp_path: Path) -> None:
 
 def test_what_is_no_file_of_text(tmp_path: Path) -> None:
     """A device without end, a pipe without a writer, gigabytes, a name of 300 letters."""
-    assert "no regular file" in said(Path("/dev/zero"))
+    assert "not a regular file" in said(Path("/dev/zero"))
     pipe = tmp_path / "pipe.toml"
     os.mkfifo(pipe)
-    assert "no regular file" in said(pipe)
+    assert "not a regular file" in said(pipe)
     large = tmp_path / "large.toml"
     with large.open("wb") as file:
         file.truncate(MOST_BYTES + 1)

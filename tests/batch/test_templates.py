@@ -11,7 +11,7 @@ import pytest
 
 from springback.batch import templates
 from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, build_group, pace_of
-from springback.batch.validation import made_ready, settings_of
+from springback.batch.validation import flight_from_tables, settings_of
 from springback.control.parameters import ControlSettings
 from springback.errors import InputError
 from springback.kernels.memo import Memo
@@ -90,7 +90,7 @@ def together(
     biases = turn_on_normals([table["seed"] for table in tables])
 
     def one(number: int) -> ReadyFlight:
-        return made_ready(tables[number], build, biases[number])
+        return flight_from_tables(tables[number], build, biases[number])
 
     return groups, [build_group(g, [biases[k] for k in g.flights], one) for g in groups]
 
@@ -107,7 +107,7 @@ def numbers(many: BuiltGroup, row: int) -> np.ndarray[Any, Any]:
 
 
 def numbers_alone(table: dict[str, Any]) -> np.ndarray[Any, Any]:
-    ready = made_ready(table, Memo())
+    ready = flight_from_tables(table, Memo())
     avionics = leaves(ready.built_avionics.avionics) if ready.built_avionics else []
     return np.array([*leaves((ready.model, ready.start)), *avionics])
 
@@ -120,7 +120,7 @@ def test_many_are_as_alone(plan: str) -> None:
     assert many.flights == group.flights == [*range(COUNT)]
     for row, table in enumerate(tables):
         assert numbers(many, row).tobytes() == numbers_alone(table).tobytes()
-        assert pace_of(many.first) == pace_of(made_ready(table, Memo()))
+        assert pace_of(many.first) == pace_of(flight_from_tables(table, Memo()))
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from springback.batch.validation import made_ready
+from springback.batch.validation import flight_from_tables
 from springback.errors import InputError
 from springback.kernels.layout import structure
 from springback.kernels.memo import FOREVER, Memo
@@ -42,7 +42,7 @@ def alone(table: dict[str, Any]) -> ReadyFlight | str:
 
 def shared(table: dict[str, Any], build: Memo) -> ReadyFlight | str:
     try:
-        return made_ready(table, build)
+        return flight_from_tables(table, build)
     except InputError as error:
         return str(error)
 

@@ -13,7 +13,7 @@ from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
 from springback.contact.hull import hull_contact
-from springback.contact.obstacles import Again, Obstacle, Plane
+from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.restitution import restitution
 from springback.control.runup import reach
 from springback.errors import InputError
@@ -101,7 +101,7 @@ def test_a_centre_off_the_main_body_has_a_lever() -> None:
 def test_it_touches_a_shape_once() -> None:
     """The entry for the second point of a ring is no second contact of the hull."""
     pole = Pole(0.2, -0.1, 0.19)
-    once, again = (met(s, Vec(0.0, 0.0, 0.0), UP, UP) for s in (pole, Again(pole)))
+    once, again = (met(s, Vec(0.0, 0.0, 0.0), UP, UP) for s in (pole, SecondContact(pole)))
     assert once.touch.normal > 0.0
     assert again.gap > 0.9 * FAR
     assert again.touch.normal == 0.0

@@ -15,10 +15,10 @@ from scipy.optimize import minimize_scalar
 from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import ArmTip, Ring, facing
 from springback.contact.obstacles import (
-    Again,
     InBodyFrame,
     Obstacle,
     Plane,
+    SecondContact,
     obstacle_in_body_frame,
     outward_normal,
     signed_distance,
@@ -102,7 +102,7 @@ def ring_at(shape: Any, centre: Vec, r: Mat3) -> tuple[float, float]:
     """Gaps of the two nearest points of a ring about a centre, in a plane turned by r."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
     gaps = []
-    for wrapped in (shape, Again(shape)):
+    for wrapped in (shape, SecondContact(shape)):
         there = obstacle_in_body_frame(Obstacle(wrapped, None, 0.0), centre, r)  # type: ignore[arg-type]
         gaps.append(facing(there, EXACT, RADIUS, pose).gap)
     return gaps[0], gaps[1]
@@ -420,7 +420,7 @@ def test_own_shapes_stand_twice_in_the_world_and_planes_once() -> None:
     wood = SurfaceSettings(law="hertz")
     world = obstacles((), [(Pole(0.0, 0.0, 0.05), wood), (Plane(Vec(0.0, 0.0, 1.0), -9.0), wood)])
     kinds = [type(entry.shape) for entry in world]
-    assert kinds == [Pole, Plane, Again]
+    assert kinds == [Pole, Plane, SecondContact]
 
 
 def test_a_flight_into_a_thin_pole_closes_its_ledger() -> None:

@@ -12,7 +12,7 @@ from pydantic import TypeAdapter, ValidationError
 from springback.control.demands import Limits
 from springback.control.polynomials import through
 from springback.control.reference_parameters import CircleSettings, ReferenceSettings, StepsSettings
-from springback.control.references import Circle, Hold, SetPoint, Steps, Then
+from springback.control.references import Circle, Hold, SetPoint, Steps, Switch
 from springback.control.target import Target, target
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, norm
@@ -31,7 +31,7 @@ ALL = {
     "circle": CIRCLE,
     "ramped circle": RAMPED,
     "polynomials": WAYPOINTS,
-    "nested switches": Then(RAMPED, 2.0, Then(HOLD, 3.0, WAYPOINTS)),
+    "nested switches": Switch(RAMPED, 2.0, Switch(HOLD, 3.0, WAYPOINTS)),
 }
 
 
@@ -95,13 +95,13 @@ def test_steps_change_at_their_times() -> None:
 
 
 def test_then_switches_at_its_time() -> None:
-    both = Then(HOLD, 2.0, CIRCLE)
+    both = Switch(HOLD, 2.0, CIRCLE)
     assert target(both, 1.9999) == target(HOLD, 0.0)
     assert target(both, 2.0) == target(CIRCLE, 2.0)
 
 
 def test_what_is_no_reference_says_so() -> None:
-    with pytest.raises(TypeError, match="float is no reference"):
+    with pytest.raises(TypeError, match="float is not a reference"):
         target(1.0, 0.0)
 
 
@@ -128,7 +128,7 @@ BAD = {
     "begins": ({"type": "circle", "begins": -1.0}, "at least 0 s"),
     "no steps": ({"type": "steps", "positions": []}, "at least one position"),
     "one way-point": ({"type": "waypoints", "positions": [[0, 0, 1]]}, "at least two"),
-    "twice": ({"type": "waypoints", "positions": [[0, 0, 1], [0, 0, 1]]}, "neighbours apart"),
+    "twice": ({"type": "waypoints", "positions": [[0, 0, 1], [0, 0, 1]]}, "neighbours distinct"),
     "times": (
         {"type": "waypoints", "positions": [[0, 0, 1], [1, 0, 1]], "times": [0, 1, 2]},
         "3 entries for 2 positions",

@@ -295,7 +295,7 @@ BASE: dict[str, Any] = {"vehicle": "arq", "start": {"position": [0.0, 0.0, 1.0]}
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
-        ({"air": {"wind": [1, 0, 0]}}, "air.wind: does nothing without rotor_drag"),
+        ({"air": {"wind": [1, 0, 0]}}, "air.wind: has no effect without rotor_drag"),
         ({"air": {"rotor_drag": [0.1, -0.1, 0]}}, "air.rotor_drag: must be at least 0 N s/m each"),
         ({"air": {"body_drag": "-1 g/cm"}}, "air.body_drag: must be at least 0 kg/m"),
         (

@@ -426,7 +426,7 @@ CALLS = {
     "wall": (
         lambda: springback.Wall(type="wall", distance=1.0, surface=3), r"^surface: must be a table",
     ),
-    "override": (lambda: fly({"vehicle": "arq"}, 3), "3 is no override"),
+    "override": (lambda: fly({"vehicle": "arq"}, 3), "3 is not an override"),
     "overrides": (lambda: read_scenario("s.toml", "start.pitch=3"), "must be a list of words"),
     "file": (lambda: read_scenario(3), r"path of a TOML file \(got 3\)"),
     "campaign": (lambda: springback.run_campaign(3, "x"), r"must be a springback.Plan \(got 3\)"),

@@ -171,7 +171,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "saturated": (HALL, 'distance = "3 mm"', "sensors.hall.distance", ("saturates", "0.003 m", "4.7 V")),
 
     "wind of two": (DRAG, "wind = [1, 0]", "air.wind", ("three numbers in m/s",)),
-    "wind on nothing": (DRAG, "wind = [1, 0, 0]", "air.wind", ("does nothing without rotor_drag",)),
+    "wind on nothing": (DRAG, "wind = [1, 0, 0]", "air.wind", ("has no effect without rotor_drag",)),
     "drag that pushes": (DRAG, "rotor_drag = [-1, 0, 0]", "air.rotor_drag", ("at least 0 N s/m",)),
     "gusts at no speed": (
         DRAG, DRAG + "\ngusts = { wind_at_6_m = 7 }", "air.gusts.airspeed", ("is missing",),
@@ -208,9 +208,9 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         VEHICLE, PROPULSION + "max_trust = 3", "vehicle.propulsion.max_trust", ("did you mean max_thrust?",),
     ),
 
-    "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("beside a reference", "3")),
+    "thrust beside a reference": (SEED, SEED + "\nthrust = 3", "thrust", ("with a reference", "3")),
     "slider beside a reference": (
-        DRAG, DRAG + "\n[model]\nslider = [1, 0, 0]", "model.slider", ("beside a reference",),
+        DRAG, DRAG + "\n[model]\nslider = [1, 0, 0]", "model.slider", ("with a reference",),
     ),
 }  # fmt: skip
 

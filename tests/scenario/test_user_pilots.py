@@ -193,7 +193,7 @@ SLIPS = {
     "grows": (":27: ", "memory like the first, float", "(float, float)"),
     "no_arguments": ("slips.py:39: ", "TypeError", "no_arguments()"),
     "odd": ("slips.py:45: ", "TypeError", "short_law()"),
-    "stranger": ("Other is no pilot yet", "register pilot_step"),
+    "stranger": ("Other is not a pilot yet", "register pilot_step"),
 }
 
 

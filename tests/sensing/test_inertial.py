@@ -22,8 +22,8 @@ from springback.sensing.inertial import (
     PerfectInertial,
     converted,
     digital_word,
-    felt,
     inertial_at_start,
+    inertial_sample,
     mean_specific_force,
     per_tick,
 )
@@ -123,7 +123,7 @@ def test_perfect_readings_add_up_to_the_change_of_velocity() -> None:
     for tick in range(50):
         turn = Rotation.from_rotvec(rng.normal(0, 0.02, 3))
         now = state(before.velocity + Vec(*rng.normal(0, 0.5, 3)), quat(start * turn))
-        told_now = felt(device, float(tick), Truth(before, now, TICK, G), QUIET, None)
+        told_now = inertial_sample(device, float(tick), Truth(before, now, TICK, G), QUIET, None)
         half = start * turn**0.5
         total += (half.apply(told_now.inertial.specific_force) - [0, 0, G]) * TICK
         assert told_now.inertial.angular_velocity == now.angular_velocity
@@ -140,7 +140,7 @@ def readings(device: InertialUnit, accelerations: list[float]) -> np.ndarray[Any
     memory, before, out = inertial_at_start(device, state(), G), state(), []
     for tick, a in enumerate(accelerations):
         now = state(before.velocity + Vec(a * TICK, 0.0, 0.0))
-        spoken = felt(device, float(tick), Truth(before, now, TICK, G), QUIET, memory)
+        spoken = inertial_sample(device, float(tick), Truth(before, now, TICK, G), QUIET, memory)
         memory, before = spoken.memory, now
         out.append(spoken.inertial.specific_force.x)
     return np.array(out)
@@ -247,7 +247,9 @@ def test_the_bias_takes_a_step_every_ten_ticks() -> None:
     device = device._replace(gyroscope=device.gyroscope._replace(drift=0.5))
     memory, drifts = inertial_at_start(device, state(), G), []
     for tick in range(25):
-        memory = felt(device, float(tick), Truth(state(), state(), TICK, G), pushed, memory).memory
+        memory = inertial_sample(
+            device, float(tick), Truth(state(), state(), TICK, G), pushed, memory
+        ).memory
         drifts.append(memory.gyroscope.drift.x)
     assert drifts == [0.5] * 10 + [1.0] * 10 + [1.5] * 5
 
@@ -257,7 +259,7 @@ def test_between_its_samples_the_last_word_stands() -> None:
     memory, before, words, fresh = inertial_at_start(device, state(), G), state(), [], []
     for tick in range(13):
         now = state(before.velocity + Vec(0.01 * tick, 0.0, 0.0), omega=Vec(tick * 0.1, 0.0, 0.0))
-        spoken = felt(device, float(tick), Truth(before, now, TICK, G), QUIET, memory)
+        spoken = inertial_sample(device, float(tick), Truth(before, now, TICK, G), QUIET, memory)
         memory, before = spoken.memory, now
         words.append(spoken.inertial.specific_force.x)
         fresh.append(spoken.inertial.fresh)
@@ -273,7 +275,7 @@ def test_it_starts_settled() -> None:
         omega=spinning.angular_velocity,
         attitude=quat(Rotation.from_euler("x", 0.3) * Rotation.from_rotvec([0, 0, 20.0 * TICK])),
     )
-    first = felt(device, 0.0, Truth(spinning, after, TICK, G), QUIET, memory).inertial
+    first = inertial_sample(device, 0.0, Truth(spinning, after, TICK, G), QUIET, memory).inertial
     np.testing.assert_allclose(first.specific_force, memory.specific_force, atol=0.05)
     np.testing.assert_allclose(first.angular_velocity, [0, 0, 20.0], atol=1e-3)
     assert first.specific_force.x == pytest.approx(-400 * 0.02, abs=0.05)

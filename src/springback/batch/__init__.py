@@ -1,1 +1,1 @@
-"""Many scenarios at once, set up together and flown in lanes."""
+"""Batches: many scenarios, built together and flown in lanes."""

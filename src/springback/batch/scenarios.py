@@ -1,8 +1,8 @@
-"""Flights by the thousand: outcomes and measures of many scenarios, flown abreast.
+"""Batch flights: outcomes and measures of many scenarios, flown together.
 
-Making a flight ready and reading what it left would take longer than flying it, were each made
-ready alone.  Here flights share what their tables share, are laid into the buffers by what differs,
-and are read column by column; every number is that of the flight flown alone.
+Building a flight and reading its results alone would take longer than flying it.  Here flights
+share what their tables share, are stored in buffers by their differences, and are read column by
+column; every number is that of the flight flown alone.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from springback.batch.templates import BuiltGroup, ScenarioGroup, build_group, pace_of
-from springback.batch.validation import UNCHECKED, made_ready, settings_of
+from springback.batch.validation import UNCHECKED, flight_from_tables, settings_of
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.memo import Memo
@@ -36,41 +36,41 @@ from springback.simulation.loading import DifferentStructure, Laid, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.onboard import Avionics
 
-#: Outcome of a flight that was not flown, because its scenario cannot be.
+#: Outcome of a flight whose scenario cannot be flown.
 REFUSED = "refused"
-#: Flights that are made ready together (chosen: their buffers then take some 100 MB).
+#: Flights built together (chosen: their buffers then take some 100 MB).
 BLOCK = 4096
-#: The same for a GPU: as many as are in the air at a time on one of 132 processors (measured).
+#: The same for a GPU: the number in flight at a time on one with 132 processors (measured).
 GPU_BLOCK = 33_792
 
 Device = Literal["cpu", "gpu"]
 """Where flights fly: in lanes of the processor, or one in each thread of an NVIDIA GPU."""
-#: Groups of flights that another one may be like, those lately met (chosen).
+#: Number of recent groups with which a flight is compared (chosen).
 MOST_TRIED = 8
-#: Tables by which flights are put in order, that those which share much follow one another.
+#: Tables by which flights are sorted, so that those that share much are adjacent.
 ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
 
 
 class Rows(NamedTuple):
-    """What is kept of many flights, in their order."""
+    """Results of many flights, in their order."""
 
     outcomes: list[str]
     """Words of `springback.simulation.measures.Outcome`, or `REFUSED`."""
     measures: dict[str, Array]
-    """Of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN for what did not happen."""
+    """Measures of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN if undefined."""
     problems: list[str]
-    """Why a flight was refused; empty for those that were not."""
+    """Reason for the refusal of each flight; empty if it was flown."""
 
 
 class _Fly(NamedTuple):
-    """What flies buffers to their end."""
+    """Functions that fly buffers to their end."""
 
     impacts: Callable[..., None]
     guided: Callable[..., None]
 
 
 class _Kind(NamedTuple):
-    """Flights that fly abreast, as they are collected."""
+    """Flights of one batch, while they are collected."""
 
     loader: Loader
     first: ReadyFlight
@@ -87,16 +87,16 @@ def fly_scenarios(
 ) -> Rows:
     """Fly many scenarios; each flight's numbers depend on its own tables alone.
 
-    It is fast where flights share tables: the very objects, at any depth.
+    It is fast where flights share tables: the same objects, at any depth.
 
     Args:
         tables: Whole scenarios, as plain tables.
-        threads: That fly at a time, on the processor.
-        device: Where they fly; the numbers are the same.
-        progress: Called now and then with the share done.
+        threads: Number of threads, on the processor.
+        device: Device that flies them; the numbers are the same.
+        progress: Called from time to time with the fraction done.
 
     Raises:
-        InputError: If the device is not there.
+        InputError: If there is no such device.
     """
     count, build = len(tables), Memo()
     out = Rows(
@@ -122,7 +122,7 @@ def fly_scenarios(
 
 @contextmanager
 def no_collection() -> Iterator[None]:
-    """Without the garbage collector, which would walk all trees again and again for nothing."""
+    """Context without the garbage collector, which would repeatedly walk all trees for nothing."""
     running = gc.isenabled()
     gc.disable()
     try:
@@ -133,7 +133,7 @@ def no_collection() -> Iterator[None]:
 
 
 def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
-    """Flights that share tables one after another."""
+    """Order in which flights that share tables are adjacent."""
     known: dict[Hashable, int] = {}
 
     def number(value: Any) -> int:
@@ -151,11 +151,11 @@ def _fly_block(
     progress: Callable[[float], None],
     out: Rows,
 ) -> None:
-    """Make some flights ready, fly them kind by kind, and read what they left."""
+    """Build some flights, fly them batch by batch, and read their results."""
     biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
 
     def one(number: int) -> ReadyFlight:
-        return made_ready(tables[number], build, biases[number])
+        return flight_from_tables(tables[number], build, biases[number])
 
     kinds: dict[Any, _Kind] = {}
     alike, alone = _sorted_out(tables, block, build)
@@ -187,7 +187,7 @@ def _fly_block(
 
 
 def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
-    """`turn_on_normals` of all flights, drawn together; None where a seed is none."""
+    """Biases of all flights by `turn_on_normals`, drawn together; None for an invalid seed."""
     seeds = [table.get("seed", 0) for table in tables]
     different = list({seed for seed in seeds if type(seed) is int and seed >= 0})
     drawn = dict(zip(different, turn_on_normals(different), strict=True))
@@ -197,7 +197,7 @@ def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
 def _sorted_out(
     tables: Sequence[Mapping[str, Any]], block: Sequence[int], build: Memo
 ) -> tuple[list[ScenarioGroup], list[int]]:
-    """Flights that are alike but for numbers, and those that something is wrong with."""
+    """Groups of flights that differ in numbers only, and the flights that have errors."""
     alike: list[ScenarioGroup] = []
     wrong: list[int] = []
     before: tuple[Mapping[str, Any], Mapping[str, Any]] = {}, {}
@@ -211,7 +211,7 @@ def _sorted_out(
         before = tables[number], settings
         for k, group in enumerate(alike[:MOST_TRIED]):
             if group.takes(number, settings):
-                alike.insert(0, alike.pop(k))  # the next one will be like this one
+                alike.insert(0, alike.pop(k))  # the next one is likely to match it
                 break
         else:
             alike.insert(0, ScenarioGroup(number, settings, build))
@@ -219,7 +219,7 @@ def _sorted_out(
 
 
 def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
-    """Add flights that were made ready together to those of their kind."""
+    """Add flights that were built together to those of their kind."""
     kind = _kind_of(many.first, kinds)
     avionics = many.first.built_avionics.avionics if many.first.built_avionics else None
     kind.loader.add_alike(many.first.model, many.first.start, avionics, many.flown, many.onboard)
@@ -228,7 +228,7 @@ def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -
 
 
 def _sorted_in(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
-    """The kind that a flight was added to: that of the flight before it, if it is like that."""
+    """Add a flight to its kind, first trying that of the flight before it; returns the kind."""
     avionics = one.built_avionics.avionics if one.built_avionics else None
     if last is not None and pace_of(one) == pace_of(last.first):
         try:
@@ -243,7 +243,7 @@ def _sorted_in(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) ->
 
 
 def _kind_of(one: ReadyFlight, kinds: dict[Any, _Kind]) -> _Kind:
-    """The kind of a flight, which may be the first of it."""
+    """Kind of a flight, created for the first of it."""
     avionics = one.built_avionics.avionics if one.built_avionics else None
     key = structure(one.model), structure(avionics), pace_of(one)
     if key not in kinds:
@@ -253,12 +253,12 @@ def _kind_of(one: ReadyFlight, kinds: dict[Any, _Kind]) -> _Kind:
 
 
 def _on_processor(threads: int) -> _Fly:
-    """Flies what is laid out in lanes, on so many threads."""
+    """Functions that fly buffers in lanes, on so many threads."""
     return _Fly(partial(fly_buffers, threads=threads), partial(fly_groups, threads=threads))
 
 
 def _on_gpu() -> _Fly:
-    """Flies what is laid out on a GPU, if there is one."""
+    """Functions that fly buffers on a GPU, if there is one."""
     from springback.kernels.gpu.cuda import device
     from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 
@@ -267,7 +267,7 @@ def _on_gpu() -> _Fly:
 
 
 def _fly_kind(kind: _Kind, fly: _Fly, progress: Callable[[float], None], out: Rows) -> None:
-    """Fly all flights of one kind, and keep what they left."""
+    """Fly all flights of one kind, and store their results."""
     laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
     before = energies(laid.shape, laid.buffers, width, count)
     built_avionics = kind.first.built_avionics
@@ -299,13 +299,13 @@ def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], d
         return [one.word for one in outcomes_of(record)], columns
     if not isinstance(laid.avionics.onboard.evaluator, EvaluatorMemory):
         return [one.word for one in outcomes_of(record)], columns
-    seen = _aboard(laid.avionics, laid.onboard, width, count, "evaluator")
-    memory = _aboard(laid.avionics, laid.onboard, width, count, "pilot")
+    seen = _onboard_columns(laid.avionics, laid.onboard, width, count, "evaluator")
+    memory = _onboard_columns(laid.avionics, laid.onboard, width, count, "pilot")
     words = [one.word for one in recovery_outcomes(record, seen)]
     return words, columns | recovery_columns(record, seen, memory)
 
 
-def _aboard(avionics: Avionics, buffers: Buffer, width: int, count: int, name: str) -> Any:
-    """One part of what was aboard, in columns."""
+def _onboard_columns(avionics: Avionics, buffers: Buffer, width: int, count: int, name: str) -> Any:
+    """One part of the on-board state, in columns."""
     row = rows(avionics.systems) + row_of(avionics.onboard, name)
     return columns_of(getattr(avionics.onboard, name), buffers, row, width, count)

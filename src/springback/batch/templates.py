@@ -1,8 +1,8 @@
-"""Scenarios alike but for numbers: one is made ready on a sheet, the others follow its formulas.
+"""Batch set-up of scenarios that differ in numbers only: one is traced, and its formulas evaluated.
 
-A campaign's flights differ by some dozens of numbers each.  Where the functions that make a flight
-ready take cells for them (`springback.kernels.tracing`), all flights are made ready by one pass
-through these very functions, and each gets the bits that it gets alone.
+A campaign's flights differ by some dozens of numbers each.  Where the functions that build a flight
+accept traced numbers (`springback.kernels.tracing`), all flights are built by one pass through
+these functions, and each gets the bits that it gets alone.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from springback.scenario.build import ReadyFlight
 from springback.settings import Settings
 from springback.simulation.flight import first_phase
 
-#: Numbers of leaves, and what stands there in each flight, shape (flights, leaves).
+#: Indices of leaves, and their values in each flight, shape (flights, leaves).
 Leaves = tuple[list[int], Any]
-#: Fewer flights than this are made ready one by one (chosen: a sheet takes as long as some do).
+#: Smaller groups are built one by one (chosen: tracing takes as long as a few flights).
 FEW = 8
-#: What is alike only where it is equal, and has no number in it.
+#: Types that only match if equal, and contain no number.
 PLAIN = (str, int, bool, type(None))
 
 
 class Template:
-    """Where the numbers of a value stand: floats within tuples and settings, nested."""
+    """Positions of the numbers in a value: floats within tuples and settings, nested."""
 
     def __init__(self, first: Any) -> None:
-        """Of the first value."""
+        """Template of the first value."""
         self.first = first
         self.is_plain: bool
         self._fields = _fields(first)
@@ -49,18 +49,18 @@ class Template:
         self._given = _given(first)
         self._floats_in, self._plain_in = _getter(self._floats), _getter(plain)
         self._same = self._plain_in(self._fields)
-        #: The numbers of the first value, in the order in which they are taken.
+        #: Numbers of the first value, in order of traversal.
         self.own: list[float] = [first] if type(first) is float else []
         self.own += [self._fields[key] for key in self._floats]
         self.own += [x for _, one in self._inner for x in one.own]
 
     def numbers(self, other: Any) -> list[float] | None:
-        """The numbers of another value, if it is like the first but for these."""
+        """Numbers of another value, if it differs from the first in numbers only."""
         found: list[float] = []
         return found if self._takes(other, found) else None
 
     def _takes(self, other: Any, found: list[float]) -> bool:
-        """Append the numbers of a value; whether it is like the first."""
+        """Append the numbers of a value; True if it matches the first."""
         if other is self.first:
             found += self.own
             return True
@@ -81,7 +81,7 @@ class Template:
         return all(one._takes(fields[key], found) for key, one in self._inner)
 
     def filled(self, numbers: Iterator[Any]) -> Any:
-        """The first value with other numbers, taken in order; cells may stand for them."""
+        """The first value with other numbers, in order; traced numbers are accepted."""
         if not self.own:
             return self.first
         if type(self.first) is float:
@@ -91,48 +91,48 @@ class Template:
         if isinstance(self.first, tuple):
             return tuple((self._fields | changed).values())
         new = self.first.model_copy()
-        new.__dict__.update(changed)  # nothing is checked, and nothing counts as given anew
+        new.__dict__.update(changed)  # without validation, and without marking fields as set
         return new
 
 
 def _fields(value: Any) -> dict[Any, Any]:
-    """Parts of a tuple or of settings, by place or name."""
+    """Parts of a tuple or of settings, by index or name."""
     if isinstance(value, tuple):
         return dict(enumerate(value))
     return value.__dict__ if isinstance(value, Settings) else {}
 
 
 def _given(value: Any) -> Any:
-    """Which of its settings were given."""
+    """Names of the settings that were given."""
     return value.model_fields_set if isinstance(value, Settings) else None
 
 
 def _getter(keys: list[Any]) -> Callable[[dict[Any, Any]], tuple[Any, ...]]:
-    """Takes some values out of a dictionary."""
+    """Getter of several values of a dictionary."""
     if len(keys) > 1:
         return itemgetter(*keys)
     return lambda fields: tuple(fields[key] for key in keys)
 
 
 class ScenarioGroup:
-    """Flights whose settings differ in numbers only, as they are collected."""
+    """Flights whose settings differ in numbers only, while they are collected."""
 
     def __init__(self, number: int, first: Mapping[str, Any], build: Build) -> None:
-        """Of the first flight: its number, and its settings by the name of their table."""
+        """Start with the first flight: its number, and its settings by the name of their table."""
         self._first, self._make = first, build
         self._templates: dict[str, Template] = {}
         self._numbers: dict[str, list[list[float]]] = {}
         self.flights = [number]
 
     def takes(self, number: int, settings: Mapping[str, Any]) -> bool:
-        """Add a flight, if it is like the others; whether it is."""
+        """Add a flight if it matches the others; True if it does."""
         if settings.keys() != self._first.keys():
             return False
         found: dict[str, list[float]] = {}
         for name, part in settings.items():
             first = self._first[name]
             if part is not first:
-                if name not in self._templates:  # robots have tables of a sample in common
+                if name not in self._templates:  # robots share the tables of a sample
                     self._templates[name] = self._make(Template, first, place=FOREVER)
                 numbers = self._make(self._templates[name].numbers, part, place=FOREVER)
                 if numbers is None:
@@ -148,14 +148,14 @@ class ScenarioGroup:
     def traced_settings(
         self, more: Sequence[Sequence[float]]
     ) -> tuple[Tape, dict[str, Any], list[Any]]:
-        """Settings with cells for the numbers that are not all the same.
+        """Settings with traced numbers where they are not all equal.
 
         Args:
             more: Other numbers of each flight.
 
         Returns:
-            The sheet, one row a flight; settings as of the first flight; and cells for the other
-            numbers.
+            The tape, one row per flight; settings as of the first flight; and traced numbers for
+            `more`.
         """
         tables = [np.array(numbers) for numbers in self._numbers.values()]
         rows = np.hstack([*tables, np.array(more)])
@@ -169,38 +169,38 @@ class ScenarioGroup:
 
 
 class BuiltGroup(NamedTuple):
-    """Flights made ready together."""
+    """Flights built together."""
 
     flights: list[int]
     """Their numbers."""
     first: ReadyFlight
     """The first of them."""
     flown: Leaves
-    """Leaves of model and start in which they differ from the first."""
+    """Leaves of model and start that differ from the first."""
     onboard: Leaves
-    """The same for what is aboard."""
+    """Leaves of the on-board state that differ from the first."""
 
 
 def build_group(
     alike: ScenarioGroup, biases: Sequence[Sequence[float]], one: Callable[[int], ReadyFlight]
 ) -> BuiltGroup | None:
-    """Flights that are alike, made ready by one pass.
+    """Build matching flights by one pass.
 
     Args:
         alike: The flights.
         biases: `springback.scenario.avionics.turn_on_normals` of each.
-        one: Makes a flight ready, by its number.
+        one: Builds a flight, by its number.
 
     Returns:
-        Those that go the way of the first; None where all are to be made ready one by one: they are
-        few, the first cannot be flown, or something asks more of a number than a cell knows.
+        Those that take the same branches as the first; None if all are to be built one by one: they
+        are few, the first cannot be flown, or a traced number is not supported somewhere.
     """
     if len(alike.flights) < FEW:
         return None
     sheet, settings, normals = alike.traced_settings(biases)
     try:
         first = one(alike.flights[0])
-        # The seed is a number to nobody, lest luck be taken for a formula.
+        # The seed is not traced, so that noise cannot become a formula.
         traced = ready_of(scenario_with({**settings, "seed": object()}), Memo(), normals)
         first_phase(traced.model, traced.start)
         filled = sheet.filled()
@@ -208,7 +208,7 @@ def build_group(
         last = one(alike.flights[rows[-1]])
     except (*NO_FORMULA, *UNCHECKED):
         return None
-    # Functions might have taken a cell for something else than a float: two flights are compared.
+    # A function might have used a traced number other than as a float: two flights are compared.
     if not (_agree(traced, filled, 0, first) and _agree(traced, filled, rows[-1], last)):
         return None
     flown, onboard = _trees(traced)
@@ -217,14 +217,14 @@ def build_group(
 
 
 def _cells(tree: Any, filled: Evaluated, rows: Any) -> Leaves:
-    """Where cells stand in a tree, and what they are in some rows."""
+    """Positions of traced numbers in a tree, and their values in some rows."""
     cells = {k: x for k, x in enumerate(leaves(tree)) if isinstance(x, Traced)}
     columns = [filled.of(x, rows) for x in cells.values()]
     return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
 
 
 def _agree(traced: ReadyFlight, filled: Evaluated, row: int, plain: ReadyFlight) -> bool:
-    """Whether a row of a sheet is the very flight made ready alone."""
+    """True if a row of the tape gives exactly the flight built alone."""
     if any(isinstance(x, Traced) for x in leaves(pace_of(traced))):
         return False
     cells, floats = leaves(_trees(traced)), leaves(_trees(plain))
@@ -233,12 +233,12 @@ def _agree(traced: ReadyFlight, filled: Evaluated, row: int, plain: ReadyFlight)
 
 
 def _trees(ready: ReadyFlight) -> tuple[Any, Any]:
-    """All numbers of a flight: model and start, and what is aboard."""
+    """All numbers of a flight: model and start, and on-board state."""
     return (ready.model, ready.start), ready.built_avionics.avionics if ready.built_avionics else ()
 
 
 def pace_of(ready: ReadyFlight) -> tuple[Any, ...]:
-    """What flights abreast have in common beside their types; without pilots, nothing."""
+    """Properties common to a batch beside its types; without pilots, none."""
     if ready.built_avionics is None:
         return ()
     return (

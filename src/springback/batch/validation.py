@@ -1,8 +1,7 @@
-"""Scenarios that share tables, checked and made ready without doing the shared work again.
+"""Validation and building of scenarios that share tables, without repeating the shared work.
 
-What is checked and what is made is what `springback.scenario.scenario` checks and makes; only
-words are missing.  Where anything is wrong, the scenario is read again the ordinary way, which says
-what.
+The checks and results are those of `springback.scenario.scenario`; only error messages are missing.
+If anything is wrong, the scenario is read again the ordinary way, which reports it.
 """
 
 from __future__ import annotations
@@ -24,23 +23,23 @@ from springback.scenario.tables import WorldSettings
 from springback.settings import problem
 from springback.vehicle.library import VEHICLES
 
-#: What `settings_of` and `ready_of` raise.
+#: Exceptions of `settings_of` and `ready_of`.
 UNCHECKED = (PydanticCustomError, ValidationError, InputError)
 
 
-def made_ready(
+def flight_from_tables(
     table: Mapping[str, Any], build: Memo, biases: Sequence[float] | None = None
 ) -> ReadyFlight:
-    """A flight made ready from plain tables.
+    """Build a flight from plain tables.
 
     Args:
         table: The whole scenario.
-        build: Remembers what flights before shared.
-        biases: `turn_on_normals` of its seed, if they are known already.
+        build: Memo with the parts that earlier flights share.
+        biases: `turn_on_normals` of its seed, if already known.
 
     Raises:
-        InputError: One line for each problem, as of `scenario_from`, but for the distance that a
-        run-up would need, which takes long to find out.
+        InputError: One line for each problem, as of `scenario_from`, but without the distance that
+            a run-up would need, which is slow to find.
     """
     try:
         return ready_of(scenario_of(table, build), build, biases)
@@ -55,12 +54,12 @@ def made_ready(
 def ready_of(
     scenario: Scenario, build: Build, biases: Sequence[float] | None = None
 ) -> ReadyFlight:
-    """The checks across the tables, and the numbers.
+    """Check a scenario across its tables, and build it.
 
     Args:
-        scenario: Of `scenario_with`.
-        build: How parts are made.
-        biases: `turn_on_normals` of its seed, if they are known already.
+        scenario: From `scenario_with`.
+        build: Builder of the parts.
+        biases: `turn_on_normals` of its seed, if already known.
     """
     return build_flight(scenario, (), None, build, biases, advises=False)
 
@@ -69,12 +68,12 @@ def ready_of(
 
 
 def scenario_of(table: Mapping[str, Any], build: Build) -> Scenario:
-    """A scenario whose tables were checked one by one, but not against each other."""
+    """A scenario with tables validated one by one, but not against each other."""
     return scenario_with(settings_of(table, build))
 
 
 def scenario_with(settings: Mapping[str, Any]) -> Scenario:
-    """A scenario of settings that were checked, by the name of their table."""
+    """A scenario of validated settings, by the name of their table."""
     return _bare().with_checked(**settings)
 
 
@@ -83,12 +82,12 @@ def settings_of(
     build: Build,
     before: tuple[Mapping[str, Any], Mapping[str, Any]] = ({}, {}),
 ) -> dict[str, Any]:
-    """The tables of a scenario, checked one by one.
+    """Tables of a scenario, validated one by one.
 
     Args:
         table: The whole scenario.
-        build: How parts are made.
-        before: Another scenario, which it may share tables with, and its settings.
+        build: Builder of the parts.
+        before: Another scenario that may share tables, and its settings.
     """
     others, known = before
     readers, given = _readers(), dict(_defaults())
@@ -107,25 +106,25 @@ def settings_of(
 
 @functools.cache
 def _bare() -> Scenario:
-    """Any scenario."""
+    """A minimal scenario."""
     return Scenario(vehicle=VEHICLES["arq"].vehicle)
 
 
 @functools.cache
 def _defaults() -> dict[str, Any]:
-    """What stands where nothing is given."""
+    """Default values of a scenario."""
     fields = Scenario.model_fields
     return {name: field.default for name, field in fields.items() if not field.is_required()}
 
 
 @functools.cache
 def _readers() -> dict[str, Callable[[Any, Build], Any]]:
-    """What checks the values of the scenario's keys."""
+    """Validators of the scenario's keys."""
     return {name: _reader(name) for name in Scenario.model_fields}
 
 
 def _reader(name: str) -> Callable[[Any, Build], Any]:
-    """Checks the value of a key of the scenario."""
+    """Validator of one key of the scenario."""
     field = Scenario.model_fields[name]
     kind: Any = (
         Annotated[(field.annotation, *field.metadata)] if field.metadata else field.annotation
@@ -140,12 +139,12 @@ def _reader(name: str) -> Callable[[Any, Build], Any]:
 
 
 def _as_given(value: Any) -> Any:
-    """A table that has no presets."""
+    """A table without presets, unchanged."""
     return value
 
 
 def _world(value: Any, build: Build) -> WorldSettings:
-    """The world, obstacle by obstacle."""
+    """The world, validated obstacle by obstacle."""
     if isinstance(value, Mapping) and isinstance(value.get("obstacles"), list | tuple):
         entries = [
             build(_obstacle, entry, k, build, place=k) for k, entry in enumerate(value["obstacles"])
@@ -158,7 +157,7 @@ _OBSTACLE: TypeAdapter[Any] = TypeAdapter(ObstacleSettings)
 
 
 def _obstacle(entry: Any, number: int, build: Build) -> Any:
-    """An obstacle, surface by surface."""
+    """An obstacle, validated surface by surface."""
     if isinstance(entry, Mapping):
         parts = [key for key in ("surface", "backing") if key in entry]
         read = {key: build(_surface, entry[key], place=(key, number)) for key in parts}

@@ -1,1 +1,1 @@
-"""What it hits: surfaces, obstacles, and the cages that touch them."""
+"""Contact: surfaces, obstacles, and the cages that touch them."""

@@ -1,8 +1,8 @@
-"""Cages against obstacles: where they touch, how hard, and what that does to the vehicle.
+"""Cages against obstacles: contact points, forces and their effect on the vehicle.
 
-All vectors here are in body axes and all points are taken from the main body: a cage circle then
-lies in the plane z = 0, and most products with its zeros drop out.  Obstacles come as they are seen
-from there (`springback.contact.obstacles.in_body_frame`).
+All vectors here are in body axes and all points are relative to the main body: a cage circle then
+lies in the plane z = 0, and most products with its zeros drop out.  Obstacles are given in the same
+frame (`springback.contact.obstacles.in_body_frame`).
 """
 
 from __future__ import annotations
@@ -17,28 +17,28 @@ from springback.contact.friction_rate import (
     friction_damping,
 )
 from springback.contact.obstacles import (
-    Again,
     Obstacle,
     Plane,
+    SecondContact,
     outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, Low, lowest_on_ring, on_ring
+from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import ArmPose
 
-#: A gap closer to zero than this counts as at zero [m].
+#: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
-#: Depth of a cage that is just touching: too small for any elastic force [m].
+#: Depth of a cage that just touches: too small for any elastic force [m].
 AT_TOUCH = 1e-30
 
 
 class Ring(NamedTuple):
     """Contact at the support point of the tilted cage circle.
 
-    The rounding acts on planes only: a cage that lies flat there touches all around.
+    The rounding acts on planes only: a cage that lies flat on one touches all around.
     """
 
     rounding: float  # tilt below which the support point moves to the centre of a flat cage [rad]
@@ -51,9 +51,9 @@ class ArmTip(NamedTuple):
 
 
 class Support(NamedTuple):
-    """Contact point of a cage, seen from the end of its arm [m]."""
+    """Contact point of a cage, relative to the end of its arm [m]."""
 
-    point: Vec  # whose distance to the obstacle counts
+    point: Vec  # where the distance to the obstacle is measured
     normal_lever: Vec  # where the normal force acts
     friction_lever: Vec  # where friction acts
     inset: float  # added to the gap
@@ -69,18 +69,18 @@ def support(model: Any, inward: Vec, arm_direction: Vec, radius: float) -> Suppo
         arm_direction: e_j.
         radius: r_0 [m].
     """
-    raise TypeError(f"{type(model).__name__} is no contact point model")
+    raise TypeError(f"{type(model).__name__} is not a contact point model")
 
 
 @support.register(Ring)
 @kernel
 def _ring(ring: Ring, inward: Vec, arm_direction: Vec, radius: float) -> Support:
-    """r_0 t/√(t² + ε²) with t = n − (n·e_z) e_z.
+    """Support point r_0 t/√(t² + ε²) with t = n − (n·e_z) e_z.
 
     At ε = 0 this is the exact support point of the circle; ε only rounds the corner where a cage
-    lies flat on the surface and touches all around.  With the inset, the penetration n·p_j + r_0
-    √(t² + ε²) has exactly the rate that the point's own velocity has along n, so contact work is
-    exact.
+    lies flat on the surface and touches all around.  With the inset, the penetration is
+    n·p_j + r_0 √(t² + ε²); its rate is exactly the velocity of that point along n, so contact work
+    is exact.
     """
     t, eps = Vec(inward.x, inward.y, 0.0), ring.rounding
     inverse = 1.0 / math.sqrt(t @ t + eps * eps)
@@ -91,7 +91,7 @@ def _ring(ring: Ring, inward: Vec, arm_direction: Vec, radius: float) -> Support
 @support.register(ArmTip)
 @kernel
 def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, radius: float) -> Support:
-    """Eq. (13): p_c = p_j + (r_0 e_j · n) n, generalised from e_X to any normal.
+    """Contact point of eq. (13), p_c = p_j + (r_0 e_j · n) n, generalised from e_X to any normal.
 
     Its generalised force is a normal force at the cage tip and friction at the arm's end.
     """
@@ -100,7 +100,7 @@ def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, radius: float) -> Sup
 
 
 class ContactLoad(NamedTuple):
-    """One cage against one obstacle, or the sum over obstacles."""
+    """Load on one cage from one obstacle, or the sum over obstacles."""
 
     force: Vec  # on the cage [N]
     moment: Vec  # about the main body [N m]
@@ -108,54 +108,54 @@ class ContactLoad(NamedTuple):
     friction: Vec  # f_f [N]
     contact_loss: float  # [W]
     friction_loss: float  # [W]
-    on_ground: float  # number of touched grounds
-    grip: FrictionDamping  # of friction, as a damper
-    press: ContactStiffness  # the normal force, as a spring and a damper
+    on_ground: float  # number of grounds touched
+    grip: FrictionDamping  # friction as a damper
+    press: ContactStiffness  # the normal force as a spring and a damper
 
 
 class CageContact(NamedTuple):
-    """One cage against one obstacle: the geometry and the forces."""
+    """One cage against one obstacle: geometry and forces."""
 
-    gap: float  # positive apart, negative pressed in [m]
+    gap: float  # positive apart, negative in penetration [m]
     rate: float  # of the gap [m/s]
     inward: Vec  # unit normal into the obstacle
     impulsive: float  # 1 where the surface follows the impulse law
     pressing_at: Vec  # where the normal force acts, from the main body [m]
     rubbing_at: Vec  # where friction acts, from the main body [m]
-    per_speed: float  # of friction, 1/√(v² + v_s²); 0 where nothing rubs [s/m]
+    per_speed: float  # of friction, 1/√(v² + v_s²); 0 without friction [s/m]
     touch: ContactLoad
 
 
 @kernel
 def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """The part of a velocity along the surface that friction opposes [m/s]."""
+    """Part of a velocity along the surface that friction opposes [m/s]."""
     slip = velocity - (velocity @ normal) * normal
     return rubbing(surface.friction_axes, slip, normal, vertical)
 
 
 class NearestFace(NamedTuple):
-    """Where a cage is nearest to an obstacle."""
+    """Point of a cage nearest to an obstacle."""
 
-    gap: float  # positive apart, negative pressed in [m]
+    gap: float  # positive apart, negative in penetration [m]
     inward: Vec  # unit normal into the obstacle
     at: Support
 
 
 @kernel
 def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
-    """Eq. (13) for one cage and one obstacle; arguments as for `cage_contact`."""
+    """Gap of one cage and one obstacle, eq. (13); arguments as for `cage_contact`."""
     return faced(obstacle.shape, contact_point, radius, arm)
 
 
 @generic
 def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
-    """Where a cage is nearest to a shape.
+    """Point of a cage nearest to a shape.
 
     Args:
-        shape: As it is seen from the main body.
+        shape: In the body frame.
         contact_point: `Ring` or `ArmTip`.
         radius: r_0 [m].
-        arm: Where the arm is.
+        arm: Pose of the arm.
     """
     return faced_twice(contact_point, shape, radius, arm).first
 
@@ -166,14 +166,16 @@ def _plane_faced(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) 
     return faced_along_normal(shape, contact_point, radius, arm)
 
 
-@faced.register(Again)
+@faced.register(SecondContact)
 @kernel
-def _faced_again(shape: Again, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
+def _second_faced(
+    shape: SecondContact, contact_point: Any, radius: float, arm: ArmPose
+) -> NearestFace:
     return faced_twice(contact_point, shape.shape, radius, arm).second
 
 
 class FacedTwice(NamedTuple):
-    """The two points where a cage is nearest to a shape; `FAR` away where there is no second."""
+    """The two points of a cage nearest to a shape; `FAR` away if there is no second."""
 
     first: NearestFace
     second: NearestFace
@@ -181,14 +183,14 @@ class FacedTwice(NamedTuple):
 
 @generic
 def faced_twice(contact_point: Any, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
-    """Where a cage is nearest to a shape that is not plane; arguments as for `faced`."""
-    raise TypeError(f"{type(contact_point).__name__} is no contact point model")
+    """The two points of a cage nearest to a shape that is not plane; arguments as for `faced`."""
+    raise TypeError(f"{type(contact_point).__name__} is not a contact point model")
 
 
 @faced_twice.register(Ring)
 @kernel
 def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
-    """The two lowest points of the ring, where no rounding is needed: the way there is searched."""
+    """The two lowest points of the ring, found by search; no rounding is needed."""
     found = lowest_on_ring(shape, arm.lever, radius, arm.direction)
     return FacedTwice(
         _at_low(shape, radius, arm.lever, found.first),
@@ -197,7 +199,7 @@ def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> FacedTw
 
 
 @kernel
-def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> NearestFace:
+def _at_low(shape: Any, radius: float, centre: Vec, low: LowPoint) -> NearestFace:
     lever = Vec(radius * low.towards.x, radius * low.towards.y, 0.0)
     inward = -outward_normal(shape, on_ring(centre, radius, low.towards))
     return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
@@ -206,17 +208,17 @@ def _at_low(shape: Any, radius: float, centre: Vec, low: Low) -> NearestFace:
 @faced_twice.register(ArmTip)
 @kernel
 def _tip_faced(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
-    """The paper's contact point is one."""
+    """The single contact point of the paper."""
     there = faced_along_normal(shape, model, radius, arm)
     return FacedTwice(there, NearestFace(FAR, there.inward, there.at))
 
 
 @kernel
 def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
-    """Eq. (13) along the normal at the end of the arm: a plane's is the same everywhere.
+    """Gap by eq. (13), along the normal at the end of the arm.
 
-    Of a signed distance it is the same all along itself, so the paper's contact point, which lies
-    on it, needs no other.
+    The normal of a plane is the same everywhere.  That of a signed distance is constant along
+    itself, so the paper's contact point, which lies on it, needs no other.
     """
     n = -outward_normal(shape, arm.lever)
     at = support(contact_point, n, arm.direction, radius)
@@ -225,7 +227,7 @@ def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPo
 
 @kernel
 def cage_gap(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
-    """The gap between a cage and an obstacle [m]; arguments as for `cage_contact`."""
+    """Gap between a cage and an obstacle [m]; arguments as for `cage_contact`."""
     return facing(obstacle, contact_point, radius, arm).gap
 
 
@@ -238,13 +240,13 @@ def cage_contact(
     omega: Vec,
     vertical: Vec,
 ) -> CageContact:
-    """Eqs. (13)-(15) for one cage and one obstacle of any shape and orientation.
+    """Contact of one cage with one obstacle of any shape and orientation, eqs. (13)-(15).
 
     Args:
-        obstacle: As it is seen from the main body.
+        obstacle: In the body frame.
         contact_point: `Ring` or `ArmTip`.
         radius: r_0 [m].
-        arm: Where the arm is.
+        arm: Pose of the arm.
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.
     """
@@ -262,26 +264,27 @@ def cage_contact_while(
     vertical: Vec,
     ahead: float,
 ) -> CageContact:
-    """`cage_contact`, without forces where the cage is not engaged.
+    """Contact as by `cage_contact`, without forces if the cage is not engaged.
 
-    A Runge–Kutta step that lands on a touch looks past it with its last stage.  So contact on or
-    off is decided at the first stage of a step, and kept.
+    The last stage of a Runge–Kutta step that ends at a touch evaluates the force beyond it.
+    Contact is therefore switched on or off at the first stage of a step, and stays so until its
+    end.
 
     Args:
         obstacle: As for `cage_contact`.
-        engaged: 0 for a cage that was apart at the beginning of the step.
+        engaged: 0 for a cage that did not touch at the beginning of the step.
         contact_point: As for `cage_contact`.
         radius: As for `cage_contact`.
         arm: As for `cage_contact`.
         omega: As for `cage_contact`.
         vertical: As for `cage_contact`.
-        ahead: How the contact resists is for depths up to so much farther [m].
+        ahead: Stiffness and damping hold for depths up to this much larger [m].
     """
     surface, end = obstacle.surface, arm.lever
     gap, n, at = facing(obstacle, contact_point, radius, arm)
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
-    rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive pressing in
-    # A step lands on the face to within rounding; a law that jumps there must see it at once.
+    rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
+    # A step ends on the face to within rounding; a law with a jump there must act at once.
     min_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
     depth = -gap if gap < -AT_TOUCH else min_depth
     pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate, ahead)

@@ -1,21 +1,20 @@
-"""How fast contacts act on a vehicle: what steps must be short against.
+"""Bounds on the rates at which contacts act on a vehicle, which limit the step.
 
-Friction first, which is the stiffest thing in most impacts.
-Below the slip speed of a surface friction is a damper g (1 − n nᵀ) at the point p of contact.  On
-the coordinates q of the vehicle that is K = Σ g Jᵀ (1 − n nᵀ) J, and a step must be short against
-the largest eigenvalue λ of M⁻¹ K.  It is bounded here by parts, without solving for it: for a sum
-of matrices without negative eigenvalues, and for the blocks on the diagonal of one, the largest
-eigenvalue of the whole is at most the sum of theirs (R. Horn and C. Johnson, Matrix Analysis, 2013,
-sections 4.3 and 7.7).
+Friction comes first, as the stiffest part of most impacts.  Below the slip speed of a surface it is
+a damper g (1 − n nᵀ) at the point p of contact.  In the coordinates q of the vehicle that is
+K = Σ g Jᵀ (1 − n nᵀ) J, and a step must be short against the largest eigenvalue λ of M⁻¹ K.  It is
+bounded here by parts, without solving for it: for a sum of positive semidefinite matrices, and for
+the diagonal blocks of one, the largest eigenvalue of the whole is at most the sum of theirs
+(R. Horn and C. Johnson, Matrix Analysis, 2013, sections 4.3 and 7.7).
 
-What slips in the plane of the arms moves the arms, the vehicle in that plane, and turns it about
-z; what slips across moves it along z and turns it about x and y.  So the coordinates fall into two
-blocks, and only the part n_z of a normal that leans out of the plane couples them.
+Slip in the plane of the arms moves the arms, moves the vehicle in that plane, and turns it about z;
+slip across the plane moves it along z and turns it about x and y.  The coordinates thus form two
+blocks, coupled only by the part n_z of a normal that leans out of the plane.
 
 The normal force is a spring of stiffness K and a damper C at p along n.  The square of its angular
-frequency, and its damping rate, are at most the sums over contacts of K and C times what a unit
-impulse there does to its own point as one body, 1/m + (p × n)² / J, and the largest of what it does
-to an arm, (e·n)² / m_a.  Of p × n only the length of p is taken, for speed.
+frequency, and its damping rate, are at most the sums over contacts of K and C times two terms: the
+mobility of the rigid vehicle at that point, 1/m + (p × n)² / J, and the largest mobility of an arm,
+(e·n)² / m_a.  Of p × n only the length of p is used, for speed.
 """
 
 from __future__ import annotations
@@ -86,7 +85,7 @@ def contact_stiffness(
 
 
 class InverseInertia(NamedTuple):
-    """How easily a vehicle turns."""
+    """Reciprocals of the inertia of a vehicle."""
 
     about_z: float  # 1/J_zz [1/(kg m²)]
     across: float  # 1/(J_xx J_yy − J_xy²) [1/(kg m²)²]
@@ -95,7 +94,7 @@ class InverseInertia(NamedTuple):
 
 @kernel
 def inverse_inertia(inertia: Mat3) -> InverseInertia:
-    """Of J about the main body, body axes [kg m²], which is symmetric; by one division."""
+    """Reciprocals of J about the main body, body axes [kg m²], which is symmetric; one division."""
     j = inertia
     determinant = j.x.x * j.y.y - j.x.y * j.x.y
     both = 1.0 / (j.z.z * determinant)
@@ -119,14 +118,14 @@ def contact_rate(
     inverse: InverseInertia,
     reach: float,
 ) -> float:
-    """How fast contacts and end stops act, at most [1/s]: ω + 2 ζ ω.
+    """Upper bound on the rate of contacts and end stops [1/s]: ω + 2 ζ ω.
 
     Args:
         press: Sum over all contacts.
-        slides: Of every arm, what acts along its slide.
+        slides: For every arm, spring and damper along its slide.
         inverse_mass: 1/m [1/kg].
-        inverse: Of the inertia about the main body.
-        reach: No contact is farther from the main body [m].
+        inverse: Reciprocals of the inertia about the main body.
+        reach: Upper bound on the distance of a contact from the main body [m].
     """
     as_one_body = inverse_mass + reach * reach * inverse.largest
     spring = press.stiffness * as_one_body + maximum(field_of(slides, "spring"))
@@ -135,15 +134,15 @@ def contact_rate(
 
 
 class ArmFrictionDamping(NamedTuple):
-    """How fast friction brings an arm to rest along itself [1/s]."""
+    """Rate at which friction brings an arm to rest along its slide [1/s]."""
 
     whole: float
-    lean: float  # the part of it that normals make which lean out of the plane
+    lean: float  # the part from normals that lean out of the plane
 
 
 @kernel
 def _tumbling(grip: FrictionDamping, j: Mat3, per: float) -> float:
-    """The larger eigenvalue of J⁻¹ K of the turns about x and y [1/s]."""
+    """Larger eigenvalue of J⁻¹ K for rotation about x and y [1/s]."""
     x, y, both = grip.about_x, grip.about_y, grip.about_both
     half = 0.5 * per * (j.y.y * x + j.x.x * y + 2.0 * j.x.y * both)
     left = half * half - per * (x * y - both * both)
@@ -159,15 +158,15 @@ def friction_rate_bound(
     inertia: Mat3,
     inverse: InverseInertia,
 ) -> float:
-    """A bound on λ [1/s], exact to a few per cent where a vehicle meets a wall upright.
+    """Upper bound on λ [1/s], exact to a few per cent for an upright vehicle at a wall.
 
     Args:
         grip: Sum over all contacts.
-        whole: Of every arm, see `ArmFrictionDamping`.
+        whole: For every arm, see `ArmFrictionDamping`.
         lean: Likewise.
         inverse_mass: 1/m [1/kg].
         inertia: J about the main body, body axes [kg m²].
-        inverse: Of that inertia.
+        inverse: Reciprocals of that inertia.
     """
     per_mass, per_turn = inverse_mass, inverse.about_z
     in_plane = grip.damper * per_mass + grip.about_z * per_turn + maximum(whole)

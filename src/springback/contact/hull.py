@@ -1,8 +1,8 @@
-"""The main body's hull against obstacles.
+"""Contact of the main body's hull with obstacles.
 
 A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
-its centre less its radius, and it touches on the normal through its centre.  It meets what a cage
-meets, by the same laws (`springback.contact.cage.cage_contact_while`).
+its centre less its radius, and it touches on the normal through its centre.  It obeys the same laws
+as a cage (`springback.contact.cage.cage_contact_while`).
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def _sphere(hull: Sphere, inward: Vec, arm_direction: Vec, radius: float) -> Sup
 @faced_twice.register(Sphere)
 @kernel
 def _sphere_faced(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
-    """A sphere touches a shape at one point."""
+    """The single point at which a sphere touches a shape."""
     inward = -outward_normal(shape, arm.lever)
     gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
     return FacedTwice(NearestFace(gap, inward, at), NearestFace(FAR, inward, at))
@@ -44,13 +44,13 @@ def _sphere_faced(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> Fac
 
 @kernel
 def _pose(hull: Sphere, velocity: Vec) -> ArmPose:
-    """A sphere as the end of an arm that does not slide."""
+    """Pose of a sphere as the end of an arm that does not slide."""
     return ArmPose(Vec(0.0, 0.0, 0.0), hull.centre, velocity)
 
 
 @kernel
 def hull_apart(obstacle: Obstacle, hull: Sphere) -> float:
-    """The gap between the hull and an obstacle as it is seen from the main body [m]."""
+    """Gap between the hull and an obstacle in the body frame [m]."""
     return cage_gap(obstacle, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
 
 
@@ -64,12 +64,12 @@ def hull_contact(
     vertical: Vec,
     ahead: float,
 ) -> CageContact:
-    """Eqs. (13)-(15) for the hull and one obstacle.
+    """Contact of the hull with one obstacle, eqs. (13)-(15).
 
     Args:
-        obstacle: As it is seen from the main body.
+        obstacle: In the body frame.
         engaged: As for `springback.contact.cage.cage_contact_while`.
-        hull: Of the main body.
+        hull: Hull of the main body.
         velocity: Rᵀ v, of the main body, body axes [m/s].
         omega: ω [rad/s].
         vertical: Rᵀ e_Z.

@@ -20,7 +20,7 @@ MAT = SurfaceSettings(
     restitution=QUAD_RESTITUTION["mat"], restitution_speed=QUAD_SPEED,
 )  # fmt: skip
 
-#: The same surfaces with the friction that the paper's equations have: along the vertical only.
+#: The same surfaces with the friction of the paper's equations, along the vertical only.
 PAPER_WALL = WALL.model_copy(update={"friction_axes": "vertical"})
 PAPER_MAT = MAT.model_copy(update={"friction_axes": "vertical"})
 

@@ -27,8 +27,8 @@ class Plane(NamedTuple):
     offset: float  # normal · x of the face [m]
 
 
-class Again(NamedTuple):
-    """A shape once more: for the second point at which one ring touches it."""
+class SecondContact(NamedTuple):
+    """The same shape again, for the second point at which one ring touches it."""
 
     shape: Any
 
@@ -38,23 +38,23 @@ class Obstacle(NamedTuple):
 
     shape: Any  # Plane, or any type registered with signed_distance and outward_normal
     surface: Surface
-    is_ground: float  # 1 where a touch means the vehicle hit the ground
+    is_ground: float  # 1 if touching it counts as hitting the ground
 
 
 class Forces(NamedTuple):
-    """All surfaces follow laws of force."""
+    """Mark of a world in which all surfaces follow force laws."""
 
     unused: float
 
 
 class Impulses(NamedTuple):
-    """Some surface follows the impulse law."""
+    """Mark of a world in which some surface follows the impulse law."""
 
     unused: float
 
 
 class World(NamedTuple):
-    """All that a vehicle can meet."""
+    """Obstacles and gravity."""
 
     obstacles: tuple[Obstacle, ...]
     laws: Forces | Impulses
@@ -77,7 +77,7 @@ def outward_normal(shape: Any, point: Vec) -> Vec:
 
 
 class InBodyFrame(NamedTuple):
-    """A shape that stands in the world, seen from a body: points and normals in body axes."""
+    """A shape fixed in the world, viewed from a body: points and normals in body axes."""
 
     shape: Any
     position: Vec  # of the body, world [m]
@@ -86,40 +86,40 @@ class InBodyFrame(NamedTuple):
 
 @generic
 def in_body_frame(shape: Any, position: Vec, r: Mat3) -> Any:
-    """A shape as it appears in the axes of a body, from where the body is.
+    """A shape in the frame of a body: its axes, with the body at the origin.
 
-    Any shape will do; one that is registered here itself can be faster.
+    The default accepts any shape; registering a shape here can be faster.
 
     Args:
         shape: In world axes.
-        position: Of the body, world [m].
-        r: Body axes to world axes.
+        position: Position of the body, world [m].
+        r: Rotation from body axes to world axes.
     """
     return InBodyFrame(shape, position, r)
 
 
 @in_body_frame.register(Plane)
 @kernel
-def _plane_seen(plane: Plane, position: Vec, r: Mat3) -> Plane:
+def _plane_in_body_frame(plane: Plane, position: Vec, r: Mat3) -> Plane:
     return Plane(plane.normal @ r, plane.offset - plane.normal @ position)
 
 
-@in_body_frame.register(Again)
+@in_body_frame.register(SecondContact)
 @kernel
-def _seen_again(again: Again, position: Vec, r: Mat3) -> Again:
-    return Again(in_body_frame(again.shape, position, r))
+def _second_in_body_frame(second: SecondContact, position: Vec, r: Mat3) -> SecondContact:
+    return SecondContact(in_body_frame(second.shape, position, r))
 
 
-@signed_distance.register(Again)
+@signed_distance.register(SecondContact)
 @kernel
-def _distance_again(again: Again, point: Vec) -> float:
-    return signed_distance(again.shape, point)
+def _second_distance(second: SecondContact, point: Vec) -> float:
+    return signed_distance(second.shape, point)
 
 
-@outward_normal.register(Again)
+@outward_normal.register(SecondContact)
 @kernel
-def _normal_again(again: Again, point: Vec) -> Vec:
-    return outward_normal(again.shape, point)
+def _second_normal(second: SecondContact, point: Vec) -> Vec:
+    return outward_normal(second.shape, point)
 
 
 @signed_distance.register(InBodyFrame)
@@ -136,7 +136,7 @@ def _seen_normal(view: InBodyFrame, point: Vec) -> Vec:
 
 @kernel
 def obstacle_in_body_frame(obstacle: Obstacle, position: Vec, r: Mat3) -> Obstacle:
-    """An obstacle as it appears in the axes of a body, from where the body is."""
+    """An obstacle in the frame of a body: its axes, with the body at the origin."""
     return Obstacle(
         in_body_frame(obstacle.shape, position, r), obstacle.surface, obstacle.is_ground
     )

@@ -1,4 +1,4 @@
-"""Surfaces and obstacles as a user writes them down, checked once, and turned into numbers."""
+"""Surfaces and obstacles: validated user input, converted to the numbers of the equations."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from springback.contact.obstacles import Again, Obstacle, Plane
+from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
     AnyExponent,
@@ -29,7 +29,7 @@ Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 
 
 class SurfaceSettings(Settings):
-    """What a surface is made of.
+    """Parameters of a surface.
 
     `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz`
     has no damping; `kelvin-voigt` has ``viscosity``; `impulse` has ``restitution`` and no force.
@@ -51,7 +51,7 @@ class SurfaceSettings(Settings):
     friction_axes: Literal["both", "vertical"] = "both"
     """`vertical` is the paper's friction, along the vertical tangent only."""
     slip_speed: Speed = 0.03
-    """Below it friction fades to zero (studies/convergence.py)."""
+    """Slip speed below which friction fades to zero (studies/convergence.py)."""
 
     @model_validator(mode="after")
     def _consistent(self) -> SurfaceSettings:
@@ -65,7 +65,7 @@ class SurfaceSettings(Settings):
             )
         if self.law == "hunt-crossley" and self.restitution is not None:
             if self.dissipation is not None:
-                raise problem("stands beside restitution; give one of them", "dissipation")
+                raise problem("cannot be combined with restitution; give only one", "dissipation")
             if self.restitution_speed is None:
                 raise problem("is missing; restitution falls with speed", "restitution_speed")
             if self.restitution < 0.01:
@@ -76,7 +76,7 @@ class SurfaceSettings(Settings):
         return self
 
     def dissipation_value(self) -> float:
-        """c_a [s/m], given or solved from the restitution."""
+        """Coefficient c_a [s/m], given or computed from the restitution."""
         if self.law != "hunt-crossley":
             return 0.0
         if self.restitution is not None and self.restitution_speed is not None:
@@ -84,11 +84,11 @@ class SurfaceSettings(Settings):
         return self.dissipation or 0.0
 
     def exponent_value(self) -> float:
-        """N of the law."""
+        """Exponent n of the law."""
         return 1.0 if self.law == "kelvin-voigt" else float(self.exponent)
 
     def surface(self, exponent: type[ThreeHalves | Linear | AnyExponent]) -> Surface:
-        """The numbers as one cage feels them; the exponent's type is the world's to choose."""
+        """Numbers for one cage; the exponent's type is chosen for the whole world."""
         impulse = self.law == "impulse"
         n: Exponent = exponent(self.exponent_value())
         axes = BothTangents(0.0) if self.friction_axes == "both" else VerticalTangent(0.0)
@@ -108,10 +108,10 @@ class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
     distance: Annotated[float, Unit("m")] | None = None
-    """Short for a wall across the X axis at this distance from the origin, facing back to it."""
+    """Short for a wall across the X axis at this distance from the origin, facing the origin."""
     position: Annotated[Triple, Unit("m")] | None = None
     normal: Annotated[Triple, Unit("")] | None = None
-    """Out of the obstacle, towards the vehicle; of any length."""
+    """Direction out of the obstacle, towards the vehicle; of any length."""
     surface: SurfaceSettings
 
     @model_validator(mode="after")
@@ -124,7 +124,7 @@ class PlaneSettings(Settings):
         return self
 
     def plane(self, raised: float = 0.0) -> Plane:
-        """The face, moved out by some thickness [m]."""
+        """The face, moved outwards by a thickness [m]."""
         if self.distance is not None:
             return Plane(Vec(-1.0, 0.0, 0.0), -self.distance + raised)
         assert self.position is not None
@@ -135,7 +135,7 @@ class PlaneSettings(Settings):
 
 
 class Wall(PlaneSettings):
-    """A wall of any place and orientation."""
+    """A wall of any position and orientation."""
 
     type: Literal["wall"]
 
@@ -149,7 +149,7 @@ class Ground(Settings):
 
 
 class Mat(PlaneSettings):
-    """A mat on a wall: its own surface in front, and the wall behind once it is pressed through."""
+    """A mat on a wall: its own surface in front, the wall behind once it is fully compressed."""
 
     type: Literal["mat"]
     thickness: Length = 0.05
@@ -161,7 +161,7 @@ ObstacleSettings = Annotated[Wall | Ground | Mat, Field(discriminator="type")]
 
 
 def faces(obstacle: Wall | Ground | Mat) -> list[tuple[Plane, SurfaceSettings, float]]:
-    """Planes, surfaces and whether they are ground, front to back."""
+    """Planes, surfaces and ground flags, front to back."""
     if isinstance(obstacle, Ground):
         return [(Plane(Vec(0.0, 0.0, 1.0), obstacle.height), obstacle.surface, 1.0)]
     if isinstance(obstacle, Mat):
@@ -171,7 +171,7 @@ def faces(obstacle: Wall | Ground | Mat) -> list[tuple[Plane, SurfaceSettings, f
 
 
 def _exponent_type(values: list[float]) -> type[Any]:
-    """One type for all faces, so that they form one compiled structure."""
+    """The exponent type common to all faces, so that they form one compiled structure."""
     if all(value == 1.5 for value in values):
         return ThreeHalves
     if all(value == 1.0 for value in values):
@@ -190,12 +190,14 @@ def _numbers(surface: SurfaceSettings, exponent: type[Any]) -> Surface:
 def obstacles(
     settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), build: Build = uncached
 ) -> tuple[Obstacle, ...]:
-    """The numbers of all obstacles; with none, a face that nothing can reach."""
+    """Numbers of all obstacles; if there are none, a face out of reach."""
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
     all_faces += [face for entry in settings for face in faces(entry)]
     all_faces += [(shape, surface, 0.0) for shape, surface in own]
-    # A ring can touch what is not plane at two points.
-    all_faces += [(Again(s), surface, 0.0) for s, surface in own if not isinstance(s, Plane)]
+    # A ring can touch a shape that is not plane at two points.
+    all_faces += [
+        (SecondContact(s), surface, 0.0) for s, surface in own if not isinstance(s, Plane)
+    ]
     exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
     if not all_faces:
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)

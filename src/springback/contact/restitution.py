@@ -1,6 +1,6 @@
-"""Restitution of a Hunt–Crossley contact, exactly.
+"""Exact restitution of a Hunt–Crossley contact.
 
-For one mass against a fixed surface, with d = 1.5 c_a and v_0 the speed at touch, the restitution e
+For one mass against a fixed surface, with d = 1.5 c_a and impact speed v_0, the restitution e
 obeys  ln[(1 + d v_0)/(1 − e d v_0)] = d v_0 (1 + e)  for any mass, stiffness and exponent
 (derivation: docs/decisions/0004).  The textbook e = 1 − c_a v_0 is far off at the restitutions of
 real surfaces.
@@ -18,15 +18,15 @@ from springback.errors import InputError
 def _excess(h: float, x: float) -> float:
     """Left minus right side of the relation for h = d v_0 and x = −ln(1 − e h).
 
-    In x, because under strong damping e h comes closer to 1 than floats can tell.
+    The unknown is x, because under strong damping e h comes closer to 1 than floats resolve.
     """
     return math.log1p(h) + x - h + math.expm1(-x)
 
 
 def _root(function: Callable[[float], float], lowest: float, highest: float) -> float:
-    """Where an increasing function is zero: bisection, to the last bit.
+    """Root of an increasing function: bisection, to the last bit.
 
-    By hand, because importing SciPy's would cost every start of the program a quarter of a second.
+    SciPy's root finder would do, but importing it delays every start by a quarter of a second.
     """
     while lowest < (middle := 0.5 * (lowest + highest)) < highest:
         if function(middle) < 0.0:
@@ -37,10 +37,10 @@ def _root(function: Callable[[float], float], lowest: float, highest: float) -> 
 
 
 def restitution(dissipation: float, speed: float) -> float:
-    """Restitution e of a contact with c_a [s/m] touched at some speed [m/s].
+    """Restitution e of a contact with c_a [s/m] at some impact speed [m/s].
 
     Raises:
-        InputError: If one of them is negative or no number.
+        InputError: If one of them is negative or not a number.
     """
     if not dissipation >= 0.0:
         raise InputError(f"dissipation must be at least 0 s/m (got {dissipation:g} s/m)")
@@ -53,9 +53,9 @@ def restitution(dissipation: float, speed: float) -> float:
     return -math.expm1(-x) / h
 
 
-@functools.lru_cache(maxsize=256)  # a campaign asks for the same surfaces again and again
+@functools.lru_cache(maxsize=256)  # a campaign uses the same surfaces repeatedly
 def dissipation_for(target: float, speed: float) -> float:
-    """The c_a [s/m] that gives a restitution at some speed [m/s].
+    """Dissipation c_a [s/m] that gives a restitution at some impact speed [m/s].
 
     Raises:
         InputError: If the restitution is not within 0.01 and 1 or the speed is not positive.
@@ -68,6 +68,6 @@ def dissipation_for(target: float, speed: float) -> float:
         return 0.0
     lowest, highest = 1e-8, 2.0 / target  # x < h (1 + e) < 2/e, as e h < 1
     if _excess(-math.expm1(-lowest) / target, lowest) >= 0.0:
-        return (1.0 - target) / speed  # next to no damping: e = 1 − c_a v_0
+        return (1.0 - target) / speed  # almost no damping: e = 1 − c_a v_0
     x = _root(lambda x: _excess(-math.expm1(-x) / target, x), lowest, highest)
     return -math.expm1(-x) / target / (1.5 * speed)

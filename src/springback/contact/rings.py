@@ -1,10 +1,10 @@
-"""Where a ring comes nearest to a shape that is known by its signed distance alone.
+"""Nearest points of a ring to a shape that is given by its signed distance alone.
 
-Along a ring a distance can have several minima: a ring straddles an edge, or lies across a pole.
-They are where its slope turns from falling to rising.  The slope is that of the outward normal
-along the ring, so a minimum is found as a bracketed root, which cannot diverge, and to the last
-digits, which a search among the distances themselves cannot: near a minimum they differ by the
-square of the way to it.
+The distance along a ring can have several minima: a ring straddles an edge, or lies across a pole.
+At each, the slope changes from negative to positive.  The slope is the component of the outward
+normal along the ring, so a minimum is found as a bracketed root, which cannot diverge, and to the
+last digits, which a search on distances cannot reach: near a minimum they vary with the square of
+the offset.
 """
 
 from __future__ import annotations
@@ -16,29 +16,29 @@ from springback.contact.obstacles import outward_normal, signed_distance
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec
 
-#: Gap to what cannot be touched [m].
+#: Gap to a shape that cannot be touched [m].
 FAR = 1e9
-#: Arcs of a ring of which one distance each is taken, and steps in which the slope is followed
-#: along those that matter: 2.8 deg (chosen: of 300 000 random rings at poles of 0.5 to 5 mm, steps
-#: of 7.5 deg miss a lower minimum beside another one 20 times, by up to 0.5 mm).
+#: Arcs of a ring, each sampled at one distance, and steps in which the slope is followed along the
+#: relevant ones: 2.8 deg (chosen: in 300 000 random rings at poles of 0.5 to 5 mm, steps of 7.5 deg
+#: miss a lower minimum beside another one 20 times, by up to 0.5 mm).
 ARCS, STEPS = 32, 4
-#: A distance changes by no more than the way, from the middle of an arc to its end here; 5 % more,
-#: as a shape's own functions may be off (`springback.scenario.user_obstacles`).
+#: A distance changes by no more than the path length, here from the middle of an arc to its end;
+#: 5 % more, as a shape's own functions may be inexact (`springback.scenario.user_obstacles`).
 REACH = 1.05 * math.pi / ARCS
-#: Slopes below this are none: those of a ring that lies flat are rounding (chosen).
+#: Slopes below this count as zero: those of a ring that lies flat are rounding (chosen).
 FLAT = 1e-12
-#: A minimum is bracketed to this share of a step, some 5e-12 m ...
+#: A minimum is bracketed to this fraction of a step, some 5e-12 m ...
 CLOSE = 1e-9
-#: ... in so many evaluations at most: one more than bisection takes.
+#: ... in at most this many evaluations: one more than bisection takes.
 TRIES = math.ceil(math.log2(1.0 / CLOSE)) + 1
 #: Truncation of the method of Oliveira and Takahashi (chosen: theirs).
 TRUNCATION = 0.2
-#: Towards the arm's end, against none at all.
+#: Preference for the arm's end, where the distance is constant.
 ASIDE = 1e-9
 
 
 class Direction(NamedTuple):
-    """A direction in the plane of the arms, of unit length."""
+    """A unit vector in the plane of the arms."""
 
     x: float
     y: float
@@ -52,18 +52,18 @@ def _turn(arcs: float) -> Direction:
 _STEP, _HALF, _ARC = _turn(1.0 / STEPS), _turn(0.5), _turn(1.0)
 
 
-class Low(NamedTuple):
-    """A point of a ring by its direction from the middle, and its distance from the shape."""
+class LowPoint(NamedTuple):
+    """A point of a ring by its direction from the centre, and its distance from the shape."""
 
     towards: Direction
     gap: float  # [m]
 
 
-class Lows(NamedTuple):
-    """The two lowest minima of a distance along a ring; a gap of `FAR` where there is no second."""
+class LowPoints(NamedTuple):
+    """The two lowest minima of a distance along a ring; a gap of `FAR` if there is no second."""
 
-    first: Low
-    second: Low
+    first: LowPoint
+    second: LowPoint
 
 
 @kernel
@@ -79,18 +79,18 @@ def _turned(towards: Direction, by: Direction) -> Direction:
 
 @kernel
 def on_ring(centre: Vec, radius: float, towards: Direction) -> Vec:
-    """The point of a ring in some direction from its middle [m]."""
+    """Point of a ring in some direction from its centre [m]."""
     return Vec(centre.x + radius * towards.x, centre.y + radius * towards.y, centre.z)
 
 
 @kernel
-def _low(shape: Any, centre: Vec, radius: float, towards: Direction) -> Low:
-    return Low(towards, signed_distance(shape, on_ring(centre, radius, towards)))
+def _low(shape: Any, centre: Vec, radius: float, towards: Direction) -> LowPoint:
+    return LowPoint(towards, signed_distance(shape, on_ring(centre, radius, towards)))
 
 
 @kernel
 def _rise(shape: Any, centre: Vec, radius: float, towards: Direction) -> float:
-    """How much the distance changes with the way along the ring; above zero where it is flat."""
+    """Slope of the distance along the ring; positive where it is flat."""
     n = outward_normal(shape, on_ring(centre, radius, towards))
     return n.y * towards.x - n.x * towards.y + FLAT
 
@@ -104,11 +104,11 @@ def _between(a: Direction, b: Direction, share: float) -> Direction:
 def _turning(
     shape: Any, centre: Vec, radius: float, a: Direction, b: Direction, falls: float, rises: float
 ) -> Direction:
-    """Where between two directions the distance turns from falling to rising.
+    """Direction between two others at which the distance turns from falling to rising.
 
-    By I. F. D. Oliveira and R. H. C. Takahashi, "An enhancement of the bisection method average
-    performance preserving minmax optimality", ACM Trans. Math. Softw. 47 (2020): a secant, held so
-    close to the middle that bisection's bound stays.
+    Method of I. F. D. Oliveira and R. H. C. Takahashi, "An enhancement of the bisection method
+    average performance preserving minmax optimality", ACM Trans. Math. Softw. 47 (2020): a secant,
+    held so close to the middle that bisection's bound is preserved.
 
     Args:
         shape: As for `lowest_on_ring`.
@@ -141,23 +141,23 @@ def _turning(
 
 
 @kernel
-def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows:
+def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowPoints:
     """The two lowest minima of a signed distance along a ring in the plane of the arms.
 
     The slope is followed only along arcs that can hold the lowest point, or touch: a distance
-    changes by no more than the way.  A second minimum that one
-    step leads out of, to a lower point, may be left out.
+    changes by no more than the path length.  A second minimum may be omitted if a lower point is
+    within one step of it.
 
     Args:
-        shape: As it is seen from the main body.
-        centre: Of the ring [m].
-        radius: Of the ring [m].
-        outward: The direction that counts as lowest where the ring lies flat: that of the arm.
+        shape: In the body frame.
+        centre: Centre of the ring [m].
+        radius: Radius of the ring [m].
+        outward: The direction that counts as lowest if the ring lies flat: that of the arm.
     """
     n = outward_normal(shape, centre)
     guess = _direction(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
     level = _low(shape, centre, radius, guess)
-    first, second, lowest = Low(guess, FAR), Low(guess, FAR), level.gap
+    first, second, lowest = LowPoint(guess, FAR), LowPoint(guess, FAR), level.gap
     begin = Direction(1.0, 0.0)
     for _ in range(ARCS):
         middle = _low(shape, centre, radius, _turned(begin, _HALF)).gap
@@ -176,4 +176,4 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> Lows
                         second = found
                 a, falls = b, rises
         begin = _turned(begin, _ARC)
-    return Lows(first if first.gap < FAR else level, second)
+    return LowPoints(first if first.gap < FAR else level, second)

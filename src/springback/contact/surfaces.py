@@ -1,8 +1,8 @@
 """Surfaces: the laws of normal force and friction.
 
-One set of numbers covers the laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and
+One set of numbers covers all laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and
 never adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The
-impulse law has no force at all; its velocity jump lives in `springback.dynamics.impulse`.
+impulse law has no force; its velocity jump is computed in `springback.dynamics.impulse`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Linear(NamedTuple):
 
 
 class AnyExponent(NamedTuple):
-    """Any exponent, by the power function: about twice the cost of a step."""
+    """Any exponent, by the power function: a step takes about twice as long."""
 
     value: float
 
@@ -36,7 +36,7 @@ Exponent = ThreeHalves | Linear | AnyExponent
 
 
 class BothTangents(NamedTuple):
-    """Friction opposes the slip along the surface."""
+    """Friction opposes the slip in the tangent plane."""
 
     unused: float
 
@@ -51,7 +51,7 @@ FrictionAxes = BothTangents | VerticalTangent
 
 
 class Surface(NamedTuple):
-    """Numbers of a contact surface, as one cage feels it."""
+    """Numbers of a contact surface for one cage."""
 
     stiffness: float  # k [N/mⁿ]
     dissipation: float  # d = 1.5 c_a [s/m]
@@ -60,16 +60,16 @@ class Surface(NamedTuple):
     friction: float  # μ
     friction_axes: FrictionAxes  # along which friction acts
     slip_speed: float  # below which friction is regularised [m/s]
-    restitution: float  # e of the impulse law; negative for a law of force
+    restitution: float  # e of the impulse law; negative for a force law
 
 
-#: Against division by zero [m].
+#: Avoids division by zero [m].
 TINY = 1e-12
 
 
 @generic
 def power(exponent: Exponent, depth: float) -> float:
-    """δⁿ for δ ≥ 0."""
+    """Power δⁿ for δ ≥ 0."""
     raised: float = depth**exponent.value
     return raised
 
@@ -88,12 +88,12 @@ def _linear(exponent: Linear, depth: float) -> float:
 
 @generic
 def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
-    """The derivative n xⁿ⁻¹, or a bound on it, for depths x from δ to a little farther.
+    """Upper bound on the derivative n xⁿ⁻¹ for depths x from δ to a little more.
 
     Args:
         exponent: n.
         depth: δ ≥ 0 [m].
-        ahead: How much farther, the same for all contacts of a vehicle [m].
+        ahead: Additional depth, the same for all contacts of a vehicle [m].
     """
     deepest = depth + ahead
     derivative: float = exponent.value * power(exponent, deepest) / (deepest + TINY)
@@ -103,7 +103,7 @@ def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
 @steepest.register(ThreeHalves)
 @kernel
 def _steepest_three_halves(exponent: ThreeHalves, depth: float, ahead: float) -> float:
-    # √(δ + Δ) ≤ √δ + √Δ, where the force takes the first root anyway and all cages share the other.
+    # √(δ + Δ) ≤ √δ + √Δ: the force takes the first root anyway and all cages share the other.
     return 1.5 * (math.sqrt(depth) + math.sqrt(ahead))
 
 
@@ -114,11 +114,11 @@ def _steepest_linear(exponent: Linear, depth: float, ahead: float) -> float:
 
 
 class NormalForce(NamedTuple):
-    """Normal force of one contact, what becomes of its work, and how it resists."""
+    """Normal force of one contact, its heat, stiffness and damping."""
 
     force: float  # f_n ≥ 0 [N]
     loss: float  # power turned into heat [W]
-    stiffness: float  # ∂f_n/∂δ, a little ahead [N/m]
+    stiffness: float  # ∂f_n/∂δ, up to a little more depth [N/m]
     damper: float  # ∂f_n/∂δ̇, likewise [N s/m]
 
 
@@ -126,15 +126,15 @@ class NormalForce(NamedTuple):
 def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> NormalForce:
     """Hunt–Crossley, Hertz or Kelvin–Voigt force, never adhesive [N].
 
-    Eq. (15) with the sign of Hunt & Crossley (1975): with δ̇ > 0 going in, the printed minus would
-    feed energy (docs/paper/errata.md).  Where the sum would pull, the force is zero and the elastic
-    energy still stored is lost.
+    Eq. (15) with the sign of Hunt & Crossley (1975): with δ̇ > 0 in compression, the printed minus
+    would add energy (docs/paper/errata.md).  Where the sum would pull, the force is zero and the
+    remaining elastic energy is lost.
 
     Args:
         surface: Stiffness k [N/mⁿ], dissipation d [s/m], viscosity b [N s/m], exponent n.
         depth: Penetration δ [m]; not negative.
-        rate: δ̇ [m/s]; positive while pressing in.
-        ahead: Stiffness and damper hold for depths up to so much farther [m].
+        rate: δ̇ [m/s]; positive in compression.
+        ahead: Stiffness and damper hold for depths up to this much larger [m].
     """
     k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
     elastic = k * power(surface.exponent, depth)
@@ -148,7 +148,7 @@ def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> N
 
 @generic
 def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """The part of a slip velocity that friction opposes [m/s].
+    """Part of a slip velocity that friction opposes [m/s].
 
     Args:
         axes: `BothTangents` or `VerticalTangent`.
@@ -162,25 +162,25 @@ def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
 @rubbing.register(VerticalTangent)
 @kernel
 def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    up = vertical - (vertical @ normal) * normal  # e_Z along the surface; none on a floor
+    up = vertical - (vertical @ normal) * normal  # e_Z along the surface; zero on a floor
     return up * ((slip @ up) / (up @ up + 1e-12))
 
 
 class Friction(NamedTuple):
-    """Friction of one contact and what becomes of its work."""
+    """Friction of one contact and its heat."""
 
     force: Vec  # f_f [N]
     loss: float  # power turned into heat [W]
-    grip: float  # −f_f / v, the damper that friction amounts to [N s/m]
-    per_speed: float  # 1/√(v² + v_s²); 0 where nothing presses or rubs [s/m]
+    grip: float  # −f_f / v, friction as a damper [N s/m]
+    per_speed: float  # 1/√(v² + v_s²); 0 without normal force or friction [s/m]
 
 
 @kernel
 def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Friction:
-    """Coulomb friction against the slip velocity, regularised where the slip vanishes [N].
+    """Coulomb friction against the slip velocity, regularised near zero slip [N].
 
     f = −μ f_n v / √(v² + v_s²).  The paper's v/‖v‖ is undefined at rest, which is where its own
-    slider tests are.
+    slider tests operate.
 
     Args:
         surface: Friction coefficient μ, slip speed v_s [m/s].

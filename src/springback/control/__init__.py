@@ -1,1 +1,1 @@
-"""What a vehicle tries: references, controllers, the mixing of rotors."""
+"""Control: references, controllers, the mixing of rotors."""

@@ -1,4 +1,4 @@
-"""The search for a run-up's way from rest to the place where its steady phase begins."""
+"""Search for the motion of a run-up from rest to the start of its steady phase."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.control.demands import (
     ROOM,
@@ -22,38 +22,39 @@ from springback.control.polynomials import snap_spline
 from springback.control.septics import Courses, Row, septics, shares
 from springback.errors import InputError
 
-#: Knots that are free to move where the simplest run-up asks for too much.  Chosen: the hardest
-#: run-up of the paper (-45°, 2 m/s) turns at 223, 206, 198, 195 deg/s with 4, 6, 8, 12.
+#: Free knots where the simplest run-up exceeds the limits.  Chosen: the hardest run-up of the paper
+#: (-45°, 2 m/s) turns at 223, 206, 198, 195 deg/s with 4, 6, 8, 12.
 KNOTS = 8
-#: Samples over a run-up at which limits hold while its knots are moved, and where it is judged.
+#: Samples over a run-up at which limits hold while its knots are moved, and at which it is
+#: evaluated.
 FEW, SAMPLES = 60, 640
-#: Linear programmes for each duration.  Chosen: the same run-up turns at 209, 198 deg/s with 2, 3.
+#: Linear programmes per duration.  Chosen: the same run-up turns at 209, 198 deg/s with 2, 3.
 ROUNDS = 3
-#: Velocity backwards, as a share of the speed to be reached, that counts as rounding.
+#: Backward velocity, as a fraction of the final speed, that counts as rounding.
 BACKWARDS = 1e-4
-#: Longest way that is tried when one is too short [m], chosen.
+#: Largest distance tried when one is too short [m], chosen.
 FARTHEST = 30.0
 
-#: Shares that differ by less are alike: rounding.
+#: Shares that differ by less are equal: rounding.
 ALIKE = 1.0 + 1e-9
 REST: Row = (0.0, 0.0, 0.0, 0.0)
 
 
-#: What a plan that does not exist asks for.
+#: Demands of a plan that does not exist.
 NONE = Demands(0.0, 0.0, 0.0, 0.0)
 
 
 class RunUpPlan(NamedTuple):
-    """A way from rest to a row."""
+    """Motion from rest to a row."""
 
     breaks: list[float]  # [s]
     rows: list[Row]  # one at each break
     asked: Demands
-    share: float  # largest of the limits' shares; infinite for a way that moves back
+    share: float  # largest share of a limit; infinite for a motion that moves back
 
 
 def _plan(course: Courses, breaks: list[float], rows: list[Row], limits: Limits) -> RunUpPlan:
-    """A plan with what it asks for, from its only course."""
+    """A plan with its demands, from its only course."""
     asked = level_demands(course.acceleration, course.jerk, limits)
     share = max(asked.uses(limits).values())
     behind = float(course.velocity.min()) < -BACKWARDS * rows[-1][1]
@@ -76,22 +77,22 @@ def approach(
         speed: At contact [m/s].
         a: Acceleration at contact [m/s²].
         steady: Time before contact in which the acceleration is a [s].
-        limits: What the vehicle can do.
-        who: Words for messages.
-        advises: Find out from which distance on there is a way, if there is none; it takes long.
+        limits: Limits of the vehicle.
+        who: Subject of error messages.
+        advises: If there is no such motion, find the distance from which on there is one; slow.
 
     Raises:
-        InputError: If there is no such way, and why.
+        InputError: If there is no such motion, with the reason.
     """
     at_contact = level_demands(a, 0.0, limits)
     if beyond := shortfalls(at_contact, limits, who):
         raise InputError(*beyond)
     if speed - a * steady <= 0.0:
-        raise InputError(f"{who} can be steady for less than {speed / a:.3g} s (got {steady:g} s)")
+        raise InputError(f"{who} can be steady for at most {speed / a:.3g} s (got {steady:g} s)")
     room = max(ROOM, *at_contact.uses(limits).values())
 
     def planned(length: float) -> RunUpPlan | None:
-        place = length - speed * steady + 0.5 * a * steady**2  # where the steady phase begins
+        place = length - speed * steady + 0.5 * a * steady**2  # start of the steady phase
         row = (place, speed - a * steady, a, 0.0)
         return _gentlest(row, limits, room) if place > 0.0 else None
 
@@ -106,15 +107,15 @@ def approach(
 
 
 def _advice(planned: Callable[[float], RunUpPlan | None], distance: float) -> str:
-    """How much more distance would do, in words."""
+    """Sufficient distance, in words."""
     needed = _least_distance(planned, distance)
     if needed == math.inf:
-        return f"more than {max(FARTHEST, 2.0 * distance):.3g} m, if any will do, and not"
+        return f"more than {max(FARTHEST, 2.0 * distance):.3g} m, if any suffices, instead of"
     return f"a distance of {needed:.3g} m, {needed - distance:.2g} m more than"
 
 
 def _reason(plan: RunUpPlan | None, limits: Limits, who: str) -> str:
-    """The worst of what is wrong with a plan."""
+    """The worst shortfall of a plan."""
     if plan is None:
         return f"{who} has no room for the steady phase"
     if plan.share == math.inf:
@@ -125,7 +126,7 @@ def _reason(plan: RunUpPlan | None, limits: Limits, who: str) -> str:
 
 
 def _least_distance(planned: Callable[[float], RunUpPlan | None], distance: float) -> float:
-    """The distance [m] from which on a run-up is possible, to within 5 % above."""
+    """Distance [m] from which on a run-up is possible, to within 5 % above."""
 
     def fits(length: float) -> bool:
         plan = planned(length)
@@ -143,7 +144,7 @@ def _least_distance(planned: Callable[[float], RunUpPlan | None], distance: floa
 
 
 def _gentlest(end: Row, limits: Limits, room: float) -> RunUpPlan:
-    """The simplest plan from rest to a row if it leaves room, else one with knots moved."""
+    """The simplest plan from rest to a row if it leaves room, else one with moved knots."""
     plan = _simplest(end, limits)
     return plan if plan.share <= room else _least([plan, _moved(end, plan, limits)])
 
@@ -151,9 +152,9 @@ def _gentlest(end: Row, limits: Limits, room: float) -> RunUpPlan:
 def _simplest(end: Row, limits: Limits) -> RunUpPlan:
     """The single polynomial of degree 7 that uses the limits least and never moves back.
 
-    Durations from 0.02 to 8 d/v are tried, d = end[0] and v = end[1], wide around the 2 d/v of
-    constant acceleration; of several that use them alike, as where nothing is worse than the pitch
-    at the end, it is the shortest.  If all move back, it is the one that moves back slowest.
+    Durations from 0.02 to 8 d/v are tried, d = end[0] and v = end[1], a wide range around the 2 d/v
+    of constant acceleration; of several with equal shares, as where the pitch at the end dominates,
+    it is the shortest.  If all move back, it is the one that moves back slowest.
     """
     durations = np.geomspace(0.02, 8.0, 150) * end[0] / end[1]
     first, last = np.zeros((4, 1)), np.array(end)[:, None]
@@ -167,9 +168,9 @@ def _simplest(end: Row, limits: Limits) -> RunUpPlan:
 
 @functools.cache
 def _responses(samples: int) -> Array:
-    """Derivatives 0 to 3 at samples per place at the knots, and per final v and a.
+    """Derivatives 0 to 3 at samples per position at the knots, and per final v and a.
 
-    The spline is linear in these, here over a unit of time; shape (4, samples, KNOTS + 4).
+    The spline is linear in these, here over unit time; shape (4, samples, KNOTS + 4).
     """
     unit = np.eye(KNOTS + 4)
     points, ends = unit[: KNOTS + 2], np.zeros((2, 3, KNOTS + 4))
@@ -180,7 +181,7 @@ def _responses(samples: int) -> Array:
 
 
 def _least(plans: Iterable[RunUpPlan]) -> RunUpPlan:
-    """The plan that uses the limits least, and of several that use them alike the first."""
+    """The plan that uses the limits least, and of several with equal shares the first."""
     known = [*plans]
     most = ALIKE * min(plan.share for plan in known)
     return next(plan for plan in known if plan.share <= most)
@@ -189,7 +190,7 @@ def _least(plans: Iterable[RunUpPlan]) -> RunUpPlan:
 def _moved(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
     """The spline of degree 7 from rest that uses the limits least, with knots free to move.
 
-    Durations are tried around that of the simplest plan, and then closer around the best.
+    Durations around that of the simplest plan are tried, and then a finer grid around the best.
     """
 
     def best(stretches: Array, centre: float) -> RunUpPlan:
@@ -201,10 +202,10 @@ def _moved(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
 
 
 def _shaped(end: Row, duration: float, limits: Limits) -> RunUpPlan:
-    """The best places at the knots for one duration, by linear programmes.
+    """Best positions at the knots for one duration, by linear programmes.
 
-    Least share s with |a| ≤ s a_most, |ȧ| ≤ s ω_most (g² + a²)/g and v ≥ 0 at all samples.  The a²
-    on the right is that of the solution before, at first zero, which is on the safe side.
+    Minimise the share s with |a| ≤ s a_max, |ȧ| ≤ s ω_max (g² + a²)/g and v ≥ 0 at all samples.
+    The a² on the right is from the previous solution, initially zero, which is conservative.
     """
     T, g = duration, limits.gravity
     _, v, a, j = _responses(FEW) / T ** np.arange(4.0)[:, None, None]
@@ -231,7 +232,7 @@ def _shaped(end: Row, duration: float, limits: Limits) -> RunUpPlan:
 
 
 def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> RunUpPlan:
-    """The plan of a spline from rest with given places at inner knots [m]."""
+    """The plan of a spline from rest with given positions at inner knots [m]."""
     T = duration
     given = np.concatenate([[0.0], places, [end[0], end[1] * T, end[2] * T**2]])
     units = T ** np.arange(4.0)[:, None]

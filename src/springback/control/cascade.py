@@ -1,8 +1,8 @@
-"""The pilot of the paper: estimate, position, attitude and rate, each at its own pace.
+"""The pilot of the paper: estimate, position, attitude and rate, each at its own rate.
 
-The position loop runs on a computer of its own and its word takes a while to reach the autopilot
-(the offboard delay); attitude and rate loops run on the autopilot.  Allocation uses the arm lengths
-that the vehicle measures.
+The position loop runs on a separate computer and its commands reach the autopilot late (the
+offboard delay); attitude and rate loops run on the autopilot.  Allocation uses the measured arm
+lengths.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from springback.vehicle.state import Airframe
 class Cascade(NamedTuple):
     """Settings of the pilot."""
 
-    airframe: Airframe  # as the pilot believes it to be
+    airframe: Airframe  # the pilot's model of it
     lowest: float  # least thrust of a rotor [N]
     highest: float  # most thrust of a rotor [N]
     lift: float  # collective thrust to which roll and pitch may raise a smaller one [N]
@@ -48,16 +48,16 @@ class Cascade(NamedTuple):
 
 
 class Offboard(NamedTuple):
-    """The position loop and its last word."""
+    """The position loop and its last command."""
 
     position: PositionMemory
     wanted: Target
-    word: AttitudeTarget  # the last one, perhaps still under way
+    word: AttitudeTarget  # the last command, possibly in transit
     arrival: float  # tick at which it arrives
 
 
 class Built(NamedTuple):
-    """What follows from the arm lengths."""
+    """Quantities that depend on the arm lengths."""
 
     inertia: Mat3  # J(l) about the main body, body axes [kg m²]
     mixer: Mixer
@@ -66,16 +66,16 @@ class Built(NamedTuple):
 class Autopilot(NamedTuple):
     """The attitude and rate loops."""
 
-    aim: AttitudeTarget  # the last word that has arrived
-    setpoint: Vec  # angular velocity to turn with, body axes [rad/s]
+    aim: AttitudeTarget  # the last command that has arrived
+    setpoint: Vec  # desired angular velocity, body axes [rad/s]
     rate: RateMemory
-    unmet: Vec  # moment asked for less moment given [N m]
+    unmet: Vec  # moment asked for minus moment given [N m]
     thrust: tuple[float, ...]  # command to each rotor [N]
     built: Rarely  # Built; arms seldom change their lengths
 
 
 class CascadeMemory(NamedTuple):
-    """What the pilot remembers."""
+    """Memory of the pilot."""
 
     tick: float
     estimator: Any
@@ -91,14 +91,14 @@ def cascade_memory(
     thrust: tuple[float, ...],
     build: Build = uncached,
 ) -> CascadeMemory:
-    """Memory of a pilot before tick 0, at the attitude and thrust that the robot starts with.
+    """Memory of a pilot before tick 0, at the attitude and thrust of the start.
 
     Args:
         pilot: Settings.
         estimator: Memory of its estimator.
-        estimate: Of the start.
+        estimate: Estimate at the start.
         thrust: Command to each rotor [N].
-        build: How parts are made.
+        build: Builder of the parts.
     """
     at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
     wanted = build(_first_target, pilot.reference)
@@ -119,10 +119,10 @@ def _first_built(airframe: Airframe) -> Rarely:
 
 @kernel
 def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> Target:
-    """Where to be now, and how to lean and turn by the time that the robot will.
+    """Target position now, and acceleration and jerk at the times at which they take effect.
 
-    A word of the position loop acts late by the delays on its way, and a rate later still by the
-    lag 1/k_ω of the rate loop.  The reference is known ahead, so it is read ahead.
+    A command of the position loop takes effect after the delays on its way, and a rate later still
+    by the lag 1/k_ω of the rate loop.  The reference is known in advance, so it is evaluated ahead.
     """
     soon = target(reference, time + law.tilt_lead)
     later = target(reference, time + law.rate_lead)
@@ -135,15 +135,15 @@ def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> 
 def steered(
     pilot: Cascade, reference: Any, tick: float, time: float, at: Estimate, before: Offboard
 ) -> Offboard:
-    """The position loop, at its ticks.
+    """Run the position loop at its ticks.
 
     Args:
-        pilot: Settings; its own reference is not looked at.
-        reference: What to follow.
+        pilot: Settings; the pilot's own reference is not used.
+        reference: Reference to follow.
         tick: Number of the tick.
-        time: [s].
-        at: Where the robot believes to be.
-        before: The loop's last word.
+        time: Time [s].
+        at: Estimated state of the robot.
+        before: Last state of the loop.
     """
     wanted = target(reference, time)
     ahead = _anticipated(pilot.position, reference, wanted, time)
@@ -154,13 +154,13 @@ def steered(
 
 @kernel
 def _heard(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTarget:
-    """The last word of the position loop that has reached the autopilot."""
+    """Last command of the position loop that has reached the autopilot."""
     return select(tick >= offboard.arrival, offboard.word, last)
 
 
 @kernel
 def _built(airframe: Airframe, lengths: tuple[float, ...]) -> Built:
-    """What follows from some arm lengths."""
+    """Quantities that depend on the arm lengths, for given lengths."""
     return Built(inertia_at(airframe, lengths), mixer(airframe, lengths))
 
 
@@ -171,7 +171,7 @@ def _apart(a: float, b: float) -> float:
 
 @kernel
 def hear(memory: TreeLayout, g: Buffer, w: int, once: int) -> None:
-    """The last word of the position loops reaches the autopilots, where it comes just now."""
+    """Deliver the position loops' last commands to the autopilots where they arrive now."""
     coming = 0
     for i in range(w * once):
         since = load(memory.tick, g, w, i) - load(memory.offboard.arrival, g, w, i)
@@ -185,7 +185,7 @@ def hear(memory: TreeLayout, g: Buffer, w: int, once: int) -> None:
 def _point(
     pilot: TreeLayout, memory: TreeLayout, g: Buffer, w: int, once: int, tick: float
 ) -> None:
-    """The attitude loops at their ticks; nearly always those of all lanes at once."""
+    """Run the attitude loops at their ticks, which nearly always coincide in all lanes."""
     own, pace = memory.autopilot, pilot.schedule.attitude
     turns = how_many_due(pace, g, w, once, tick)
     for i in range(w * once if turns == w else 0):
@@ -203,15 +203,15 @@ def fly_on(
     w: int, once: int,
     tick: float,
 ) -> None:  # fmt: skip
-    """The autopilots of all lanes: the last word that has come, attitude, rate loop and mixer.
+    """Run the autopilots of all lanes: arriving commands, attitude, rate loop and mixer.
 
     Args:
-        pilot: Where the settings lie, a `Cascade`.
-        memory: Where its memory lies, a `CascadeMemory`; changed.
-        lengths: Where the measured lengths of the arms lie.
-        command: Where the command to the rotors goes.
-        g: Buffer of what is aboard.
-        w: Lanes.
+        pilot: Layout of the settings, a `Cascade`.
+        memory: Layout of its memory, a `CascadeMemory`; changed.
+        lengths: Layout of the measured arm lengths.
+        command: Layout of the command to the rotors; written.
+        g: Buffer of the on-board state.
+        w: Number of lanes.
         once: As for `springback.simulation.ticks.look`.
         tick: Number of the tick.
     """
@@ -236,7 +236,7 @@ def _rebuild(
     once: int,
     tick: float,
 ) -> None:
-    """What follows from the lengths of the arms, made anew where one of them has changed."""
+    """Recompute quantities that depend on the arm lengths where one has changed."""
     changed = 0
     for i in range(w * once):
         now, last = load(lengths, g, w, i), load(built.mixer.lengths, g, w, i)
@@ -259,7 +259,7 @@ def _turn(
     once: int,
     tick: float,
 ) -> None:
-    """Rate loop and mixer; where a moment has to be squeezed ``unmet`` first holds all of it."""
+    """Run rate loop and mixer; where a moment is saturated, ``unmet`` first holds all of it."""
     own, built, tight = memory.autopilot, memory.autopilot.built.tree, 0
     for i in range(w * once):
         omega = load(memory.estimate.angular_velocity, g, w, i)
@@ -290,11 +290,11 @@ def _turn(
 def _decide(
     pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
 ) -> None:
-    """`pilot_step`, step by step for all lanes."""
+    """Batch version of `pilot_step`."""
     memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
     believe(pilot.estimator, seen, memory.estimator, memory.estimate, memory.tick, g, w, once)
     if any_due(pilot.schedule.position, g, w, once, tick):
-        hear(memory, g, w, once)  # before it is overtaken by the next word
+        hear(memory, g, w, once)  # before the next command replaces it
         for i in range(w * once):
             time, at = tick * load(avionics.systems.period, g, w, i), load(memory.estimate, g, w, i)
             settings, before = load(pilot, g, w, i), load(memory.offboard, g, w, i)
@@ -304,7 +304,7 @@ def _decide(
 
 
 class CascadeTelemetry(NamedTuple):
-    """What the pilot tells the telemetry."""
+    """Telemetry of the pilot."""
 
     estimate: Estimate
     wanted: Target

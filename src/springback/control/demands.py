@@ -1,4 +1,4 @@
-"""What a curve asks of the vehicle: thrust, tilt and tilt rate, from flatness."""
+"""Demands of a curve on the vehicle: thrust, tilt and tilt rate, from flatness."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Times = Sequence[float] | Array
 
-#: Share of each limit that plans use where they can; the rest is left to feedback.  Chosen.
+#: Fraction of each limit that plans use where possible; the rest is left to feedback.  Chosen.
 ROOM = 0.8
-#: Samples of each segment where demands are measured; a sampled peak of a smooth hump is then
+#: Samples of each segment at which demands are evaluated; a sampled peak of a smooth curve is then
 #: within a relative (π/200)²/8 < 1e-4 of the true one.
 SAMPLES = 200
 
@@ -26,18 +26,18 @@ class DifferentiableCurve(Protocol):
 
 
 class Limits(NamedTuple):
-    """What a vehicle can do."""
+    """Limits of a vehicle."""
 
     mass: float  # [kg]
     gravity: float  # g [m/s²]
     max_thrust: float  # collective [N]
     min_thrust: float = 0.0  # collective [N]
     max_body_rate: float = math.radians(220.0)  # PX4's default MC_PITCHRATE_MAX [rad/s]
-    max_tilt: float = math.pi / 3.0  # chosen: there level flight takes twice the weight [rad]
+    max_tilt: float = math.pi / 3.0  # chosen: level flight there takes twice the weight [rad]
 
 
 class Demands(NamedTuple):
-    """The extremes of what a curve asks for."""
+    """Extreme demands of a curve."""
 
     max_thrust: float  # [N]
     min_thrust: float  # [N]
@@ -45,7 +45,7 @@ class Demands(NamedTuple):
     tilt_rate: float  # largest rate of the thrust direction [rad/s]
 
     def uses(self, limits: Limits) -> dict[str, float]:
-        """Each demand as a share of its limit; more than 1 cannot be flown."""
+        """Each demand as a fraction of its limit; above 1 it cannot be flown."""
         return {
             "thrust": self.max_thrust / limits.max_thrust,
             "least thrust": limits.min_thrust / max(self.min_thrust, 1e-12),
@@ -55,10 +55,10 @@ class Demands(NamedTuple):
 
 
 def demands(curve: DifferentiableCurve, breaks: Times, limits: Limits) -> Demands:
-    """Thrust, tilt and tilt rate along a curve, from flatness.
+    """Demands along a curve: thrust, tilt and tilt rate, from flatness.
 
     Thrust m (a + g e_Z) along b; ‖ḃ‖ = ‖j − (j·b) b‖ m/thrust (Mellinger and Kumar 2011, section
-    III, the vector h_ω).  Air drag is not part of it.
+    III, the vector h_ω).  Air drag is neglected.
     """
     fractions = np.linspace(0.0, 1.0, SAMPLES)
     t = np.asarray(breaks[:-1])[:, None] + np.diff(breaks)[:, None] * fractions
@@ -106,7 +106,7 @@ def leaning(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
 
 
 def level_demands(acceleration: Any, jerk: Any, limits: Limits) -> Demands:
-    """What level flight along a line asks for, from accelerations [m/s²] and jerks [m/s³]."""
+    """Demands of level flight along a line, from accelerations [m/s²] and jerks [m/s³]."""
     tilt, rate = leaning(acceleration, jerk, limits.gravity)
     largest = float(np.abs(tilt).max())
     weight = limits.mass * limits.gravity

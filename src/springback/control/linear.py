@@ -1,7 +1,7 @@
-"""Is a set of gains stable?  The cascade about hover, linearised, one axis at a time.
+"""Stability of a set of gains: the cascade linearised about hover, one axis at a time.
 
-Axes decouple about hover, and a controller that knows the inertia makes the angular acceleration
-its own input; so the eigenvalues hold for x, y and z of any vehicle of the same mass and rotor lag.
+Axes decouple about hover, and a controller that knows the inertia commands the angular acceleration
+directly; so the eigenvalues hold for x, y and z of any vehicle of the same mass and rotor lag.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ def delay(duration: float) -> Transfer:
 
 
 def rate_loop(settings: ControlSettings, rotor_lag: float) -> Transfer:
-    """From ω_sp to ω: ω̇ is (k_ω + k_i/s)(ω_sp − H ω) − d s H ω after the lag of the rotors.
+    """Transfer from ω_sp to ω: ω̇ is (k_ω + k_i/s)(ω_sp − H ω) − d s H ω after the rotors' lag.
 
-    H is the filter on the gyroscope.
+    H is the gyroscope filter.
     """
     k, i, d = settings.rate_gain, settings.rate_integral, settings.rate_derivative
-    order = S if i > 0.0 else Polynomial([1.0])  # common factor of all terms but the integral's
+    order = S if i > 0.0 else Polynomial([1.0])  # common factor of all but the integral's terms
     filtered = 1.0 + settings.gyro_lag() * S
     given = k * order + i
     plant = S * order * (1.0 + rotor_lag * S)
@@ -46,7 +46,7 @@ def rate_loop(settings: ControlSettings, rotor_lag: float) -> Transfer:
 
 
 def attitude_loop(settings: ControlSettings, rotor_lag: float, time_constant: float) -> Transfer:
-    """From the desired to the actual angle: ω_sp is the error, held between runs, over τ."""
+    """Transfer from desired to actual angle: ω_sp is the error, held between runs, over τ."""
     rate = rate_loop(settings, rotor_lag)
     held = delay(0.5 / settings.attitude_frequency + 0.5 / settings.rate_frequency)
     forward = rate.numerator * held.numerator
@@ -59,8 +59,8 @@ def characteristic(
     """Characteristic polynomial of the closed loop of an axis.
 
     m s² = −(K_p + K_v s + K_i/s) e^(−s T) A(s), with A the attitude loop for x and y and the lag of
-    the rotors for z; T is the offboard delay and half a period of the position loop, for which a
-    command is held on average.
+    rotors for z; T is the offboard delay plus half a period of the position loop, the mean time for
+    which a command is held.
     """
     if axis == "yaw":
         tau = settings.yaw_time_constant if settings.attitude == "reduced" else None
@@ -88,7 +88,7 @@ def loop_eigenvalues(
     Args:
         settings: Gains, rates and delays.
         axis: ``horizontal``, ``vertical`` or ``yaw``.
-        mass: Of the vehicle [kg].
+        mass: Mass of the vehicle [kg].
         rotor_lag: Time constant of the rotors' thrust [s].
     """
     roots = characteristic(settings, axis, mass, rotor_lag).trim().roots().astype(np.complex128)
@@ -97,12 +97,13 @@ def loop_eigenvalues(
 
 
 def warnings_for(settings: ControlSettings, mass: float, rotor_lag: float) -> list[str]:
-    """A sentence for each axis whose linearised loop is unstable; none where all is well."""
+    """A sentence for each axis whose linearised loop is unstable, if any."""
     sentences = []
     for axis in AXES:
         worst = loop_eigenvalues(settings, axis, mass, rotor_lag)[0]
         if worst.real > 0.0:
-            swing = f", swinging at {abs(worst.imag) / (2.0 * math.pi):.3g} Hz" * bool(worst.imag)
+            frequency = abs(worst.imag) / (2.0 * math.pi)
+            swing = f", oscillating at {frequency:.3g} Hz" * bool(worst.imag)
             sentences.append(
                 f"gains make the linearised {axis} loop unstable: eigenvalue "
                 f"{worst.real:+.3g} 1/s{swing} (mass {mass:g} kg, rotor lag {rotor_lag:g} s)"

@@ -1,4 +1,4 @@
-"""From thrust and moment to the thrusts of the rotors, and back, with the arms as long as they are.
+"""Rotor thrusts from thrust and moment, and back, for the present arm lengths.
 
 The rotors have the effects of eqs. (2) and (10) of the paper, for any number of arms in any
 directions.
@@ -14,14 +14,14 @@ from springback.kernels.trees import maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, within
 from springback.vehicle.state import Airframe, Arm
 
-#: A pivot this much smaller than its diagonal entry is rounding: the rotors have no such effect.
+#: A pivot smaller than its diagonal entry by this factor is rounding: the rotors lack that effect.
 NO_EFFECT = 1e-9
-#: Smallest effect of a rotor on a scale of 1 that is divided by (chosen; far below any real one).
+#: Smallest effect of a rotor, relative to 1, used as a divisor (chosen; far below any real one).
 SMALL = 1e-9
 
 
 class Effect(NamedTuple):
-    """Column of B(l): what one newton of a rotor does to thrust [1] and moments [m]."""
+    """Column of B(l): contribution of one newton of a rotor to thrust [1] and moments [m]."""
 
     thrust: float
     roll: float
@@ -45,14 +45,14 @@ class Gram(NamedTuple):
 
 
 class Mixer(NamedTuple):
-    """What mixing takes at some arm lengths."""
+    """Allocation at given arm lengths."""
 
     lengths: tuple[float, ...]  # l_j [m]
-    shares: tuple[Effect, ...]  # rows of Bᵀ (B Bᵀ)⁻¹: what a rotor gives to each part of a wrench
+    shares: tuple[Effect, ...]  # rows of Bᵀ (B Bᵀ)⁻¹: share of a rotor in each part of a wrench
 
 
 class Rotor(NamedTuple):
-    """Thrust of one rotor, split by what it serves."""
+    """Thrust of one rotor, split by purpose."""
 
     collective: float  # for each newton of collective thrust [1]
     tilting: float  # for the roll and pitch moment [N]
@@ -61,7 +61,7 @@ class Rotor(NamedTuple):
 
 @kernel
 def _effect(arm: Arm, length: float) -> Effect:
-    """Eq. (10): r_j × T_j e_z = (y_j, −x_j, 0) T_j, and the rotor's own torque about z."""
+    """Effect by eq. (10): r_j × T_j e_z = (y_j, −x_j, 0) T_j, and the rotor's torque about z."""
     return Effect(1.0, arm.sine * length, -arm.cosine * length, arm.torque_ratio)
 
 
@@ -73,14 +73,14 @@ def _caused(effect: Effect, thrust: float) -> Wrench:
 
 @kernel
 def wrench_of(airframe: Airframe, lengths: tuple[float, ...], thrusts: tuple[float, ...]) -> Wrench:
-    """Collective thrust and moment about the main body of some rotor thrusts [N]."""
+    """Collective thrust and moment about the main body of given rotor thrusts [N]."""
     effects = tree_map(_effect, (airframe.arms, lengths), ())
     return tree_sum(tree_map(_caused, (effects, thrusts), ()))
 
 
 @kernel
 def _product(b: Effect) -> Gram:
-    """The share of one rotor in B Bᵀ, upper half."""
+    """Contribution of one rotor to B Bᵀ, upper half."""
     return Gram(
         b.thrust * b.thrust, b.thrust * b.roll, b.thrust * b.pitch, b.thrust * b.yaw,
         b.roll * b.roll, b.roll * b.pitch, b.roll * b.yaw,
@@ -91,16 +91,16 @@ def _product(b: Effect) -> Gram:
 
 @kernel
 def _inverse_pivot(pivot: float, diagonal: float) -> float:
-    """1/pivot, or zero for what the rotors cannot do at all."""
+    """Inverse of a pivot, or zero for an effect that the rotors lack."""
     return 1.0 / pivot if pivot > NO_EFFECT * diagonal else 0.0
 
 
 @kernel
 def _factors(g: Gram) -> Gram:
-    """L D Lᵀ of B Bᵀ: the entries of Lᵀ above the diagonal, and on it the inverses of D.
+    """Factors L D Lᵀ of B Bᵀ: the entries of Lᵀ above the diagonal, and on it the inverses of D.
 
-    A vanishing pivot, as of yaw where no rotor has a torque, gets the inverse zero: the solution
-    then leaves that part out.
+    A zero pivot, as of yaw where no rotor has a torque, gets the inverse zero: the solution then
+    omits that part.
     """
     d0 = _inverse_pivot(g.g00, g.g00)
     l01, l02, l03 = g.g01 * d0, g.g02 * d0, g.g03 * d0
@@ -116,7 +116,7 @@ def _factors(g: Gram) -> Gram:
 
 @kernel
 def _solution(f: Gram, wanted: Effect) -> Effect:
-    """(B Bᵀ)⁻¹ w from the factors, by forward and back substitution."""
+    """Solution (B Bᵀ)⁻¹ w from the factors, by forward and back substitution."""
     y0 = wanted.thrust
     y1 = wanted.roll - f.g01 * y0
     y2 = wanted.pitch - f.g02 * y0 - f.g12 * y1
@@ -136,17 +136,17 @@ def _share(b: Effect, x: Effect) -> float:
 
 @kernel
 def _shares(b: Effect, f: Gram) -> Effect:
-    """Row of Bᵀ (B Bᵀ)⁻¹ of one rotor: the solution for its column, as the Gram is symmetric."""
+    """Row of Bᵀ (B Bᵀ)⁻¹ of one rotor: the solution for its column, by the Gram's symmetry."""
     return _solution(f, b)
 
 
 @kernel
 def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
-    """The pseudoinverse of B(l).
+    """Pseudoinverse of B(l).
 
     Args:
         airframe: Directions and torque ratios of the arms.
-        lengths: l_j as they are [m].
+        lengths: Present l_j [m].
     """
     effects = tree_map(_effect, (airframe.arms, lengths), ())
     factors = _factors(tree_sum(tree_map(_product, (effects,), ())))
@@ -155,7 +155,7 @@ def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
 
 @kernel
 def allocated(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
-    """Rotor thrusts Bᵀ (B Bᵀ)⁻¹ w for a wrench, without regard to limits [N].
+    """Rotor thrusts Bᵀ (B Bᵀ)⁻¹ w for a wrench, without limits [N].
 
     Exact for four rotors, and of least norm for more.
     """
@@ -165,7 +165,7 @@ def allocated(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
 
 @kernel
 def _rotor(share: Effect, moment: Vec) -> Rotor:
-    """What one rotor gives to each part of a wrench; every rotor must help to lift."""
+    """Contributions of one rotor to each part of a wrench; every rotor must contribute to lift."""
     collective = share.thrust if share.thrust > SMALL else SMALL
     return Rotor(collective, share.roll * moment.x + share.pitch * moment.y, share.yaw * moment.z)
 
@@ -184,7 +184,7 @@ def _tilt_beside(k: Rotor, j: Rotor, lowest: float, highest: float) -> float:
 
 @kernel
 def _tilt_share(j: Rotor, rotors: tuple[Rotor, ...], lowest: float, highest: float) -> float:
-    """Largest share of the tilting moment that rotor j allows beside all others."""
+    """Largest share of the tilting moment that rotor j allows with all others."""
     return minimum(tree_map(_tilt_beside, (rotors,), (j, lowest, highest)))
 
 
@@ -198,7 +198,7 @@ def _tilt_under(rotor: Rotor, most: float, lowest: float) -> float:
 
 @kernel
 def _collective_bound(rotor: Rotor, tilt: float, bound: float) -> float:
-    """Collective thrust at which a rotor meets a bound [N]."""
+    """Collective thrust at which a rotor reaches a bound [N]."""
     return (bound - tilt * rotor.tilting) / rotor.collective
 
 
@@ -206,7 +206,7 @@ def _collective_bound(rotor: Rotor, tilt: float, bound: float) -> float:
 def _turn_share(
     rotor: Rotor, collective: float, tilt: float, lowest: float, highest: float
 ) -> float:
-    """Largest share of the yaw moment that a rotor has room for."""
+    """Largest share of the yaw moment that a rotor allows."""
     used = collective * rotor.collective + tilt * rotor.tilting
     room = (highest if rotor.turning > 0.0 else lowest) - used
     is_tight = (room - rotor.turning) * rotor.turning < 0.0
@@ -215,7 +215,7 @@ def _turn_share(
 
 @kernel
 def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
-    """Thrust of a rotor that serves these shares [N]."""
+    """Thrust of a rotor for these shares [N]."""
     return collective * rotor.collective + tilt * rotor.tilting + turn * rotor.turning
 
 
@@ -223,7 +223,7 @@ def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
 def _squeezed(
     rotors: tuple[Rotor, ...], thrust: float, lowest: float, highest: float, lift: float
 ) -> tuple[float, ...]:
-    """Thrusts within their limits where not all that is asked for fits [N]."""
+    """Thrusts within their limits if the demand does not fit [N]."""
     most = thrust if thrust > lift else lift
     abreast = minimum(tree_map(_tilt_share, (rotors,), (rotors, lowest, highest)))
     under = minimum(tree_map(_tilt_under, (rotors,), (most, lowest)))
@@ -241,19 +241,19 @@ def _squeezed(
 def mixed(
     mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
-    """Rotor thrusts within their limits that come as near to a wrench as its parts are worth [N].
+    """Rotor thrusts within their limits that approach a wrench by priority of its parts [N].
 
-    What no longer fits gives way in this order: the yaw moment shrinks, down to zero; then the
-    collective thrust is shifted, up or down, as far as roll and pitch need; and only where no
-    collective will do, the roll and pitch moment shrinks, in its own direction.  What fits is met
-    exactly.  The order is that of PX4's mixer: with airmode the collective may rise as far as roll
-    and pitch need, without it no further than to what is asked for, or to some small thrust.
+    If the demand does not fit, its parts are reduced in this order: the yaw moment, down to zero;
+    then the collective thrust is shifted, up or down, as far as roll and pitch require; and only if
+    no collective thrust suffices, the roll and pitch moment, in its own direction.  A demand that
+    fits is met exactly.  The order is that of PX4's mixer: with airmode the collective may rise as
+    far as roll and pitch require, without it only to the demanded thrust, or to some small thrust.
 
     Args:
-        mixer: For the arm lengths as they are.
-        lowest: Least thrust of a rotor, at least 0 [N].
-        highest: Most thrust of a rotor [N].
-        wrench: Thrust and moment asked for.
+        mixer: Allocation at the present arm lengths.
+        lowest: Minimum thrust of a rotor, at least 0 [N].
+        highest: Maximum thrust of a rotor [N].
+        wrench: Demanded thrust and moment.
         lift: Collective thrust to which roll and pitch may raise a smaller one [N].
     """
     asked = unlimited(mixer, wrench)
@@ -264,14 +264,14 @@ def mixed(
 
 @kernel
 def unlimited(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
-    """Rotor thrusts that meet a wrench, whatever the rotors can do [N]."""
+    """Rotor thrusts that give a wrench, without limits [N]."""
     rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
     return tree_map(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
 
 
 @kernel
 def fits(thrusts: tuple[float, ...], lowest: float, highest: float) -> bool:
-    """Whether all rotors can do what is asked of them."""
+    """True if all rotors are within their limits."""
     return (minimum(thrusts) >= lowest) & (maximum(thrusts) <= highest)
 
 
@@ -279,6 +279,6 @@ def fits(thrusts: tuple[float, ...], lowest: float, highest: float) -> bool:
 def squeezed(
     mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
-    """`mixed` where not all that is asked for fits."""
+    """Thrusts as by `mixed`, if the demand does not fit."""
     rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
     return _squeezed(rotors, wrench.thrust, lowest, highest, lift)

@@ -1,4 +1,4 @@
-"""Controllers as a user writes them down, checked once, and turned into numbers.
+"""Controllers: validated user input, converted to the numbers of the laws.
 
 The paper prints no gains.  One rule serves both of its robots: the same stiffness, a force per
 metre, and the damping ratio of a Bessel filter.  A heavier robot is then slower, as ARQ's steps are
@@ -20,24 +20,24 @@ from springback.quantities import Duration, Factor, Unit
 from springback.sensing.measurement import Pace, paced
 from springback.settings import Settings, problem
 
-#: Part of the weight that the position loop always lifts, so that it has a direction to aim at
-#: (chosen: nearly free fall is still allowed).
+#: Fraction of the weight that the position loop always lifts, so that the direction of thrust is
+#: defined (chosen: nearly free fall is still allowed).
 LEAST_LIFT = 0.05
-#: A thrust that no rotor gives [N], for a position loop without limit.
+#: Unreachable thrust [N], for a position loop without limit.
 FAR_BEYOND = 1e9
 #: Rate error at which the rate loop's integral stops growing: 400 deg/s, PX4's RateControl.
 INTEGRAL_FADE = math.radians(400.0)
-#: How far a product of clock and period may be from a whole number: rounding of decimals.
+#: Tolerance for a product of clock and period to be a whole number: rounding of decimals.
 WHOLE = 1e-6
 
-#: Damping ratio of a Bessel filter of two poles, which delays all frequencies alike (Thomson 1949).
+#: Damping ratio of a two-pole Bessel filter, which delays all frequencies equally (Thomson 1949).
 BESSEL = math.sqrt(0.75)
 
 AttitudeLaw = FullQuaternion | Reduced | LeeSO3
 
 
 class Schedule(NamedTuple):
-    """When each loop runs on the clock."""
+    """Periods of the loops on the clock."""
 
     position: Pace
     attitude: Pace
@@ -53,32 +53,36 @@ class ControlSettings(Settings):
     vertical_stiffness: Annotated[float, Unit("N/m", least=0.0)] = 20.0
     """K_p, vertical. Fitted, as above."""
     damping_ratio: Annotated[float, Unit("", least=0.0)] = BESSEL
-    """ζ, from which K_v = 2 ζ √(K_p m) where none is given. Chosen from the textbook's √½, √¾ and
-    1: the steps of Table IV go with no other (studies/gains.py)."""
+    """ζ, from which K_v = 2 ζ √(K_p m) where none is given.  Chosen from the textbook's √½, √¾ and
+    1: no other agrees with the steps of Table IV (studies/gains.py).
+    """
     damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
-    """K_v, horizontal, in place of that of the damping ratio."""
+    """K_v, horizontal, instead of that of the damping ratio."""
     vertical_damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
-    """K_v, vertical, in place of that of the damping ratio."""
+    """K_v, vertical, instead of that of the damping ratio."""
     integral: Annotated[float, Unit("N/(m s)", least=0.0)] = 0.0
     """K_i of all three axes; the paper's laws have none."""
     integral_limit: Annotated[float, Unit("N", least=0.0)] = 2.0
     """Largest force of the integral along each axis. Chosen: a sixth of the weight."""
     feedback_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 12.0
-    """Position and velocity errors ask for no more than this. Chosen: nearly what the rotors have
-    to spare, 1.34 g; the 9 of mavros_controllers (max_fb_acc) keeps Quad's steps in z from the MSE
-    of Table IV (studies/gains.py)."""
+    """Limit for position and velocity errors. Chosen: nearly the reserve of the rotors, 1.34 g;
+    with the 9 of mavros_controllers (max_fb_acc) Quad's steps in z miss the MSE of Table IV
+    (studies/gains.py).
+    """
     horizontal_margin: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.3
-    """Share of a limited force that height leaves to the horizontal. PX4's MPC_THR_XY_MARG."""
+    """Fraction of a limited force that is reserved for the horizontal. PX4's MPC_THR_XY_MARG."""
     feed_forward: bool | None = None
-    """Angular velocity from jerk and yaw rate, and tilt ahead of time by the known delays of the
-    loops. By default for run-ups only; the paper's other references have no jerk to give."""
+    """Feed forward the angular velocity from jerk and yaw rate, and the tilt in advance by the
+    known delays of the loops. By default for run-ups only; the paper's other references define no
+    jerk.
+    """
     tilt_limit: Annotated[float, Unit("rad", above=0.0, most=math.radians(89.0))] = math.radians(
         85.0
     )
-    """Largest tilt asked for. Chosen: beyond the 66 deg that the paper reports, short of 90 deg."""
+    """Largest commanded tilt. Chosen: beyond the 66 deg that the paper reports, below 90 deg."""
 
     attitude: Literal["reduced", "full", "lee"] = "reduced"
-    """Brescianini with tilt before yaw, as in PX4; or with all axes alike; or Lee's on SO(3)."""
+    """Brescianini with tilt before yaw, as in PX4; or with all axes equal; or Lee's on SO(3)."""
     time_constant: Duration = 1.0 / 6.5
     """τ of tilt errors, and of yaw in `full` and `lee`. PX4's MC_ROLL_P = MC_PITCH_P = 6.5 1/s."""
     yaw_time_constant: Duration = 1.0 / 2.8
@@ -86,7 +90,7 @@ class ControlSettings(Settings):
     yaw_weight: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.4
     """p of `reduced`. Brescianini et al. found 0.4 best; PX4's MC_YAW_WEIGHT."""
     rate_limit: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(220.0)
-    """Of roll and pitch. PX4's MC_ROLLRATE_MAX = MC_PITCHRATE_MAX = 220 deg/s."""
+    """Limit for roll and pitch. PX4's MC_ROLLRATE_MAX = MC_PITCHRATE_MAX = 220 deg/s."""
     yaw_rate_limit: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(200.0)
     """PX4's MC_YAWRATE_MAX = 200 deg/s."""
 
@@ -95,23 +99,25 @@ class ControlSettings(Settings):
     of its mixer, 4 T √½ L √½ with T = 7.0 N and L = 0.19 m, is 0.40 N m s: 43 and 37 1/s by Quad's
     moments of inertia about x and y."""
     rate_integral: Annotated[float, Unit("1/s^2", least=0.0)] = 0.0
-    """Chosen: none; the modelled robots have no steady torque to hold against.  The 0.2/0.15 1/s of
-    PX4's MC_PITCHRATE_I over MC_PITCHRATE_P would make it 53: run-ups then overshoot."""
+    """Chosen: none; the modelled robots have no steady torque to compensate.  The 0.2/0.15 1/s of
+    PX4's MC_PITCHRATE_I over MC_PITCHRATE_P would make it 53: run-ups then overshoot.
+    """
     rate_integral_limit: Annotated[float, Unit("rad/s^2", least=0.0)] = 80.0
     """k_ω times PX4's MC_PR_INT_LIM/MC_PITCHRATE_P = 0.30/0.15 rad/s."""
     rate_derivative: Factor = 0.0
-    """On the filtered angular acceleration. Chosen: none."""
+    """Gain on the filtered angular acceleration. Chosen: none."""
     gyro_cutoff: Annotated[float, Unit("1/s", least=0.0)] = 30.0
-    """Cut-off of the first-order filter on the gyroscope [Hz]; 0 is no filter.
+    """Cut-off of the first-order gyroscope filter [Hz]; 0 disables it.
 
     PX4's IMU_GYRO_CUTOFF since 1.9 (pull request 11950).
     """
     gyroscopic: bool = True
-    """Whether ω × J ω is added. Brescianini et al. 2013, inner loop."""
+    """Add ω × J ω. Brescianini et al. 2013, inner loop."""
 
     lift_share: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.12
-    """Of the rotors' most collective thrust, to which roll and pitch may raise a smaller one that
-    is asked for; 1 is PX4's airmode.  PX4's MPC_THR_MIN = 0.12 with its default MC_AIRMODE off."""
+    """Fraction of the maximum collective thrust to which roll and pitch may raise a smaller one; 1
+    is PX4's airmode.  PX4's MPC_THR_MIN = 0.12 with its default MC_AIRMODE off.
+    """
 
     position_frequency: Annotated[float, Unit("1/s", above=0.0)] = 100.0
     """[Hz] mavros_controllers, main loop."""
@@ -120,7 +126,7 @@ class ControlSettings(Settings):
     rate_frequency: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
     """[Hz] PX4, driven by the gyroscope."""
     offboard_delay: Annotated[float, Unit("s", least=0.0)] = 0.01
-    """From the position loop to the autopilot. Chosen: one period of the position loop."""
+    """Delay from the position loop to the autopilot. Chosen: one period of the position loop."""
 
     def damping_for(self, mass: float) -> tuple[float, float]:
         """K_v, horizontal and vertical [N s/m]: as given, else 2 ζ √(K_p m) for a mass m [kg]."""
@@ -134,12 +140,12 @@ class ControlSettings(Settings):
     def position_law(
         self, mass: float, gravity: float, max_thrust: float = math.inf
     ) -> PositionLaw:
-        """The numbers of the position loop, for what it believes in.
+        """Settings of the position loop, for its model of the vehicle.
 
         Args:
-            mass: [kg].
+            mass: Mass [kg].
             gravity: g [m/s²].
-            max_thrust: Collective, of the rotors [N].
+            max_thrust: Maximum collective thrust [N].
         """
         kp, ki = self.stiffness, self.integral
         kv, vertical = self.damping_for(mass)
@@ -162,21 +168,21 @@ class ControlSettings(Settings):
         )
 
     def tilt_lead(self) -> float:
-        """How far ahead a reference's tilt is asked for [s].
+        """Time by which the tilt of a reference is commanded ahead [s].
 
-        The offboard delay, and half a period each for which the words of the position loop and of
-        the attitude loop stand.
+        The offboard delay, and half a period each for which commands of the position and attitude
+        loops are held.
         """
         holds: float = 0.5 / self.position_frequency + 0.5 / self.attitude_frequency
         lead: float = self.offboard_delay + holds
         return lead
 
     def rate_lead(self) -> float:
-        """How far ahead a reference's angular velocity is asked for [s].
+        """Time by which the angular velocity of a reference is commanded ahead [s].
 
-        By the lead of the tilt, and by the lag 1/k_ω − τ_f of the rate loop.  Its filter τ_f in the
-        feedback hastens it: ω/ω_wanted = 1/(F + s (1 + τ s)/k_ω), F = 1/(1 + τ_f s), to first
-        order in s.  The rotors' τ is of second order.  An integral makes up that lag.
+        The lead of the tilt, plus the lag 1/k_ω − τ_f of the rate loop.  The filter τ_f in its
+        feedback makes it faster: ω/ω_wanted = 1/(F + s (1 + τ s)/k_ω), F = 1/(1 + τ_f s), to first
+        order in s.  The rotors' τ is of second order.  An integral eliminates that lag.
         """
         if self.rate_integral > 0.0:
             return self.tilt_lead()
@@ -184,7 +190,7 @@ class ControlSettings(Settings):
         return self.tilt_lead() + max(lag, 0.0)
 
     def attitude_law(self) -> AttitudeLaw:
-        """The numbers of the attitude loop; their type is the law."""
+        """Settings of the attitude loop; their type is the law."""
         tilt, yaw = 1.0 / self.time_constant, 1.0 / self.yaw_time_constant
         limit = Vec(self.rate_limit, self.rate_limit, self.yaw_rate_limit)
         if self.attitude == "full":
@@ -195,7 +201,7 @@ class ControlSettings(Settings):
         return Reduced(Vec(tilt, tilt, yaw / p if p > 0.0 else 0.0), p, limit)
 
     def rate_law(self) -> RateLaw:
-        """The numbers of the rate loop."""
+        """Settings of the rate loop."""
         k, i, d = self.rate_gain, self.rate_integral, self.rate_derivative
         period = 1.0 / self.rate_frequency
         return RateLaw(
@@ -210,14 +216,14 @@ class ControlSettings(Settings):
         )
 
     def gyro_lag(self) -> float:
-        """Time constant of the filter on the gyroscope [s]: 1/(2π f)."""
+        """Time constant of the gyroscope filter [s]: 1/(2π f)."""
         return 1.0 / (2.0 * math.pi * self.gyro_cutoff) if self.gyro_cutoff > 0.0 else 0.0
 
     def schedule(self, clock: float) -> Schedule:
-        """When each loop runs on a clock of so many ticks per second.
+        """Periods of the loops on a clock of given rate [Hz].
 
         Raises:
-            The problem of a frequency that the clock cannot keep, with those nearest that it can.
+            The problem of a frequency that does not divide the clock's, with the nearest that do.
         """
         position = self._every("position_frequency", clock)
         return Schedule(
@@ -228,7 +234,7 @@ class ControlSettings(Settings):
         )
 
     def _delay(self, position: float, clock: float) -> float:
-        """The offboard delay in ticks: one word of the position loop is under way, never two."""
+        """Offboard delay in ticks: at most one command of the position loop is in transit."""
         ticks, delay = self.offboard_delay * clock, self.offboard_delay
         if abs(ticks - round(ticks)) > WHOLE * max(ticks, 1.0):
             raise problem(

@@ -3,6 +3,7 @@
 The curve of least ∫ |d⁴x/dt⁴|² through way-points at given times is the spline of degree 7 with
 knots there and six continuous derivatives (the natural Euler–Lagrange and corner conditions of that
 integral), its first three derivatives clamped at both ends.  SciPy solves for splines as a banded
+system in the B-spline basis, so no quadratic programme is needed.
 system in the B-spline basis, so no quadratic programme is written here.
 """
 
@@ -13,7 +14,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.control.demands import (
     ROOM,
@@ -32,7 +33,7 @@ from springback.kernels.vectors import Vec
 
 #: Degree of minimum-snap segments: the Euler–Lagrange equation of snap is d⁸x/dt⁸ = 0.
 DEGREE = 7
-#: Range of total durations searched for the shortest within limits [s], chosen.
+#: Range of total durations [s] in which the shortest within limits is searched, chosen.
 SHORTEST, LONGEST = 1e-2, 1e3
 
 
@@ -48,16 +49,16 @@ class BoundaryCondition(NamedTuple):
 def quintic(
     start: BoundaryCondition, end: BoundaryCondition, duration: float, begins: float, yaw: float
 ) -> Polynomials:
-    """The polynomial of degree five between two motions: the one of least ∫ |jerk|².
+    """Polynomial of degree five between two motions, with the least ∫ |jerk|².
 
     Closed form of the 6 × 6 system of its boundary conditions (Flash and Hogan, J. Neurosci. 5,
-    1985, for rest to rest).  A kernel, so that it can be made in flight.
+    1985, for rest to rest).  A kernel, so that it can be computed in flight.
 
     Args:
         start: Motion at ``begins``, world axes.
         end: Motion ``duration`` later.
         duration: T > 0 [s].
-        begins: [s].
+        begins: Start time [s].
         yaw: Constant [rad].
     """
     T = duration
@@ -81,7 +82,7 @@ def as_reference(
         curve: The curve, from ``breaks[0]`` to ``breaks[-1]``.
         breaks: Times between which it is a polynomial [s], increasing.
         yaw: Constant [rad].
-        begins: When the reference starts [s].
+        begins: Start time of the reference [s].
     """
     at = np.asarray(breaks[:-1], dtype=float)
     orders = range(DEGREE, -1, -1)
@@ -94,9 +95,9 @@ def as_reference(
 
 
 def padded(reference: Polynomials, count: int) -> Polynomials:
-    """The same reference with at least so many segments; those added rest at its end.
+    """The same reference with at least so many segments; those added are at rest at its end.
 
-    References of one length are of one type, so flights that follow them can be flown abreast.
+    References of one length are of one type, so flights that follow them form a batch.
     """
     short = count - len(reference.segments)
     if short <= 0:
@@ -112,7 +113,7 @@ def padded(reference: Polynomials, count: int) -> Polynomials:
 
 
 def snap_spline(times: Times, points: Array, ends: Array | None = None) -> DifferentiableCurve:
-    """The curve of least ∫ |snap|² through points at given times.
+    """Curve of least ∫ |snap|² through points at given times.
 
     Mellinger and Kumar, "Minimum snap trajectory generation and control for quadrotors", ICRA 2011,
     state the problem as a quadratic programme; this is its solution.
@@ -131,7 +132,7 @@ def snap_spline(times: Times, points: Array, ends: Array | None = None) -> Diffe
 
 
 def snap_cost(curve: DifferentiableCurve, breaks: Times) -> float:
-    """∫ |snap|² dt of a piecewise polynomial of degree 7 [m²/s⁷], exact by Gauss's rule."""
+    """Cost ∫ |snap|² dt of a piecewise polynomial of degree 7 [m²/s⁷], exact by Gauss's rule."""
     nodes, weights = np.polynomial.legendre.leggauss(DEGREE - 3)
     t, h = np.asarray(breaks[:-1], dtype=float), np.diff(breaks)
     at = t[:, None] + 0.5 * h[:, None] * (nodes + 1.0)
@@ -140,14 +141,14 @@ def snap_cost(curve: DifferentiableCurve, breaks: Times) -> float:
 
 
 def shared_times(points: Array, duration: float) -> Array:
-    """Times at the way-points that make snap least, for a flight from rest to rest.
+    """Times at the way-points that minimise snap, for a flight from rest to rest.
 
-    The total is kept and its parts are optimised, as Mellinger and Kumar 2011 do, from parts in
+    The total is fixed and its parts are optimised, as Mellinger and Kumar 2011 do, starting in
     proportion to the distances.
 
     Args:
-        points: Shape (n, 3), neighbours apart [m].
-        duration: In total [s].
+        points: Shape (n, 3), neighbours distinct [m].
+        duration: Total [s].
 
     Returns:
         n times from 0 to ``duration`` [s].
@@ -158,7 +159,7 @@ def shared_times(points: Array, duration: float) -> Array:
         parts = np.exp(logarithms - logarithms.max())
         return np.concatenate([[0.0], np.cumsum(parts / parts.sum())])
 
-    def cost(logarithms: Array) -> float:  # snap scales with total⁻⁷, so a total of 1 s will do
+    def cost(logarithms: Array) -> float:  # snap scales with total⁻⁷, so a total of 1 s suffices
         breaks = times(logarithms)
         return math.log(snap_cost(snap_spline(breaks, points), breaks))
 
@@ -176,23 +177,23 @@ def through(
     yaw: float = 0.0,
     begins: float = 0.0,
 ) -> Polynomials:
-    """The minimum-snap reference through way-points, from rest to rest.
+    """Minimum-snap reference through way-points, from rest to rest.
 
     Args:
-        points: At least two, neighbours apart, world [m].
-        limits: What the vehicle can do.
+        points: At least two, neighbours distinct, world [m].
+        limits: Limits of the vehicle.
         times: At each point, from 0 [s]; optimised by default.
-        duration: In total, if no times are given [s]; by default the shortest that leaves
+        duration: Total, if no times are given [s]; by default the shortest that leaves
             `ROOM` below the limits.
         yaw: Constant [rad].
-        begins: [s].
+        begins: Start time [s].
 
     Raises:
-        InputError: If the points or times are of no use, or a limit is exceeded, and by how much.
+        InputError: If the points or times are invalid, or a limit is exceeded, and by how much.
     """
     corners = np.asarray(points, dtype=float)
     if len(corners) < 2 or np.any(np.linalg.norm(np.diff(corners, axis=0), axis=1) == 0.0):
-        raise InputError("way-points must be at least two, and neighbours apart")
+        raise InputError("way-points must be at least two, and neighbours distinct")
     if times is not None:
         breaks = np.asarray(times, dtype=float)
         if len(breaks) != len(corners) or breaks[0] != 0.0 or np.any(np.diff(breaks) <= 0.0):
@@ -209,7 +210,7 @@ def through(
 
 
 def _shortest(corners: Array, limits: Limits) -> Array:
-    """Times at the way-points of the shortest flight that leaves `ROOM`, with the best parts."""
+    """Times at the way-points of the shortest flight that leaves `ROOM`, with optimal parts."""
     parts = shared_times(corners, 1.0)
 
     def share(duration: float) -> float:
@@ -219,7 +220,7 @@ def _shortest(corners: Array, limits: Limits) -> Array:
 
     at_hover = share(LONGEST)
     if at_hover >= 1.0:
-        raise InputError("the flight through way-points cannot keep to the limits, however slow")
+        raise InputError("the flight through way-points exceeds the limits at any duration")
     room = max(ROOM, 0.5 * (1.0 + at_hover))
     logarithms = (math.log(SHORTEST), math.log(LONGEST))
     found = scipy.optimize.brentq(lambda x: share(math.exp(x)) - room, *logarithms, xtol=1e-10)

@@ -1,4 +1,4 @@
-"""From where the robot should be to how it should lean and push: geometric position control.
+"""Geometric position control: from a target position to attitude and thrust.
 
 The law is that of Lee, Leok and McClamroch (CDC 2010) and of Mellinger and Kumar (ICRA 2011), with
 gains that are forces: a heavier robot with the same gains is slower, as Table IV of the paper shows
@@ -25,7 +25,7 @@ from springback.kernels.vectors import (
 )
 from springback.sensing.measurement import Estimate
 
-#: Squared sine of the angle to the heading below which there is no heading to keep (chosen).
+#: Squared sine of the angle to the heading below which the heading is undefined (chosen).
 PARALLEL = 1e-12
 
 
@@ -40,23 +40,23 @@ class PositionLaw(NamedTuple):
     mass: float  # m of the controller's model [kg]
     gravity: float  # g [m/s²]
     slope: float  # tangent of the largest tilt
-    min_lift: float  # the vertical force never falls below it [N]
+    min_lift: float  # lower bound on the vertical force [N]
     max_thrust: float  # collective [N]
-    margin: float  # share of a limited force that its horizontal part always has
+    margin: float  # fraction of a limited force reserved for its horizontal part
     feed_forward: float  # 1: angular velocity from jerk and yaw rate; 0: none
-    tilt_lead: float  # the reference's acceleration is that of so much later [s]
-    rate_lead: float  # and its jerk and yaw rate are those of so much later [s]
+    tilt_lead: float  # the reference's acceleration is taken this much later [s]
+    rate_lead: float  # its jerk and yaw rate are taken this much later [s]
     period: float  # of the loop [s]
 
 
 class PositionMemory(NamedTuple):
-    """What the position loop remembers."""
+    """Memory of the position loop."""
 
     integral: Vec  # force of the integral [N]
 
 
 class Aim(NamedTuple):
-    """What the position loop asks for, and what it remembers."""
+    """Output of the position loop, and its memory."""
 
     target: AttitudeTarget
     memory: PositionMemory
@@ -70,7 +70,7 @@ class Feedback(NamedTuple):
 
 
 class Heading(NamedTuple):
-    """Axes of an attitude, with the heading that it is built on."""
+    """Axes of an attitude, and the heading from which it is built."""
 
     axes: Mat3  # body to world: columns b_1, b_2, b_3
     forward: Vec  # x_C, horizontal
@@ -82,13 +82,13 @@ NO_MEMORY = PositionMemory(Vec(0.0, 0.0, 0.0))
 
 @kernel
 def cut(force: Vec, limit: float, vertical: float, margin: float) -> Vec:
-    """A force with a given vertical part, its horizontal part cut to what a length has left for it.
+    """A force with a given vertical part, and its horizontal part limited to what a length leaves.
 
     Args:
         force: World [N].
-        limit: Of the length [N].
-        vertical: What becomes of the vertical part, at most ``limit`` [N].
-        margin: Share of the limit that the horizontal part always has.
+        limit: Maximum length [N].
+        vertical: New vertical part, at most ``limit`` [N].
+        margin: Fraction of the limit reserved for the horizontal part.
     """
     left, least = limit * limit - vertical * vertical, margin * limit
     room = math.sqrt(left if left > least * least else least * least)
@@ -99,13 +99,13 @@ def cut(force: Vec, limit: float, vertical: float, margin: float) -> Vec:
 
 @kernel
 def feedback(law: PositionLaw, wanted: Target, at: Estimate, memory: PositionMemory) -> Feedback:
-    """−K_p e_p − K_v e_v, cut to a length, and −K_i ∫ e_p, which waits while the former is cut.
+    """−K_p e_p − K_v e_v, limited in length, and −K_i ∫ e_p, which is frozen while limited.
 
-    Height goes first: what the vertical part leaves of the length is for the horizontal.
+    Height has priority: the horizontal gets what the vertical part leaves of the length.
 
-    Source: Lee, Leok, McClamroch, CDC 2010, position controller; the cut is that of the open
-    controller mavros_controllers (its max_fb_acc), where it bounds an acceleration; that height
-    goes first, but for a margin, is PX4's PositionControl.
+    Source: Lee, Leok, McClamroch, CDC 2010, position controller; the limit is that of the open
+    controller mavros_controllers (its max_fb_acc), where it bounds an acceleration; the priority of
+    height, except for a margin, is PX4's PositionControl.
     """
     e_p, e_v = at.position - wanted.position, at.velocity - wanted.velocity
     raw = -(axiswise(law.stiffness, e_p) + axiswise(law.damping, e_v))
@@ -123,12 +123,12 @@ def feedback(law: PositionLaw, wanted: Target, at: Estimate, memory: PositionMem
 
 @kernel
 def upward(law: PositionLaw, force: Vec) -> Vec:
-    """The force that a robot can aim at [N].
+    """Nearest force that the robot can produce [N].
 
-    It pushes up, leans no more than the largest tilt, and is no more than the rotors can give.  The
-    vertical part goes first: it is kept, or raised to a small lift where it would vanish or
-    point down; then the horizontal part is cut.  So the direction is never undefined and the
-    attitude built on it never singular.
+    It points up, tilts by no more than the largest tilt, and does not exceed the rotors' maximum.
+    The vertical part has priority: it is preserved, or raised to a small lift if it would vanish or
+    point down; then the horizontal part is limited.  The direction is therefore always defined, and
+    the attitude built on it never singular.
     """
     lift = within(force.z, law.min_lift, law.max_thrust)
     held = cut(force, law.max_thrust, lift, law.margin)
@@ -140,10 +140,10 @@ def upward(law: PositionLaw, force: Vec) -> Vec:
 
 @kernel
 def heading(axis: Vec, yaw: float) -> Heading:
-    """The attitude with b_3 along a unit vector, and b_2 normal to the horizontal heading x_C.
+    """Attitude with b_3 along a unit vector, and b_2 normal to the horizontal heading x_C.
 
     b_2 = b_3 × x_C / ‖·‖, b_1 = b_2 × b_3 with x_C = (cos ψ, sin ψ, 0).  Source: Mellinger and
-    Kumar, ICRA 2011, differential flatness.  Where b_3 lies along x_C, b_2 is y_C.
+    Kumar, ICRA 2011, differential flatness.  If b_3 is parallel to x_C, b_2 is y_C.
     """
     ahead = sine_cosine(yaw)
     x_c = Vec(ahead.cosine, ahead.sine, 0.0)
@@ -166,7 +166,7 @@ def flat_rates(built: Heading, jerk: Vec, acceleration: float, yaw_rate: float) 
     """Angular velocity of the attitude of `heading`, in its own axes [rad/s].
 
     h = (j − (b_3·j) b_3)/a, p = −h·b_2, q = h·b_1 with a the thrust per mass: Mellinger and Kumar,
-    ICRA 2011.  b_2 stays normal to x_C, so r (b_1·x_C) = p (b_3·x_C) + ψ̇ (b_2·y_C).
+    ICRA 2011.  b_2 remains normal to x_C, so r (b_1·x_C) = p (b_3·x_C) + ψ̇ (b_2·y_C).
 
     Args:
         built: The attitude.
@@ -185,15 +185,15 @@ def flat_rates(built: Heading, jerk: Vec, acceleration: float, yaw_rate: float) 
 def aim(law: PositionLaw, wanted: Target, at: Estimate, memory: PositionMemory) -> Aim:
     """Attitude, its angular velocity and collective thrust that bring the robot to its target.
 
-    F = −K_p e_p − K_v e_v + m (g e_Z + a_ref); the thrust is F·(R e_z), on the body axis as it is
-    now, so that the robot does not push while it points elsewhere; the attitude has its z axis
-    along F.  Where the tilt is limited, the feed-forward of the tilt rests.
+    F = −K_p e_p − K_v e_v + m (g e_Z + a_ref); the thrust is F·(R e_z), along the present body
+    axis, so that the robot does not push while it points elsewhere; the attitude has its z axis
+    along F.  Where the tilt is limited, the feed-forward of the tilt is off.
 
     Args:
         law: Settings.
-        wanted: Where to be.
-        at: Where the robot believes to be.
-        memory: `NO_MEMORY` at the start; returned anew.
+        wanted: Target of the reference.
+        at: Estimated state of the robot.
+        memory: `NO_MEMORY` at the start; a new one is returned.
     """
     fed = feedback(law, wanted, at, memory)
     asked = fed.force + (wanted.acceleration + Vec(0.0, 0.0, law.gravity)) * law.mass

@@ -1,4 +1,4 @@
-"""From how fast the robot should turn to a moment: the rate loop."""
+"""Rate loop: from a rate set-point to a moment."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from springback.kernels.trees import tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, axiswise, positive_part, within
 from springback.vehicle.state import Airframe, Arm, arms_inertia
 
-#: A moment that the rotors fail to give by this much is given, but for rounding [N m].
+#: A moment short by less than this counts as met: rounding [N m].
 ROUNDING = 1e-9
 
 
@@ -21,20 +21,20 @@ class RateLaw(NamedTuple):
     derivative: Vec  # on the filtered angular acceleration; 0 switches it off
     integral_limit: float  # of the angular acceleration of the integral, per axis [rad/s²]
     integral_fade: float  # rate error at which the integral stops growing [rad/s]
-    filter_share: float  # of a new sample in the filtered rate, from 0 to 1; 1 is no filter
-    gyroscopic: float  # 1: ω × J ω is added; 0: not
+    filter_share: float  # weight of a new sample in the filtered rate, from 0 to 1; 1 is no filter
+    gyroscopic: float  # 1 adds ω × J ω, 0 does not
     period: float  # of the loop [s]
 
 
 class RateMemory(NamedTuple):
-    """What the rate loop remembers."""
+    """Memory of the rate loop."""
 
     filtered: Vec  # angular velocity [rad/s]
     integral: Vec  # angular acceleration of the integral [rad/s²]
 
 
 class Turn(NamedTuple):
-    """The moment that the rate loop asks for, body axes [N m], and what it remembers."""
+    """Moment commanded by the rate loop, body axes [N m], and its memory."""
 
     moment: Vec
     memory: RateMemory
@@ -48,7 +48,7 @@ def rate_memory(angular_velocity: Vec) -> RateMemory:
 
 @kernel
 def _second_moment(arm: Arm, length: float) -> Vec:
-    """m_j l_j² (e_x², e_y², e_x e_y) [kg m²]."""
+    """Second moment m_j l_j² (e_x², e_y², e_x e_y) [kg m²]."""
     square = arm.mass * length * length
     return Vec(
         square * arm.cosine * arm.cosine,
@@ -59,7 +59,7 @@ def _second_moment(arm: Arm, length: float) -> Vec:
 
 @kernel
 def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat3:
-    """J(l), of body and arms about the main body at some arm lengths, body axes [kg m²]."""
+    """Inertia J(l) of body and arms about the main body at given arm lengths, body axes [kg m²]."""
     return airframe.inertia + arms_inertia(
         tree_sum(tree_map(_second_moment, (airframe.arms, lengths), ()))
     )
@@ -71,8 +71,8 @@ def _integral(
 ) -> float:
     """Integral of one axis after a period [rad/s²].
 
-    It does not grow further into saturation, and large errors, as of flips and impacts, hardly
-    count: their share is 1 − (e/fade)².  Source: both are in PX4's RateControl.
+    It does not grow further into saturation, and large errors, as in flips and impacts, have little
+    weight: 1 − (e/fade)².  Source: both are in PX4's RateControl.
     """
     share = positive_part(1.0 - (error * faint) * (error * faint))
     saturated = (unmet * error > 0.0) & (unmet * unmet > ROUNDING * ROUNDING)
@@ -84,9 +84,9 @@ def _integral(
 def turn(
     law: RateLaw, inertia: Mat3, setpoint: Vec, measured: Vec, unmet: Vec, memory: RateMemory
 ) -> Turn:
-    """J (k_ω (ω_sp − ω) + i − d ω̇) + ω × J ω.
+    """Moment J (k_ω (ω_sp − ω) + i − d ω̇) + ω × J ω.
 
-    With a true J the robot then turns as ω̇ = k_ω (ω_sp − ω), whatever its arms do.
+    With a true J the robot then follows ω̇ = k_ω (ω_sp − ω), whatever its arms do.
     Source: Brescianini et al. 2013, inner loop; integral and derivative as in PX4's RateControl.
 
     Args:
@@ -94,8 +94,8 @@ def turn(
         inertia: J of the controller's model, body axes [kg m²].
         setpoint: ω_sp, body axes [rad/s].
         measured: ω of the gyroscope, body axes [rad/s].
-        unmet: Moment that the rotors could not give at the last period, asked less given [N m].
-        memory: Of `rate_memory` at the start; returned anew.
+        unmet: Moment that the rotors could not give at the last period, asked minus given [N m].
+        memory: From `rate_memory` at the start; a new one is returned.
     """
     omega = memory.filtered + (measured - memory.filtered) * law.filter_share
     error = setpoint - omega

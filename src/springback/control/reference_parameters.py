@@ -1,8 +1,8 @@
-"""References as a user writes them down, checked once, and turned into numbers.
+"""References: validated user input, converted to the numbers of the kernels.
 
 The table is ``[reference]`` with ``type`` one of ``hold``, ``steps``, ``circle``, ``waypoints`` and
-``run-up``.  Each class has ``reference(limits, reach)``: some references depend on what the vehicle
-can do and on how far its cages reach, the others take no notice.
+``run-up``.  Each class has ``reference(limits, reach)``: some references depend on the limits of
+the vehicle and on the reach of its cages, the others ignore them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Angle, Duration, Length, Position, Speed, Triple, Unit
 from springback.settings import Settings, problem
 
-#: Distance of the foremost cage before the main body [m] at a pitch [rad], as
+#: Distance of the foremost cage ahead of the main body [m] at a pitch [rad], as
 #: `springback.control.runup.reach` of a vehicle.
 Reach = Callable[[float], float]
 
@@ -34,24 +34,24 @@ Place = Annotated[Triple, Unit("m")]
 HOME = (0.0, 0.0, 1.0)
 
 
-#: More positions are a slip of the pen (chosen): a flight is compiled for each number of them.
+#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of positions.
 MOST_POSITIONS = 100
 
 
 class HoldSettings(Settings):
-    """Stay at one place."""
+    """Stay at one position."""
 
     type: Literal["hold"]
     position: Place = HOME
     yaw: Angle = 0.0
 
     def reference(self, limits: Limits, reach: Reach) -> Hold:
-        """The kernel's reference."""
+        """Reference for the kernels."""
         return Hold(Vec(*self.position), self.yaw)
 
 
 class StepsSettings(Settings):
-    """Set-points one after another, without way in between.
+    """Set-points in sequence, with jumps between them.
 
     The defaults are the paper's step response test (section Free Flight).
     """
@@ -71,7 +71,7 @@ class StepsSettings(Settings):
         return self
 
     def reference(self, limits: Limits, reach: Reach) -> Steps:
-        """The kernel's reference."""
+        """Reference for the kernels."""
         points = enumerate(self.positions)
         return Steps(tuple(SetPoint(k * self.dwell, Vec(*p), self.yaw) for k, p in points))
 
@@ -81,7 +81,7 @@ class CircleSettings(Settings):
 
     The defaults are the paper's slow circle (Free Flight: radius 1 m, period 2π s, from [1, 0, 1]);
     its centre and sense are not printed and taken as [0, 0, 1] and counter-clockwise.  Its desired
-    velocity jumps at the beginning, as the paper says of its own; ``ramp`` avoids that.
+    velocity jumps at the start, as the paper says of its own; ``ramp`` avoids that.
     """
 
     type: Literal["circle"]
@@ -91,15 +91,15 @@ class CircleSettings(Settings):
     phase: Angle = 0.0
     """Angle at which it starts, from world X towards Y."""
     clockwise: bool = False
-    """Seen from above."""
+    """Direction as seen from above."""
     begins: Moment = 0.0
-    """Until then the robot waits at the first point."""
+    """Start time; until then the robot waits at the first point."""
     ramp: Moment = 0.0
     """Time to full speed."""
     yaw: Angle = 0.0
 
     def reference(self, limits: Limits, reach: Reach) -> Circle:
-        """The kernel's reference."""
+        """Reference for the kernels."""
         rate = (-2.0 if self.clockwise else 2.0) * math.pi / self.period
         return Circle(
             Vec(*self.centre), self.radius, rate, self.phase, self.begins, self.ramp, self.yaw
@@ -115,9 +115,9 @@ class WaypointsSettings(Settings):
     type: Literal["waypoints"]
     positions: tuple[Place, ...]
     times: tuple[Moment, ...] | None = None
-    """At each position, the first being 0 s; by default shared out so that snap is least."""
+    """Time at each position, the first being 0 s; by default distributed to minimise snap."""
     duration: Duration | None = None
-    """In total, where no times are given."""
+    """Total duration, if no times are given."""
     begins: Moment = 0.0
     yaw: Angle = 0.0
 
@@ -126,14 +126,14 @@ class WaypointsSettings(Settings):
         places: tuple[Any, ...] = self.positions
         times: tuple[Any, ...] | None = self.times
         if len(places) < 2 or any(a == b for a, b in pairwise(places)):
-            raise problem("must be at least two, and neighbours apart", "positions")
+            raise problem("must be at least two, and neighbours distinct", "positions")
         if len(places) > MOST_POSITIONS:
             what = f"must be at most {MOST_POSITIONS} (got {len(places)})"
             raise problem(what, "positions")
         if times is None:
             return self
         if self.duration is not None:
-            raise problem("stands beside times; give one of them", "duration")
+            raise problem("cannot be combined with times; give only one", "duration")
         if len(times) != len(places):
             raise problem(f"has {len(times)} entries for {len(places)} positions", "times")
         if times[0] != 0.0 or not all(a < b for a, b in pairwise(times)):
@@ -141,7 +141,7 @@ class WaypointsSettings(Settings):
         return self
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:
-        """The kernel's reference.
+        """Reference for the kernels.
 
         Raises:
             InputError: If a limit is exceeded, and by how much.
@@ -150,27 +150,27 @@ class WaypointsSettings(Settings):
 
 
 class RunUpSettings(Settings):
-    """From rest to a wall across the X axis, arriving with a speed and a pitch.
+    """Flight from rest to a wall across the X axis, arriving with a given speed and pitch.
 
     Wall and start are the paper's (section Impact Resilience).
     """
 
     type: Literal["run-up"]
     speed: Speed
-    """Into the wall, at contact."""
+    """Speed into the wall at contact."""
     pitch: Annotated[float, Unit("rad", least=-1.4, most=1.4)] = 0.0
-    """At contact; positive is nose down, towards the wall."""
+    """Pitch at contact; positive is nose down, towards the wall."""
     wall_distance: Position = 2.75
-    """Of the wall's face from the origin along X."""
+    """Distance of the wall's face from the origin along X."""
     start: Place = HOME
     steady: Moment = 0.1
-    """Time before contact in which the pitch no longer changes (chosen)."""
+    """Time before contact in which the pitch is constant (chosen)."""
     beyond: Moment = 0.3
-    """Time after contact for which the acceleration goes on, the wall being unknown (chosen)."""
+    """Time after contact for which the acceleration continues, the wall being unknown (chosen)."""
     begins: Moment = 0.0
 
     def run_up(self, limits: Limits, reach: Reach, advises: bool = True) -> RunUp:
-        """The run-up and what it asks of the vehicle; see `springback.control.runup.run_up`.
+        """The run-up and its demands on the vehicle; see `springback.control.runup.run_up`.
 
         Raises:
             InputError: If a limit is exceeded, which one, and by how much.
@@ -188,7 +188,7 @@ class RunUpSettings(Settings):
         )  # fmt: skip
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:
-        """The kernel's reference."""
+        """Reference for the kernels."""
         return self.run_up(limits, reach).reference
 
 

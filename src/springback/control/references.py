@@ -1,8 +1,8 @@
-"""References: what a robot is asked to do, as a function of time.
+"""References: the commanded motion of a robot as a function of time.
 
 Positions are those of the main body, world axes (NWU), SI and radians.  Every reference is defined
-for all times and stays bounded: before its beginning it waits at its first point, after its end at
-its last.  Another reference is a NamedTuple of floats and a function registered with `target`.
+for all times and stays bounded: before its start it waits at its first point, after its end at its
+last.  Another reference is a NamedTuple of floats and a function registered with `target`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Hold(NamedTuple):
 
 
 class SetPoint(NamedTuple):
-    """A set-point and when it is first asked for."""
+    """A set-point and the time from which it applies."""
 
     begins: float  # [s]
     position: Vec  # world [m]
@@ -32,7 +32,7 @@ class SetPoint(NamedTuple):
 
 
 class Steps(NamedTuple):
-    """Set-points one after another, without way in between; the first stands from ever on."""
+    """Set-points in sequence, with jumps between them; the first applies from the beginning."""
 
     points: tuple[SetPoint, ...]  # in order of time
 
@@ -50,14 +50,14 @@ class Circle(NamedTuple):
 
 
 class Segment(NamedTuple):
-    """One polynomial of the time since its beginning."""
+    """A polynomial in the time since its start."""
 
-    begins: float  # after the beginning of the whole [s]
+    begins: float  # after the start of the whole [s]
     coefficients: tuple[Vec, ...]  # of falling powers, the last is the position at `begins`
 
 
 class Polynomials(NamedTuple):
-    """Polynomials one after another, any number and any (but one) order."""
+    """Polynomials in sequence, any number and any (but one) order."""
 
     segments: tuple[Segment, ...]  # in order of time, the first begins at 0
     begins: float  # [s]
@@ -65,7 +65,7 @@ class Polynomials(NamedTuple):
     yaw: float  # [rad]
 
 
-class Then(NamedTuple):
+class Switch(NamedTuple):
     """One reference until some time, and another from then on."""
 
     first: Any
@@ -75,7 +75,7 @@ class Then(NamedTuple):
 
 @kernel
 def resting(position: Vec, yaw: float) -> Target:
-    """A target that does not move."""
+    """A target at rest."""
     still = Vec(0.0, 0.0, 0.0)
     return Target(position, still, still, still, yaw, 0.0)
 
@@ -88,7 +88,7 @@ def _hold(reference: Hold, time: float) -> Target:
 
 @kernel
 def _come(current: Any, later: Any, time: float) -> Any:
-    """The later one, where its time has come."""
+    """The later one if its time has come, else the current one."""
     return select(time >= later.begins, later, current)
 
 
@@ -103,7 +103,7 @@ class Taylor(NamedTuple):
 
 @kernel
 def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
-    """One more step of Horner's scheme."""
+    """One step of Horner's scheme."""
     s = so_far
     return Taylor(
         axpy(coefficient, s.value, t), axpy(s.value, s.first, t), axpy(s.first, s.second, t),
@@ -137,7 +137,7 @@ def progress(elapsed: float, ramp: float) -> PathTime:
 
     Args:
         elapsed: t ≥ 0 [s].
-        ramp: Duration of the ramp [s]; at 0 the full rate stands from the beginning.
+        ramp: Duration of the ramp [s]; at 0 the full rate applies from the start.
     """
     ramping = elapsed < ramp
     u = elapsed / select(ramping, ramp, 1.0)
@@ -154,7 +154,7 @@ def progress(elapsed: float, ramp: float) -> PathTime:
 @target.register(Circle)
 @kernel
 def _circle(reference: Circle, time: float) -> Target:
-    """R (cos φ, sin φ) with φ = phase + rate · s(t), and three derivatives by the chain rule."""
+    """Circle R (cos φ, sin φ), φ = phase + rate · s(t), and three derivatives by the chain rule."""
     r, w = reference.radius, reference.rate
     started = 1.0 if time >= reference.begins else 0.0
     s = progress(started * (time - reference.begins), reference.ramp)
@@ -176,7 +176,7 @@ def _circle(reference: Circle, time: float) -> Target:
 @target.register(Polynomials)
 @kernel
 def _polynomials(reference: Polynomials, time: float) -> Target:
-    """Horner's scheme for the value and three derivatives at once; at rest outside its time."""
+    """Horner's scheme for the value and three derivatives at once; at rest outside its duration."""
     elapsed = time - reference.begins
     begun, ended = elapsed >= 0.0, elapsed > reference.duration
     moving = select(ended, 0.0, select(begun, 1.0, 0.0))
@@ -189,8 +189,8 @@ def _polynomials(reference: Polynomials, time: float) -> Target:
     return Target(at.value, v, a, j, reference.yaw, 0.0)
 
 
-@target.register(Then)
+@target.register(Switch)
 @kernel
-def _then(reference: Then, time: float) -> Target:
+def _switch(reference: Switch, time: float) -> Target:
     first, second = target(reference.first, time), target(reference.second, time)
     return select(time >= reference.until, second, first)

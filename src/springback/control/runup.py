@@ -1,10 +1,10 @@
-"""Run-ups: from rest to an obstacle, arriving with a wanted speed and pitch.
+"""Run-ups: from rest to an obstacle, arriving with a given speed and pitch.
 
-A run-up is level and straight, so one number along it says everything: the acceleration a tilts the
-thrust m √(g² + a²) by θ = atan(a/g), and its rate of change turns it by θ̇ = g ȧ/(g² + a²).  A pitch
-at contact is an acceleration a = g tan θ there, positive (nose down) speeding up into the obstacle.
+A run-up is level and straight, so one function describes it: the acceleration a tilts the thrust
+m √(g² + a²) by θ = atan(a/g), and its rate of change turns it by θ̇ = g ȧ/(g² + a²).  A pitch at
+contact is an acceleration a = g tan θ there, positive (nose down) accelerating into the obstacle.
 
-The robot does not know the obstacle: past the contact the acceleration goes on for a while, then
+The robot does not know the obstacle: after the contact the acceleration continues for a while, then
 the reference brakes to rest.
 """
 
@@ -14,7 +14,7 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import support
 from springback.control.approach import FEW, KNOTS, approach
@@ -26,12 +26,12 @@ from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import Airframe, arm_direction
 
-#: Of every run-up: the most that one needs, with its steady phase and the two after contact.
+#: Segments of every run-up: the most that one needs, with its steady phase and two after contact.
 SEGMENTS = KNOTS + 4
 
 
 class RunUp(NamedTuple):
-    """A run-up, and what it asks for from rest to contact."""
+    """A run-up, and its demands from rest to contact."""
 
     reference: Polynomials
     contact_time: float  # [s]
@@ -42,12 +42,12 @@ class RunUp(NamedTuple):
 
 
 def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
-    """How far the foremost part is before the main body when it touches a wall across X [m].
+    """Distance of the foremost part ahead of the main body when it touches a wall across X [m].
 
     For two front arms at 45° and a ring it is (L/√2 + r_0) cos θ.
 
     Args:
-        airframe: The vehicle, arms at their free length.
+        airframe: The vehicle, with its arms at their free length.
         contact_point: `Ring` or `ArmTip`, the model of contact.
         pitch: θ, positive nose down; yaw and roll are zero [rad].
     """
@@ -79,16 +79,16 @@ def run_up(
     feedback, the knots of a spline are moved to use the limits least.
 
     Args:
-        speed: At contact, along the way [m/s].
+        speed: At contact, along the path [m/s].
         pitch: At contact, positive nose down towards the obstacle [rad].
         start: World [m].
         contact: World, at the height of ``start`` [m].
-        limits: What the vehicle can do.
+        limits: Limits of the vehicle.
         steady: Time before contact in which the pitch no longer changes [s]; 0.1 s is chosen, about
             one time constant of an attitude loop.
-        beyond: Time after contact for which the acceleration goes on [s], chosen.
-        begins: [s].
-        advises: Say which distance would do where this one is too short; it takes long.
+        beyond: Time after contact for which the acceleration continues [s], chosen.
+        begins: Start time [s].
+        advises: If the distance is too short, find one that suffices; slow.
 
     Raises:
         InputError: Naming the limit that is exceeded and by how much: thrust, tilt, or the distance
@@ -102,7 +102,7 @@ def run_up(
             f"{who} must end level with its start, apart from it, moving, below 90 deg"
         )
     if limits.gravity == 0.0:
-        raise InputError(f"{who} needs gravity: it is gained by leaning the thrust that bears it")
+        raise InputError(f"{who} needs gravity: it accelerates by tilting the thrust")
     a = limits.gravity * math.tan(pitch)
     breaks, rows = approach(distance, speed, a, steady, limits, who, advises)
     touching = len(breaks)
@@ -125,7 +125,7 @@ def run_up(
 
 
 def _afterwards(contact: Row, a: float, beyond: float, limits: Limits) -> list[tuple[float, Row]]:
-    """Durations and ends of the phases after contact: the acceleration goes on, then rest."""
+    """Durations and ends of the phases after contact: the acceleration continues, then rest."""
     x = contact[0] + contact[1] * beyond + 0.5 * a * beyond**2
     v = contact[1] + a * beyond
     going_on: list[tuple[float, Row]] = [(beyond, (x, v, a, 0.0))] if beyond > 0.0 else []

@@ -1,4 +1,4 @@
-"""Polynomials of degree 7 along a line, many at a time, and what level flight along them asks for.
+"""Many polynomials of degree 7 along a line, and the demands of level flight along them.
 
 A polynomial is linear in its values and derivatives at both ends, so those of all candidates of a
 search follow from one small matrix.
@@ -10,16 +10,16 @@ import functools
 from typing import NamedTuple
 
 import numpy as np
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.control.demands import Array, Limits
 
-#: Position, velocity, acceleration and jerk along the way [m, m/s, m/s², m/s³].
+#: Position, velocity, acceleration and jerk along the path [m, m/s, m/s², m/s³].
 Row = tuple[float, float, float, float]
 
 
 class Courses(NamedTuple):
-    """Motions along a line, a column for each, at equally spaced samples from first to last."""
+    """Motions along a line, one per column, at equally spaced samples from first to last."""
 
     velocity: Array  # [m/s], shape (samples, courses)
     acceleration: Array  # [m/s²]
@@ -30,7 +30,7 @@ class Courses(NamedTuple):
 def _responses(samples: int) -> Array:
     """Derivatives 1 to 3 per value and derivative at either end, shape (3, samples, 8).
 
-    Over a unit of time.
+    The time is normalised to one.
     """
     ends = np.eye(8).reshape(2, 4, 8)
     curve = scipy.interpolate.BPoly.from_derivatives([0.0, 1.0], [ends[0], ends[1]])
@@ -44,7 +44,7 @@ def septics(first: Array, last: Array, durations: Array, samples: int) -> Course
     Args:
         first: Rows, shape (4, n) or (4, 1).
         last: Rows, as above.
-        durations: Of each, shape (n,) [s].
+        durations: Duration of each, shape (n,) [s].
         samples: Number of samples.
     """
     powers = durations ** np.arange(4.0)[:, None]
@@ -54,9 +54,9 @@ def septics(first: Array, last: Array, durations: Array, samples: int) -> Course
 
 
 def shares(courses: Courses, limits: Limits) -> Array:
-    """Largest of the limits' shares that level flight along each course takes, shape (courses,).
+    """Largest share of a limit in level flight along each course, shape (courses,).
 
-    Those of `springback.control.demands.level_demands`.
+    The limits are those of `springback.control.demands.level_demands`.
     """
     a, g, weight = courses.acceleration, limits.gravity, limits.mass * limits.gravity
     tilt = np.arctan2(np.abs(a).max(axis=0), g)

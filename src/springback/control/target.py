@@ -1,4 +1,4 @@
-"""What references ask for, and what controllers hand on to each other."""
+"""Targets from references, and the commands between controllers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from springback.kernels.vectors import Quat, Vec
 
 
 class Target(NamedTuple):
-    """Where the robot should be at one time, and how it should move; world axes."""
+    """Target position and motion of the robot at one time; world axes."""
 
     position: Vec  # [m]
     velocity: Vec  # [m/s]
@@ -21,12 +21,12 @@ class Target(NamedTuple):
 
 @generic
 def target(reference: Any, time: float) -> Target:
-    """What a reference asks for at a time [s]."""
-    raise TypeError(f"{type(reference).__name__} is no reference; register target for it")
+    """Target of a reference at a time [s]."""
+    raise TypeError(f"{type(reference).__name__} is not a reference; register target for it")
 
 
 class AttitudeTarget(NamedTuple):
-    """What a position controller asks of the attitude controller."""
+    """Command of a position controller to the attitude controller."""
 
     attitude: Quat  # body to world
     angular_velocity: Vec  # feed-forward, axes of the desired attitude [rad/s]

@@ -1,1 +1,1 @@
-"""How it moves: one set of equations for rigid and compliant vehicles, and the energy ledger."""
+"""Dynamics: one set of equations for rigid and compliant vehicles, and the energy balance."""

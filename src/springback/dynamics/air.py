@@ -1,7 +1,7 @@
 """The air: still and without drag, as the paper assumes, or with wind and drag.
 
 `Still` is the paper's assumption 1 and costs nothing when compiled.  `Air` acts on the main body's
-centre of mass.  The ledger takes −F·v from the vehicle, so wind may also give.
+centre of mass.  The energy balance books −F·v as taken from the vehicle; wind can make it negative.
 """
 
 from __future__ import annotations
@@ -28,9 +28,8 @@ class Air(NamedTuple):
     """Wind and drag.
 
     D = rotor_drag + T · thrust_drag is the diagonal of the rotors' linear drag.  Faessler, Franchi
-    and Scaramuzza (RA-L 2018) use −R D Rᵀ v, there per mass and at a thrust near hovering; the part
-    that grows with the thrust is for rotors that drag more the harder they pull.  The body's drag
-    is ½ ρ C_d A |u|².
+    and Scaramuzza (RA-L 2018) use −R D Rᵀ v, there per mass and at a thrust near hover; the term
+    in T is for rotors whose drag grows with their thrust.  The body's drag is ½ ρ C_d A |u|².
     """
 
     wind: Vec  # w, world [m/s]; that of the present tick
@@ -40,18 +39,18 @@ class Air(NamedTuple):
 
 
 class Aerodynamics(NamedTuple):
-    """What the air does at one instant."""
+    """Effect of the air at one instant."""
 
     force: Vec  # at the main body's centre of mass, body axes [N]
-    loss: float  # power that the air takes; negative where it gives [W]
+    loss: float  # power taken by the air; negative where it adds energy [W]
 
 
 @kernel
 def drag_force(air: Air, u: Vec, thrust: float) -> Vec:
-    """−(D + ½ ρ C_d A |u|) u, body axes [N].
+    """Drag −(D + ½ ρ C_d A |u|) u, body axes [N].
 
     Args:
-        air: Coefficients; its wind is not read here.
+        air: Coefficients; its wind is not used here.
         u: Rᵀ(v − w), velocity through the air, body axes [m/s].
         thrust: T, collective [N].
     """
@@ -69,7 +68,7 @@ def aerodynamics(air: Any, velocity: Vec, r: Mat3, thrust: float) -> Aerodynamic
         r: Body axes to world axes.
         thrust: Collective [N].
     """
-    raise TypeError(f"{type(air).__name__} is no air; register aerodynamics for it")
+    raise TypeError(f"{type(air).__name__} is not a model of the air; register aerodynamics for it")
 
 
 @aerodynamics.register(Still)
@@ -87,8 +86,8 @@ def _drag(air: Air, velocity: Vec, r: Mat3, thrust: float) -> Aerodynamics:
 
 @generic
 def in_wind(air: Any, wind: Vec) -> Any:
-    """The same air with another wind, world axes [m/s]; `Still` stays still."""
-    raise TypeError(f"{type(air).__name__} is no air; register in_wind for it")
+    """The same air with another wind, world axes [m/s]; `Still` is returned unchanged."""
+    raise TypeError(f"{type(air).__name__} is not a model of the air; register in_wind for it")
 
 
 @in_wind.register(Still)
@@ -111,14 +110,14 @@ class GustSettings(Settings):
     altitude: Annotated[float, Unit("m", least=3.048, most=304.8)] = 6.096
     """h above the ground, 10 to 1000 ft (the range of the formulas); the default is 20 ft."""
     airspeed: Speed | None = None
-    """V at which the vehicle meets the frozen field; by default the mean wind's, as in hovering."""
+    """Speed V relative to the frozen field; by default the mean wind's, as in hover."""
 
 
 class AirSettings(Settings):
     """Wind and drag; none by default."""
 
     wind: Annotated[Triple, Unit("m/s")] = (0.0, 0.0, 0.0)
-    """Mean wind, world axes: where the air goes, not where it comes from."""
+    """Mean wind, world axes: the direction in which the air moves."""
     gusts: GustSettings | None = None
     rotor_drag: Annotated[Triple, Unit("N s/m")] = (0.0, 0.0, 0.0)
     """Linear drag along body x, y, z."""
@@ -135,25 +134,25 @@ class AirSettings(Settings):
                 raise problem(f"must be at least 0 {unit} each (got {list(given)} {unit})", name)
         for name, blows in (("wind", any(self.wind)), ("gusts", self.gusts is not None)):
             if blows and not self.has_drag:
-                raise problem("does nothing without rotor_drag, thrust_drag or body_drag", name)
+                raise problem("has no effect without rotor_drag, thrust_drag or body_drag", name)
         if self.gusts is not None and self.gusts.airspeed is None and not any(self.wind):
             raise problem("is missing; without mean wind gusts need it", "gusts.airspeed")
         return self
 
     @property
     def has_drag(self) -> bool:
-        """Whether the air acts on the vehicle at all."""
+        """True if the air acts on the vehicle at all."""
         return any((*self.rotor_drag, *self.thrust_drag, self.body_drag))
 
     def air(self) -> Still | Air:
-        """The numbers for the equations of motion, in the mean wind."""
+        """Numbers for the equations of motion, in the mean wind."""
         if not self.has_drag:
             return Still(0.0)
         wind, linear, by_thrust = self.wind, self.rotor_drag, self.thrust_drag
         return Air(Vec(*wind), Vec(*linear), float(self.body_drag), Vec(*by_thrust))
 
     def turbulence(self, tick: float) -> NoGusts | Dryden:
-        """The numbers of the gusts, for a tick of some duration [s]."""
+        """Numbers of the gusts, for a tick of given duration [s]."""
         if self.gusts is None:
             return NoGusts(0.0)
         intensity, scale = low_altitude(self.gusts.wind_at_6_m, self.gusts.altitude)
@@ -165,6 +164,6 @@ class AirSettings(Settings):
         return dryden(intensity, scale, self.gusts.airspeed or mean, tick, along)
 
     def drag_rate(self, mass: float, thrust: float, speed: float) -> float:
-        """How fast drag brings a mass [kg] to rest [1/s], at a thrust [N] and a speed [m/s]."""
+        """Rate at which drag slows a mass [kg], at a given thrust [N] and speed [m/s] [1/s]."""
         linear = max(d + thrust * k for d, k in zip(self.rotor_drag, self.thrust_drag, strict=True))
         return float(linear + 2.0 * self.body_drag * speed) / mass

@@ -1,4 +1,4 @@
-"""How far a vehicle is from everything it could hit."""
+"""Clearance: distance between a vehicle and the nearest obstacle."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
 def _of_arm(
     arm: Arm, length: float, rate: float, obstacles: tuple[Obstacle, ...], point: Any, state: State
 ) -> float:
-    pose = arm_pose(arm, length, rate, state.velocity)  # its place is asked for, not its velocity
+    pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
     return minimum(tree_map(cage_gap, (obstacles,), (point, arm.cage_radius, pose)))
 
 
@@ -28,13 +28,13 @@ def _of_hull(hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
 
 @kernel
 def clearance(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
-    """The smallest gap between a cage, or the hull, and an obstacle [m]; negative where pressed in.
+    """The smallest gap between a cage, or the hull, and an obstacle [m]; negative in penetration.
 
     Args:
-        airframe: Of the vehicle.
-        world: Its obstacles.
+        airframe: Constants of the vehicle.
+        world: The obstacles.
         contact_point: `springback.contact.cage.Ring` or `ArmTip`.
-        state: Of the vehicle.
+        state: State of the vehicle.
     """
     r = rotation(state.attitude)
     obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))

@@ -1,4 +1,4 @@
-"""Energy and momentum of a vehicle, and the jump that locks settled arms."""
+"""Energy and momentum of a vehicle, and the jump when settled arms are locked."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from springback.vehicle.state import (
 
 
 class Energy(NamedTuple):
-    """Where the mechanical energy of a vehicle is [J]."""
+    """Mechanical energy of a vehicle by its parts [J]."""
 
     kinetic: float
     gravity: float  # above Z = 0
@@ -85,7 +85,7 @@ def _contact_energy(
 
 @rare_kernel
 def _hull_energy(so_far: float, hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
-    """What is stored, with the contacts of the hull [J]."""
+    """Elastic energy of contacts, with those of the hull added [J]."""
     return so_far + tree_sum(tree_map(_hull_contact_energy, (obstacles,), (hull,)))
 
 
@@ -131,7 +131,7 @@ def spread(arm: Arm, length: float, rate: float) -> Spread:
 
 @rare_kernel
 def about_mass_centre(inertia: Mat3, mass: float, centre: Vec) -> Mat3:
-    """Steiner: inertia about a point taken to the centre of mass."""
+    """Inertia about the centre of mass, from that about another point (Steiner)."""
     c, square = centre, centre @ centre
     return inertia + Mat3(
         Vec(-mass * (square - c.x * c.x), mass * c.x * c.y, mass * c.x * c.z),
@@ -157,11 +157,11 @@ def _still(arm: Arm) -> float:
 
 @rare_kernel
 def locked(airframe: Airframe, state: State) -> State:
-    """The state after all arms have stopped where they are.
+    """State after all arms have stopped at their present lengths.
 
-    Keeps the velocity of the centre of mass and the angular momentum about it.  What goes is the
-    kinetic energy of the arms along their slides (Carnot), never less than nothing; it is the
-    caller's to book.
+    The velocity of the centre of mass and the angular momentum about it are conserved.  The kinetic
+    energy of the arms along their slides is lost (Carnot), which is never negative; the caller
+    books it.
     """
     r, omega, m = rotation(state.attitude), state.angular_velocity, airframe.mass
     now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))

@@ -5,12 +5,13 @@ MIL-F-8785C (1980), section 3.7.1.2, gives spectra over the wave number Ω along
     Φ_u = σ_u² (2 L_u / π) / (1 + (L_u Ω)²)
     Φ_v = σ_v² (L_v / π) (1 + 3 (L_v Ω)²) / (1 + (L_v Ω)²)²        and Φ_w alike.
 
-A field frozen in the air that is met at a speed V has, with T = L / V, the correlations
+A frozen field in the air, crossed at a speed V, has with T = L / V the correlations
 
     σ² e^(−τ/T) along the wind,     σ² (1 − τ / 2T) e^(−τ/T) across it and vertically.
 
-Sampled every tick these are an AR(1) and an ARMA(2, 1) process with the double pole a = e^(−h/T).
-The filters here are those, so variance and correlation are exact for every tick length.
+Sampled at every tick these are an AR(1) and an ARMA(2, 1) process with the double pole
+a = e^(−h/T).  The filters here are these processes, so that variance and correlation are exact for
+every tick length.
 """
 
 from __future__ import annotations
@@ -31,14 +32,14 @@ class NoGusts(NamedTuple):
 
 
 class Longitudinal(NamedTuple):
-    """u_k = a u_(k−1) + b n_k, of unit variance."""
+    """Process u_k = a u_(k−1) + b n_k, of unit variance."""
 
     decay: float  # a
     now: float  # b
 
 
 class Transverse(NamedTuple):
-    """d_k = a d_(k−1) + n_k, y_k = a y_(k−1) + b₀ d_k + b₁ d_(k−1), y of unit variance."""
+    """Process d_k = a d_(k−1) + n_k, y_k = a y_(k−1) + b₀ d_k + b₁ d_(k−1), y of unit variance."""
 
     decay: float  # a
     now: float  # b₀
@@ -46,7 +47,7 @@ class Transverse(NamedTuple):
 
 
 class Dryden(NamedTuple):
-    """Gusts about a horizontal mean wind: u along it, v to its left, w upwards."""
+    """Gusts in a horizontal mean wind: u along it, v to its left, w upwards."""
 
     intensity: Vec  # σ_u, σ_v, σ_w [m/s]
     along: Vec  # unit vector of the mean wind, world, horizontal
@@ -71,7 +72,7 @@ class GustMemory(NamedTuple):
 
 
 class Gust(NamedTuple):
-    """A gust and what it leaves behind."""
+    """A gust and the memory for the next."""
 
     velocity: Vec  # world, to be added to the mean wind [m/s]
     memory: Any
@@ -94,7 +95,7 @@ def low_altitude(wind_at_6_m: float, altitude: float) -> tuple[Vec, Vec]:
 
 
 def longitudinal(ratio: float) -> Longitudinal:
-    """Filter with the correlation e^(−|k| x), x = h / T the tick in units of the time scale."""
+    """Filter with the correlation e^(−|k| x), where x = h / T is the tick over the time scale."""
     return Longitudinal(math.exp(-ratio), math.sqrt(-math.expm1(-2.0 * ratio)))
 
 
@@ -112,12 +113,12 @@ def transverse(ratio: float) -> Transverse:
 
 
 def dryden(intensity: Vec, scale: Vec, airspeed: float, tick: float, along: Vec) -> Dryden:
-    """Gusts for ticks of one length.
+    """Gust filters for ticks of one length.
 
     Args:
         intensity: σ_u, σ_v, σ_w [m/s].
         scale: L_u, L_v, L_w [m].
-        airspeed: V at which the frozen field is met [m/s].
+        airspeed: Speed V relative to the frozen field [m/s].
         tick: Duration of a tick [s].
         along: Unit vector of the mean wind, world, horizontal.
     """
@@ -134,7 +135,7 @@ def shaped(f: Transverse, noise: float, memory: Shaped) -> Shaped:
 
 @kernel
 def shaped_at_first(f: Transverse, noise: float, other: float) -> Shaped:
-    """A transverse filter that has run for ever, from two normal numbers.
+    """Stationary state of a transverse filter, from two normal numbers.
 
     With V = ⟨d²⟩ = 1 / (1 − a²) the recursion gives ⟨d y⟩ = (a (a b₀ + b₁) V + b₀) V; ⟨y²⟩ = 1.
     """
@@ -148,7 +149,7 @@ def shaped_at_first(f: Transverse, noise: float, other: float) -> Shaped:
 
 @kernel
 def gust_velocity(weather: Dryden, memory: GustMemory) -> Vec:
-    """The gust in world axes [m/s]."""
+    """Gust velocity in world axes [m/s]."""
     s, e = weather.intensity, weather.along
     u, v = s.x * memory.u, s.y * memory.v.value
     return Vec(u * e.x - v * e.y, u * e.y + v * e.x, s.z * memory.w.value)
@@ -156,13 +157,13 @@ def gust_velocity(weather: Dryden, memory: GustMemory) -> Vec:
 
 @generic
 def first_gust(weather: Any, noise: tuple[float, ...]) -> Gust:
-    """The gust before the first tick, drawn as if the wind had always blown.
+    """Gust before the first tick, drawn from the stationary distribution.
 
     Args:
         weather: `NoGusts` or `Dryden`.
         noise: Five independent standard normal numbers.
     """
-    raise TypeError(f"{type(weather).__name__} is no weather; register first_gust for it")
+    raise TypeError(f"{type(weather).__name__} is not a model of gusts; register first_gust for it")
 
 
 @first_gust.register(NoGusts)
@@ -182,14 +183,14 @@ def _first_of_dryden(weather: Dryden, noise: tuple[float, ...]) -> Gust:
 
 @generic
 def gust(weather: Any, noise: tuple[float, ...], memory: Any) -> Gust:
-    """The gust one tick later.
+    """Gust one tick later.
 
     Args:
         weather: `NoGusts` or `Dryden`.
         noise: Three independent standard normal numbers, drawn for this tick.
-        memory: That of the gust before.
+        memory: Memory of the previous gust.
     """
-    raise TypeError(f"{type(weather).__name__} is no weather; register gust for it")
+    raise TypeError(f"{type(weather).__name__} is not a model of gusts; register gust for it")
 
 
 @gust.register(NoGusts)

@@ -1,4 +1,4 @@
-"""The main body's hull in the equations of motion: contact, and what it asks of steps."""
+"""The main body's hull in the equations of motion: contact, and its limits on steps."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
     Contact,
-    Rub,
+    Slip,
     contact_of,
     crossing_of,
-    rub_of,
+    slip_of,
     slip_rate,
     strikes,
     touched_normal,
@@ -27,26 +27,26 @@ from springback.vehicle.state import Sphere
 
 
 class HullView(NamedTuple):
-    """What the hull feels, as seen from outside; as `springback.dynamics.motion.ArmView`."""
+    """Observable quantities of the hull; as `springback.dynamics.motion.ArmView` for an arm."""
 
     gap: float  # to the nearest obstacle [m]
     depth: float  # deepest penetration [m]
     normal: float  # f_n [N]
     friction: Vec  # f_f, world [N]
-    crossing: Crossing  # the next of a gap through zero
-    engaged: tuple[float, ...]  # 1 while the hull touches, obstacle by obstacle
+    crossing: Crossing  # of a gap: the next zero
+    engaged: tuple[float, ...]  # 1 while the hull touches, for each obstacle
     impulsive: float  # 1 where it closes in on a surface of the impulse law
 
 
 class HullState(NamedTuple):
-    """Everything about the hull at one instant."""
+    """All quantities of the hull at one instant."""
 
     contact: Contact
     seen: HullView
-    touched: Vec  # normal into what it touches, body; zero where it touches nothing
-    damper: float  # that its friction amounts to [N s/m]
-    farthest: float  # its point of contact is no farther from the main body [m²]
-    rubs: tuple[Rub, ...]  # obstacle by obstacle
+    touched: Vec  # normal into the obstacle that it touches, body; zero without contact
+    damper: float  # friction as a damper [N s/m]
+    farthest: float  # bound on the squared distance of its contact points from the main body [m²]
+    slips: tuple[Slip, ...]  # one for each obstacle
 
 
 @kernel
@@ -59,16 +59,16 @@ def hull_state(
     omega: Vec,
     ahead: float,
 ) -> HullState:
-    """The hull at one instant.
+    """Contact, view and step limits of the hull at one instant.
 
     Args:
-        hull: Of the main body.
-        engaged: 0 for every obstacle that it was apart from when the step began.
-        obstacles: As they are seen from the main body.
+        hull: Hull of the main body.
+        engaged: For each obstacle, 0 if it was not touched when the step began.
+        obstacles: In the body frame.
         r: Body axes to world axes.
         velocity: Rᵀ v, of the main body, body axes [m/s].
         omega: ω [rad/s].
-        ahead: How contacts resist is for depths up to so much farther [m].
+        ahead: Stiffness and damping hold for depths up to this much larger [m].
     """
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     met = tree_map(hull_contact, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
@@ -84,9 +84,9 @@ def hull_state(
         impulsive=maximum(tree_map(strikes, (met,), ())),
     )
     farthest = maximum(tree_map(_square_distance, (met,), ()))
-    rubs = tree_map(rub_of, (met,), ())
+    slips = tree_map(slip_of, (met,), ())
     touched = touched_normal(met, gap, engaged_now)
-    return HullState(contact_of(touch), view, touched, touch.grip.damper, farthest, rubs)
+    return HullState(contact_of(touch), view, touched, touch.grip.damper, farthest, slips)
 
 
 @kernel
@@ -96,16 +96,16 @@ def _square_distance(met: CageContact) -> float:
 
 @kernel
 def hastened(rate: float, hull: HullState, mass: float, inverse: InverseInertia) -> float:
-    """How fast friction brings parts to rest, at most, with the hull's beside the cages' [1/s].
+    """Upper bound on the rate at which friction stops a part, hull and cages together [1/s].
 
-    The largest eigenvalue of a sum is at most the sum of theirs, and the hull's is at most
-    g (1/m + p²/J) for the least mass and the least moment of inertia.
+    The largest eigenvalue of a sum is at most the sum of the largest eigenvalues, and that of the
+    hull is at most g (1/m + p²/J) for the smallest mass and the smallest moment of inertia.
 
     Args:
-        rate: Without the hull [1/s].
-        hull: At this instant.
-        mass: That does not slide on arms [kg].
-        inverse: Of the inertia about the main body.
+        rate: Bound without the hull [1/s].
+        hull: State of the hull.
+        mass: Mass that does not slide on arms [kg].
+        inverse: Reciprocals of the inertia about the main body.
     """
     return rate + hull.damper * (1.0 / mass + hull.farthest * inverse.largest)
 
@@ -114,13 +114,13 @@ def hastened(rate: float, hull: HullState, mass: float, inverse: InverseInertia)
 def hull_slip_rate(
     hull: HullState, obstacles: tuple[Obstacle, ...], linear: Vec, angular: Vec, vertical: Vec
 ) -> float:
-    """Square of how fast the slip of the hull changes, at most [1/s²].
+    """Square of an upper bound on the rate of change of the hull's slip [1/s²].
 
     Args:
-        hull: At this instant.
-        obstacles: As they are seen from the main body.
+        hull: State of the hull.
+        obstacles: In the body frame.
         linear: Acceleration of the main body, body axes [m/s²].
         angular: Angular acceleration, body axes [rad/s²].
         vertical: Rᵀ e_Z.
     """
-    return maximum(tree_map(slip_rate, (obstacles, hull.rubs), (linear, angular, vertical)))
+    return maximum(tree_map(slip_rate, (obstacles, hull.slips), (linear, angular, vertical)))

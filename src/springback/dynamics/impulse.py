@@ -1,13 +1,13 @@
-"""The impulse–momentum law of the planning literature: an instant, no force.
+"""Impulse–momentum law of the planning literature: a jump of velocity without force.
 
 The vehicle is taken as one rigid body.  Normal impulses of all cages that touch at that instant
-grow together, in small parts, with a Coulomb impulse against the slip of each (Routh).  A cage is
-done when the work that its normal impulse gives back is e² of what compression took (Stronge).  For
-central or frictionless hits that is Newton's v⁺ = −e v⁻; where friction and lever arms couple,
+grow together, in small increments, with a Coulomb impulse against the slip of each (Routh).  A cage
+is done when the work returned by its normal impulse is e² times that of compression (Stronge).  For
+central or frictionless impacts that is Newton's v⁺ = −e v⁻; where friction and lever arms couple,
 Newton's law can add energy and this one cannot.
 
-A cage that closes in slower than `RESTING` does not rebound.  Without such a speed a bouncing
-vehicle would come to rest through infinitely many impacts in a finite time.
+A cage that approaches more slowly than `RESTING` does not rebound.  Without this threshold a
+bouncing vehicle would come to rest through infinitely many impacts in a finite time.
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose, arm
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
-#: A cage that others push in faster than this is struck, too [m/s] ...
+#: A cage that others push in faster than this receives an impulse as well [m/s] ...
 STRUCK_AGAIN = 1e-9
-#: ... and where cages rest, which the next step looks after, faster than this.
+#: ... and where cages rest, which the next step handles, if faster than this.
 RESTING_STRUCK_AGAIN = 1e-6
-#: Parts into which the impulse of compression is divided ...
+#: Increments into which the impulse of compression is divided ...
 PARTS = 200
-#: ... where a cage rests, which costs an impulse a step.
+#: ... where a cage rests, which takes an impulse per step.
 RESTING_PARTS = 10
-#: Most parts in all, should cages strike again and again.
+#: Maximum number of increments, in case cages strike repeatedly.
 MOST_PARTS = 100 * PARTS
 
 
 class ImpulseContact(NamedTuple):
     """One cage, or the hull, at one obstacle at the instant of an impulse."""
 
-    near: float  # 1 where it touches and its surface follows the impulse law
-    closing: float  # 1 where it closes in, too
+    near: float  # 1 if it touches and its surface follows the impulse law
+    closing: float  # 1 if it also approaches
     normal: Vec  # out of the obstacle, world
     lever: Vec  # from the main body to the contact point, world [m]
     gap: float  # [m]
@@ -107,23 +107,23 @@ def _hits_of_hull(
 
 @rare_kernel
 def _give(mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec) -> float:
-    """Velocity that a unit impulse along a direction gives to its own point along it [1/kg]."""
+    """Mobility: velocity of a point along a direction per unit impulse there along it [1/kg]."""
     turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
     return 1.0 / mass + along @ (turn ^ lever)
 
 
 @rare_kernel
 def _part(closing: float) -> float:
-    """The part of a closing speed that goes at a time [m/s]."""
+    """Increment of a closing speed [m/s]."""
     return closing / (PARTS if closing > RESTING else RESTING_PARTS)
 
 
 @rare_kernel
 def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
-    """The motion just after the impulses of all parts that touch and close in.
+    """Motion just after the impulses of all parts that touch and approach.
 
-    Tangentially the impulse opposes the slip and is at most μ times the normal one.  A cage that
-    has sunk in is put back on the face.  The energy lost is booked, the work of the tangential
+    The tangential impulse opposes the slip and is at most μ times the normal one.  A cage that has
+    penetrated is moved back to the face.  The lost energy is booked: the work of tangential
     impulses as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
@@ -163,7 +163,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     for _ in range(MOST_PARTS):
         if active == 0:
             break
-        # What a whole part does: all cages push from the same instant, so that none comes first.
+        # Effect of one whole increment: all cages push at once, so their order is irrelevant.
         dv, dw = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
         rub = [Vec(0.0, 0.0, 0.0)] * count
         for k in range(count):
@@ -180,7 +180,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
                 impulse = n * part[k] + rub[k]
                 dv = dv + impulse * (1.0 / m)
                 dw = dw + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
-        # The share of it up to the next end of a compression or of a restitution.
+        # The fraction of it up to the next end of a compression or of a restitution.
         share, next_ = 1.0, -1
         for k in range(count):
             if open_[k]:
@@ -211,7 +211,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         v, w = new_v, new_w
         if next_ >= 0:
             open_[next_], active = False, active - 1
-        for k in range(count):  # a cage that another one throws in strikes, or strikes again
+        for k in range(count):  # a cage that another one pushes in strikes, or strikes again
             hit = hits[k // len(hits[0])][k % len(hits[0])]
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)

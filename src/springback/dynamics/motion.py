@@ -1,24 +1,26 @@
 """Equations of motion of the main body and its arms.
 
-Ten coordinates for four arms: position, quaternion, arm lengths.  They are the paper's
-Euler–Lagrange equations (3)-(12) in Newton–Euler form, free of the Euler angles' singularity; the
-equivalence is a test (tests/dynamics/test_lagrangian.py).  All is written in body axes, where arms,
-rotors and cages lie in the plane z = 0.  With a' = Rᵀ(v̇ + g e_Z) and r_j = l_j e_j, each arm
+Ten coordinates for four arms: position, quaternion, arm lengths.  The equations are the paper's
+Euler–Lagrange equations (3)-(12) in Newton–Euler form, free of the singularity of Euler angles; a
+test proves the equivalence (tests/dynamics/test_lagrangian.py).  Vectors are in body axes, where
+arms, rotors and cages lie in the plane z = 0.  With a' = Rᵀ(v̇ + g e_Z) and r_j = l_j e_j, each arm
 obeys, along its own slide,
 
     m_j (l̈_j + e_j·a') = h_j = e_j·f_j − m_j e_j·(ω × (ω × r_j)) + (spring, damper, stops)
 
-so l̈_j leaves the system before it is solved, and six equations remain:
+so l̈_j is eliminated before the system is solved, and six equations remain:
 
-    [ M   −ŝ ] [a']   [ F − ω × (ω × s + 2 d) − Σ u_j h_j e_j ]     M = m 1 − Σ u_j m_j e_j e_jᵀ
-    [ ŝ    J ] [α ] = [ τ − ω × J ω − J̇ ω                     ]     J = I + Σ m_j l_j² (1 − e_j
-    e_jᵀ)
+    [ M   −ŝ ] [a']   [ F − ω × (ω × s + 2 d) − Σ u_j h_j e_j ]
+    [ ŝ    J ] [α ] = [ τ − ω × J ω − J̇ ω                     ]
 
-with the arms' first moment s = Σ m_j r_j and its rate d = Σ m_j l̇_j e_j, F and τ the forces of
+    M = m 1 − Σ u_j m_j e_j e_jᵀ
+    J = I + Σ m_j l_j² (1 − e_j e_jᵀ)
+
+with the arms' first moment s = Σ m_j r_j and its rate d = Σ m_j l̇_j e_j; F and τ are the forces of
 contact, rotors and air and their moments about the main body.
 
-u_j is 1 for an arm that slides and 0 for one that is locked.  All locked: the rigid Newton–Euler
-equations (1), with the centre of mass wherever the arms put it.
+u_j is 1 for a sliding arm and 0 for a locked one.  With all arms locked these are the rigid
+Newton–Euler equations (1), for any position of the centre of mass.
 """
 
 from __future__ import annotations
@@ -50,10 +52,10 @@ from springback.dynamics.stops import end_stop as end_stop
 from springback.dynamics.touches import RESTING as RESTING
 from springback.dynamics.touches import (
     Contact,
-    Rub,
+    Slip,
     contact_of,
     crossing_of,
-    rub_of,
+    slip_of,
     slip_rate,
     strikes,
     touched_normal,
@@ -97,56 +99,56 @@ class Work(NamedTuple):
     contact: float  # taken by contact damping [J]
     friction: float  # taken by friction [J]
     settling: float  # lost when settled arms are locked again [J]
-    air: float  # taken by the air; negative where wind gives [J]
+    air: float  # taken by the air; negative where wind adds energy [J]
     impulse: Vec  # of the contact forces, world [N s]
 
 
 class Motion(NamedTuple):
-    """What is integrated: the state and the ledger."""
+    """Integrated quantities: the state and the work."""
 
     state: State
     work: Work
 
 
 class ArmView(NamedTuple):
-    """What one arm does and feels, as seen from outside."""
+    """Observable quantities of one arm."""
 
     gap: float  # to the nearest obstacle [m]
     depth: float  # deepest penetration [m]
     normal: float  # f_n [N]
     friction: Vec  # f_f, world [N]
     compression: float  # L − l [m]
-    unbalance: float  # m_j l̈ + b_l l̇, the force that keeps it from rest where it is [N]
-    crossing: Crossing  # the next of a gap or a stop through zero
-    engaged: tuple[float, ...]  # 1 while the cage touches, obstacle by obstacle
-    impulsive: float  # 1 where it closes in on a surface of the impulse law
+    unbalance: float  # m_j l̈ + b_l l̇, the net force that moves it from its position [N]
+    crossing: Crossing  # of a gap or a stop: the next zero
+    engaged: tuple[float, ...]  # 1 while the cage touches, for each obstacle
+    impulsive: float  # 1 if it approaches a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     stopped: float  # 1 while an end stop is pressed
 
 
 class View(NamedTuple):
-    """What an instant looks like from outside."""
+    """Observable quantities of the vehicle at one instant."""
 
     acceleration: Vec  # v̇ of the main body, world [m/s²]
-    specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z): what an accelerometer at the main body feels [m/s²]
+    specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z), measured by an accelerometer there [m/s²]
     mass_centre_velocity: Vec  # world [m/s]
     contact_force: Vec  # sum over cages, world [N]
-    touched: Vec  # normals into what touches, summed over cages and hull, world
+    touched: Vec  # normals into touched obstacles, summed over cages and hull, world
     arms: tuple[ArmView, ...]
-    hull: tuple[HullView, ...]  # of the main body; empty without
+    hull: tuple[HullView, ...]  # of the main body; empty without one
     on_ground: float  # number of grounds touched
-    friction_rate: float  # at most how fast friction brings a sliding cage to rest [1/s]
-    contact_rate: float  # at most how fast contacts and end stops act [1/s]
-    slip_rate: float  # how fast a slip changes, against its speed and that at which it fades [1/s]
+    friction_rate: float  # upper bound on the rate at which friction stops a sliding cage [1/s]
+    contact_rate: float  # upper bound on the rate of contacts and end stops [1/s]
+    slip_rate: float  # rate of change of a slip, over its regularised speed [1/s]
 
 
 class ArmShare(NamedTuple):
-    """What one arm adds to the six equations; vectors in body axes."""
+    """Contribution of one arm to the six equations; vectors in body axes."""
 
     contact: Contact
     thrust: float
     rotor_moment: Vec  # r_j × T_j e_z and the rotor's own torque
-    taken: Vec  # u_j h_j e_j: what the sliding arm keeps to itself
+    taken: Vec  # u_j h_j e_j: force that accelerates the sliding arm itself
     carried: Vec  # m_j r_j
     drift: Vec  # m_j l̇_j e_j
     sliding: Vec  # u_j m_j (e_x², e_y², e_x e_y)
@@ -154,47 +156,48 @@ class ArmShare(NamedTuple):
     inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
-    grip: FrictionDamping  # of friction
+    grip: FrictionDamping  # friction as a damper
 
 
 class ArmPull(NamedTuple):
-    """What an arm's own slide needs once a' is known: l̈ = drive − u e·a'."""
+    """Acceleration of an arm along its slide once a' is known: l̈ = drive − u e·a'."""
 
     drive: float  # u_j h_j / m_j
     hold: float  # u_j
 
 
 class Engaged(NamedTuple):
-    """Obstacle by obstacle, 1 where a part of the vehicle touches."""
+    """Contact flags: for each obstacle, 1 if a part of the vehicle touches it."""
 
-    arms: tuple[tuple[float, ...], ...]  # the cage of each
+    arms: tuple[tuple[float, ...], ...]  # the cage of each arm
     hull: tuple[tuple[float, ...], ...]  # of the main body
 
 
 class ArmState(NamedTuple):
-    """Everything about one arm at one instant."""
+    """All quantities of one arm at one instant."""
 
     share: ArmShare
     pull: ArmPull
     seen: ArmView
-    touched: Vec  # normal into what it touches, body; zero where it touches nothing
+    touched: Vec  # normal into the obstacle that it touches, body; zero without contact
     grip: ArmFrictionDamping
-    slide: Stiffness  # of what acts along the slide
-    rubs: tuple[Rub, ...]  # obstacle by obstacle
+    slide: Stiffness  # spring and damper along the slide
+    slips: tuple[Slip, ...]  # one for each obstacle
 
 
 @kernel
 def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
-    """Kelvin–Voigt arm, k_l (L − l) − b_l l̇: positive lengthens the arm [N].
+    """Force of the Kelvin–Voigt arm, k_l (L − l) − b_l l̇: positive lengthens the arm [N].
 
-    The damper opposes l̇ (Rayleigh); the printed eq. (11) has the sign of a motor.
+    The damper opposes l̇ (Rayleigh); the printed eq. (11) has the opposite sign, which
+    would add energy.
     """
     return arm.stiffness * (arm.length - length) - arm.damping * rate
 
 
 @kernel
 def planar_product(a: Vec, b: Vec) -> Vec:
-    """(a_x b_x, a_y b_y, a_x b_y) of a bᵀ, for parallel vectors in the body plane."""
+    """Components (a_x b_x, a_y b_y, a_x b_y) of a bᵀ, for parallel vectors in the body plane."""
     return Vec(a.x * b.x, a.y * b.y, a.x * b.y)
 
 
@@ -220,14 +223,14 @@ def arm_state(
         length: l_j [m].
         rate: l̇_j [m/s].
         thrust: T_j [N].
-        engaged: 0 for every obstacle that the cage was apart from when the step began.
-        obstacles: As they are seen from the main body.
+        engaged: For each obstacle, 0 if the cage did not touch it when the step began.
+        obstacles: In the body frame.
         contact_point: `Ring` or `ArmTip`.
-        state: Of the vehicle.
+        state: State of the vehicle.
         r: Body axes to world axes.
         velocity: Rᵀ v, of the main body, body axes [m/s].
         released: 1 lets compliant arms slide, 0 locks them.
-        ahead: How contacts resist is for depths up to so much farther [m].
+        ahead: Stiffness and damping hold for depths up to this much larger [m].
     """
     m, u, omega = arm.mass, arm.compliance * released, state.angular_velocity
     pose = arm_pose(arm, length, rate, velocity)
@@ -288,7 +291,7 @@ def arm_state(
     grip = ArmFrictionDamping(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
     return ArmState(
         share, ArmPull(h * per_mass, u), view, touched_normal(met, gap, engaged_now), grip, slide,
-        tree_map(rub_of, (met,), ()),
+        tree_map(slip_of, (met,), ()),
     )  # fmt: skip
 
 
@@ -299,7 +302,7 @@ def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
 
 @kernel
 def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
-    """The view of an arm whose acceleration is known."""
+    """The view of an arm, completed by its acceleration."""
     away = arm.mass * sliding + arm.damping * rate
     return replace(view, unbalance=away)
 
@@ -308,18 +311,18 @@ def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
 def _arm_slip_rate(
     arm: Arm,
     sliding: float,
-    rubs: tuple[Rub, ...],
+    slips: tuple[Slip, ...],
     obstacles: tuple[Obstacle, ...],
     linear: Vec,
     angular: Vec,
     vertical: Vec,
 ) -> float:
     end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return maximum(tree_map(slip_rate, (obstacles, rubs), (end, angular, vertical)))
+    return maximum(tree_map(slip_rate, (obstacles, slips), (end, angular, vertical)))
 
 
 class Rates(NamedTuple):
-    """Rate of change of the motion, and the view of the same instant."""
+    """Rate of change of the motion, and the view at the same instant."""
 
     motion: Motion
     seen: View
@@ -351,7 +354,7 @@ def rates(
     thrust: tuple[float, ...],
     released: float,
 ) -> Rates:
-    """Rate of change of everything that is integrated.
+    """Rate of change of all integrated quantities.
 
     Args:
         airframe: Constants of the vehicle.
@@ -360,7 +363,7 @@ def rates(
         guide: `Free` or `Slider`.
         air: `Still` or `Air`.
         state: Present state.
-        thrust: Of each rotor, along body z at the end of its arm [N].
+        thrust: Thrust of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     engaged = Engaged(
@@ -382,7 +385,9 @@ def rates_while(
     released: float,
     engaged: Engaged,
 ) -> Rates:
-    """`rates`, with contacts held off: see `springback.contact.cage.cage_contact_while`.
+    """Rates as by `rates`, with contact off where not engaged.
+
+    See `springback.contact.cage.cage_contact_while`.
 
     Args:
         airframe: As for `rates`.
@@ -393,7 +398,7 @@ def rates_while(
         state: As for `rates`.
         thrust: As for `rates`.
         released: As for `rates`.
-        engaged: 0 where contact is held off.
+        engaged: 0 where contact is off.
     """
     r, omega = rotation(state.attitude), state.angular_velocity
     velocity = state.velocity @ r
@@ -458,12 +463,12 @@ def rates_while(
     )  # fmt: skip
     stays = airframe.mass - a.sliding.x - a.sliding.y
     friction_rate = fold(hastened, friction_rate, hull, (stays, inverse))
-    # Of the terms of a cage's acceleration those quadratic in rates are left out: they are small.
+    # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical
     cage_slips = tree_map(
         _arm_slip_rate,
-        (airframe.arms, sliding, field_of(arms, "rubs")),
+        (airframe.arms, sliding, field_of(arms, "slips")),
         (obstacles, linear, solved.angular, vertical),
     )
     hull_slips = tree_map(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))

@@ -1,7 +1,7 @@
-"""A vehicle whose arms stand still and whose cages touch nothing: one rigid body, eq. (1).
+"""Flight with locked arms and without contact: one rigid body, eq. (1).
 
-The same motion as `springback.dynamics.motion.rates` with locked arms and no obstacle near, with
-everything left out that is then zero: mass, first moment and inertia stand still, too.
+The same motion as `springback.dynamics.motion.rates` with locked arms and no obstacle near, without
+the terms that are then zero: mass, first moment and inertia are constant.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class OneBody(NamedTuple):
 
 
 class RigidState(NamedTuple):
-    """Where one body is, how it moves, and the work done on it."""
+    """Position, attitude and velocities of one body, and the work done on it."""
 
     position: Vec  # of the main body, world [m]
     attitude: Quat
@@ -47,7 +47,7 @@ class RigidState(NamedTuple):
 
 
 class RigidRates(NamedTuple):
-    """Rate of change of a `RigidState`, and what an instant looks like."""
+    """Rate of change of a `RigidState`, and observable quantities at that instant."""
 
     flight: RigidState
     specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z) of the main body, body [m/s²]
@@ -55,7 +55,7 @@ class RigidRates(NamedTuple):
 
 
 class _Part(NamedTuple):
-    """What one locked arm adds."""
+    """Contribution of one locked arm."""
 
     carried: Vec
     inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
@@ -76,7 +76,7 @@ def _part(arm: Arm, length: float, thrust: float) -> _Part:
 def as_one_body(
     airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
 ) -> OneBody:
-    """A vehicle with its arms locked at some lengths [m], under rotor thrusts [N]."""
+    """A vehicle with its arms locked at given lengths [m], under rotor thrusts [N]."""
     a = tree_sum(tree_map(_part, (airframe.arms, lengths, thrust), ()))
     inertia = airframe.inertia + arms_inertia(a.inertia)
     return OneBody(
@@ -86,7 +86,7 @@ def as_one_body(
 
 @kernel
 def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidState) -> RigidRates:
-    """Eq. (1), Newton–Euler about the main body, which need not be the centre of mass.
+    """Rates by eq. (1), Newton–Euler about the main body, which need not be the centre of mass.
 
     Args:
         body: The vehicle.
@@ -120,7 +120,7 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidSt
 class RigidStep(NamedTuple):
     """One step of a `RigidState`."""
 
-    known: RigidRates  # at its beginning
+    known: RigidRates  # at its start
     flight: RigidState  # at its end; the attitude is normalised
 
 
@@ -145,7 +145,7 @@ def flown_on(
 def stepped(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """One step of all that is integrated, whatever acts on the vehicle; arguments as `flown_on`."""
+    """One step of all integrated quantities under any load; arguments as for `flown_on`."""
     first = flight_rates(body, guide, air, gravity, x)
     second = flight_rates(body, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
     third = flight_rates(body, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
@@ -171,19 +171,19 @@ def _flown_freely(
 def freely(
     air: Any, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """`flown_on` for a vehicle that nothing guides."""
+    """Step as by `flown_on`, for a vehicle without constraint."""
     return stepped(guide, air, body, gravity, x, h)
 
 
 class _Turning(NamedTuple):
-    """How a body is turned, and turns."""
+    """Attitude of a body and its angular velocity."""
 
     attitude: Quat
     angular_velocity: Vec
 
 
 class _Driven(NamedTuple):
-    """What drives a body about its centre of mass, in its own axes."""
+    """Loads on a body about its centre of mass, in its own axes."""
 
     inertia: Mat3  # [kg m²]
     inverse: Mat3
@@ -195,7 +195,7 @@ class _Stage(NamedTuple):
     """Rates at one stage of a step, about the centre of mass."""
 
     turning: _Turning
-    up: Vec  # body z axis, world: where the thrust goes
+    up: Vec  # body z axis, world: direction of the thrust
     power: float  # of the rotors [W]
 
 
@@ -217,11 +217,11 @@ def _stage(by: _Driven, x: _Turning, velocity: Vec) -> _Stage:
 def _freely_in_still_air(
     air: Still, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """The same step about the centre of mass, where turning and moving part.
+    """The same step about the centre of mass, where rotation and translation decouple.
 
-    Thrust and moment stand still in body axes over a step, and gravity acts at the mass centre: of
-    a stage only the attitude, the angular velocity and, for the rotors' work, the velocity matter.
-    What acts on nothing is summed up once, as the same Runge–Kutta formula has it.
+    Thrust and moment are constant in body axes over a step, and gravity acts at the centre of mass:
+    of a stage only the attitude, the angular velocity and, for the rotors' work, the velocity
+    matter.  Quantities that do not act on others are summed once, by the same Runge–Kutta formula.
     """
     omega, half, sixth = x.angular_velocity, 0.5 * h, h / 6.0
     c, lift = body.carried * body.inverse_mass, body.thrust * body.inverse_mass

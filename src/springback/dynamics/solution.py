@@ -1,4 +1,4 @@
-"""The six equations of motion, solved: elimination of the translation, with guides or without."""
+"""Solution of the six equations of motion by elimination, with guides or without."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Free(NamedTuple):
 
 
 class Slider(NamedTuple):
-    """The vehicle moves along one world axis only and does not turn, as on the paper's testbed."""
+    """Constraint to one world axis without rotation, as on the paper's testbed."""
 
     axis: Vec  # unit vector, world
 
@@ -28,7 +28,7 @@ class Accelerations(NamedTuple):
 
 
 class System(NamedTuple):
-    """The six equations of the module docstring."""
+    """The six equations of `springback.dynamics.motion`."""
 
     mass: float  # m [kg]
     inverse_mass: float  # 1/m [1/kg]
@@ -40,7 +40,7 @@ class System(NamedTuple):
 
 
 class PlanarInverse(NamedTuple):
-    """M⁻¹ for M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
+    """Inverse of M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
 
     xx: float
     yy: float
@@ -50,7 +50,7 @@ class PlanarInverse(NamedTuple):
 
 @kernel
 def planar_inverse(mass: float, inverse_mass: float, sliding: Vec) -> PlanarInverse:
-    """Inverse of the mass matrix of translation, arms' own accelerations eliminated [1/kg]."""
+    """Inverse of the mass matrix of translation, with the arms' accelerations eliminated [1/kg]."""
     xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
     scale = 1.0 / (xx * yy - xy * xy)
     return PlanarInverse(yy * scale, xx * scale, -xy * scale, inverse_mass)
@@ -58,20 +58,20 @@ def planar_inverse(mass: float, inverse_mass: float, sliding: Vec) -> PlanarInve
 
 @kernel
 def times(n: PlanarInverse, b: Vec) -> Vec:
-    """M⁻¹ b."""
+    """Product M⁻¹ b."""
     return Vec(n.xx * b.x + n.xy * b.y, n.xy * b.x + n.yy * b.y, n.zz * b.z)
 
 
 @generic
 def solve(guide: Any, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Accelerations of the main body under a constraint."""
-    raise TypeError(f"{type(guide).__name__} is no guide")
+    raise TypeError(f"{type(guide).__name__} is not a guide")
 
 
 @solve.register(Free)
 @kernel
 def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Accelerations:
-    """Translation is eliminated first, a' = M⁻¹(b − α × s); (J − Ĉᵀ M⁻¹ Ĉ) α remains, 3 x 3."""
+    """Eliminate the translation, a' = M⁻¹(b − α × s); then solve (J − Ĉᵀ M⁻¹ Ĉ) α, 3 x 3."""
     n, s = planar_inverse(system.mass, system.inverse_mass, system.sliding), system.carried
     alone = times(n, system.force)
     j = system.inertia
@@ -86,7 +86,7 @@ def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Acceler
 @solve.register(Slider)
 @kernel
 def _solve_slider(guide: Slider, system: System, r: Mat3, gravity: float) -> Accelerations:
-    """Only the component of the forces along the slider is left: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
+    """Solve along the slider, the only free direction: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
     u = guide.axis @ r
     weight = Vec(0.0, 0.0, gravity) @ r
     m, slide = system.mass, system.sliding

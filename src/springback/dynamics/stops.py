@@ -10,14 +10,14 @@ from springback.kernels.compiler import kernel
 from springback.kernels.vectors import positive_part
 from springback.vehicle.state import Arm
 
-#: Steps look so far ahead: contacts stiffen, and stops are met, within one [s].
+#: Steps look ahead by this time, in which contacts stiffen and stops are reached [s].
 AHEAD = 1e-4
-#: A stop that will be pressed in by less than this does not matter to the step [m].
+#: A stop that will be compressed by less than this is irrelevant to the step [m].
 GRAZED = 1e-7
 
 
 class Stop(NamedTuple):
-    """Force of an end stop along the arm, its heat, and how it resists."""
+    """Force of an end stop along the arm, its heat, stiffness and damping."""
 
     force: float  # positive lengthens the arm [N]
     loss: float  # [W]
@@ -27,15 +27,15 @@ class Stop(NamedTuple):
 
 @kernel
 def end_stop(arm: Arm, length: float, rate: float) -> Stop:
-    """Push of the end stops, k δ (1 + d δ̇), never adhesive, and its heat.
+    """Force of the end stops, k δ (1 + d δ̇), never adhesive, and its heat.
 
-    One acts on an arm that has bottomed out, the other on one past its free length.
+    One acts on an arm that has bottomed out, the other on an arm beyond its free length.
     """
     low, high = positive_part(arm.shortest - length), positive_part(length - arm.length)
     pressing = -rate if low > 0.0 else rate
     elastic = arm.stop_stiffness * (low + high)
     force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
-    # A step that lands on a stop ends a hair before it: the next one is taken on it.
+    # A step that ends at a stop ends slightly before it: the next one acts on it.
     ahead = AHEAD * rate
     soon = (length - arm.length + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
     stiffness = arm.stop_stiffness if (elastic > 0.0) | soon else 0.0
@@ -45,7 +45,7 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
 
 @kernel
 def next_stop(arm: Arm, length: float, rate: float) -> Crossing:
-    """The arm's coming to the next of its two stops, or off it."""
+    """Crossing at which the arm reaches the next of its two stops, or leaves it."""
     low, high = length - arm.shortest, length - arm.length
     growing = low if low < -LANDED else high
     shrinking = high if high > LANDED else low

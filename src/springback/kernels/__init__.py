@@ -1,1 +1,1 @@
-"""The compute core: one scalar source, several executors."""
+"""The compute core: one scalar source for several executors."""

@@ -1,8 +1,8 @@
 """Sine, cosine and arc tangent from additions and products alone.
 
-The compiler can lay these abreast in vector registers, which it cannot do with calls of a library,
-and they give the same bits on every machine.  Reductions and polynomials are those of Sun's fdlibm
-1993 (k_sin, k_cos, s_atan); results are within 1 ulp or so.
+The compiler can vectorise these over lanes, which it cannot do with calls to a library, and they
+return the same bits on every machine.  Range reductions and polynomials are those of Sun's fdlibm
+1993 (k_sin, k_cos, s_atan); results are within about 1 ulp.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 from springback.kernels.bits import bits_of, float_of
 from springback.kernels.compiler import kernel
 
-#: π/2 in three parts of 33 bits: products with whole numbers up to 2²⁰ are exact (fdlibm).
+#: π/2 in three parts of 33 bits: products with integers up to 2²⁰ are exact (fdlibm).
 _FIRST, _SECOND, _THIRD = (
     1.57079632673412561417,
     6.07710050630396597660e-11,
@@ -23,18 +23,18 @@ _FIRST, _SECOND, _THIRD = (
 )
 _TWO_OVER_PI = 0.636619772367581343076
 _QUARTER = 0.785398163397448309616
-#: tan(π/8), below which the polynomial of the arc tangent holds.
+#: tan(π/8), the upper limit of the arc tangent's polynomial.
 _EIGHTH = 0.414213562373095048802
-#: Against division by zero.
+#: Avoids division by zero.
 _TINY = 1e-300
-#: 3 · 2⁵¹: floats around it are whole numbers.
+#: 3 · 2⁵¹: floats near it are integers.
 _WHOLE = 6755399441055744.0
-#: The last two bits of a whole number, and how far the second is from a float's sign.
+#: The last two bits of an integer, and the shift that takes the second to a float's sign bit.
 _ONE, _TWO, _TO_SIGN = np.uint64(1), np.uint64(2), np.uint64(62)
 
 
 class SineCosine(NamedTuple):
-    """Of one angle."""
+    """Sine and cosine of one angle."""
 
     sine: float
     cosine: float
@@ -42,20 +42,20 @@ class SineCosine(NamedTuple):
 
 @kernel
 def rounded(x: float) -> float:
-    """The whole number nearest to x, an even one half way; for |x| < 2⁵¹."""
+    """The integer nearest to x, ties to even; for |x| < 2⁵¹."""
     return (x + _WHOLE) - _WHOLE
 
 
 @kernel
 def rounded_down(x: float) -> float:
-    """The largest whole number that is not above x, for |x| < 2⁵¹; a float, unlike math.floor."""
+    """The largest integer not above x, for |x| < 2⁵¹; a float, unlike math.floor."""
     nearest = rounded(x)
     return nearest - 1.0 if nearest > x else nearest
 
 
 @kernel
 def _sine(r: float, z: float) -> float:
-    """Of |r| ≤ π/4, with z = r²."""
+    """Sine for |r| ≤ π/4, with z = r²."""
     tail = z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
     tail = z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + tail))
     return r + r * z * (-1.66666666666666324348e-01 + z * (8.33333333332248946124e-03 + tail))
@@ -63,7 +63,7 @@ def _sine(r: float, z: float) -> float:
 
 @kernel
 def _cosine(z: float) -> float:
-    """Of an angle of at most π/4, with its square."""
+    """Cosine of an angle of at most π/4, from its square z."""
     tail = z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11)
     tail = z * (2.48015872894767294178e-05 + z * (-2.75573143513906633035e-07 + tail))
     tail = z * (4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + tail))
@@ -74,8 +74,8 @@ def _cosine(z: float) -> float:
 
 @kernel
 def sine_cosine(angle: float) -> SineCosine:
-    """Of an angle of less than a million turns [rad]."""
-    counted = angle * _TWO_OVER_PI + _WHOLE  # quarters of a turn: a whole number, in the last bits
+    """Sine and cosine of an angle of less than a million turns [rad]."""
+    counted = angle * _TWO_OVER_PI + _WHOLE  # quarter turns: an integer, in the last bits
     quarters, last = counted - _WHOLE, bits_of(counted)
     r = ((angle - quarters * _FIRST) - quarters * _SECOND) - quarters * _THIRD
     z = r * r
@@ -88,7 +88,7 @@ def sine_cosine(angle: float) -> SineCosine:
 
 @kernel
 def _arc_tangent(t: float) -> float:
-    """Of |t| ≤ tan(π/8)."""
+    """Arc tangent for |t| ≤ tan(π/8)."""
     z = t * t
     w = z * z
     even = 4.97687799461593236017e-02 + w * 1.62858201153657823623e-02
@@ -103,11 +103,11 @@ def _arc_tangent(t: float) -> float:
 
 @kernel
 def angle_of(sine: float, cosine: float) -> float:
-    """The angle, from −π to π, of a direction that need not have length 1 [rad]; 0 of none.
+    """Angle of a direction of any length, from −π to π [rad]; 0 for length zero.
 
     Args:
-        sine: Any multiple of it above zero.
-        cosine: The same multiple.
+        sine: The sine times any positive factor.
+        cosine: The cosine times the same factor.
     """
     y, x = math.fabs(sine), math.fabs(cosine)
     steep = y > x

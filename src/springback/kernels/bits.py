@@ -1,4 +1,4 @@
-"""Single instructions that Python has no words for: the bits of floats, and selection."""
+"""Single instructions that Python does not offer: the bits of floats, and selection."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _intrinsic: Any = numba.extending.intrinsic
 
 
 def bits_of(x: float) -> Any:
-    """The 64 bits of a float (IEEE 754 binary64), an unsigned whole number."""
+    """The 64 bits of a float (IEEE 754 binary64) as an unsigned integer."""
     return np.uint64(struct.unpack("<Q", struct.pack("<d", x))[0])
 
 
 def float_of(bits: Any) -> float:
-    """The float that has these 64 bits."""
+    """The float with these 64 bits."""
     value: float = struct.unpack("<d", struct.pack("<Q", int(bits)))[0]
     return value
 
@@ -43,7 +43,7 @@ def _as_float(context: Any, bits: Any) -> Any:
 
 @_intrinsic  # type: ignore[untyped-decorator]
 def selected(context: Any, claim: Any, a: Any, b: Any) -> Any:
-    """Of two numbers of one type, the first where the claim holds; in compiled code only."""
+    """The number a where ``claim`` holds, else b, of one type; compiled code only."""
     kind = context.unify_types(a, b)
 
     def choose(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:

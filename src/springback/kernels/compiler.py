@@ -1,9 +1,9 @@
-"""The compiler, named here and nowhere else.
+"""The interface to the compiler; no other module imports it.
 
 Physics is written once, for one vehicle, on floats and NamedTuples of floats.  A function marked
 `kernel` stays an ordinary Python function when Python calls it, and is compiled and inlined when an
-`executor` calls it.  So one source serves plain Python, one compiled flight and many flights
-abreast.
+`executor` calls it.  One source thus serves plain Python, one compiled flight and a batch of
+flights.
 
 The arithmetic flags let the compiler drop terms that are exactly zero (``nnan``, ``ninf``, ``nsz``)
 and nothing else: no contraction, no reassociation, no approximate division.  Every operation is
@@ -30,7 +30,7 @@ from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
 
-#: Parts of numba whose stubs know only some of their options, or that have none.
+#: Parts of numba with incomplete type stubs, or none.
 _overload: Any = numba.extending.overload
 _register_pass: Any = compiler_machinery.register_pass
 _Lower: Any = lowering.Lower
@@ -42,9 +42,9 @@ P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
 
 
-#: Attributes of every function, as LLVM writes them.  By itself LLVM fills only half of a register
-#: of 512 bits on processors of Intel's, whose early ones slowed down with more; and it takes the
-#: stack as it comes, where a register put aside mostly lies across two lines of the cache.
+#: Attributes of every function, as LLVM writes them.  By default LLVM uses only half of a 512-bit
+#: register on Intel processors, the earliest of which slowed down with more; and it does not align
+#: the stack, so that a spilled register usually straddles two cache lines.
 _FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
 
 
@@ -75,19 +75,19 @@ class _CompilerForLanes(_Compiler):  # type: ignore[misc]
         return pipelines
 
 
-#: Flags of code that may assume finite numbers; finiteness is checked outside
+#: Flags for code that may assume finite numbers; finiteness is checked outside
 #: (simulation.executor).
 FINITE = {"nnan", "ninf", "nsz"}
 _COMMON: dict[str, Any] = {
     "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": _CompilerForLanes,
 }  # fmt: skip
-#: Kernels hold floats only: without the code that counts references they compile a seventh faster.
+#: Kernels hold floats only: compiling them without reference counting is one seventh faster.
 _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
 INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}
 GUARDING: dict[str, Any] = {"fastmath": False, **_UNCOUNTED}
 STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
 
-#: What the compiler raises where it cannot translate a kernel.
+#: Exceptions that the compiler raises where it cannot translate a kernel.
 CompilerError: type[Exception] = NumbaError
 
 _SOURCES = (
@@ -96,22 +96,22 @@ _SOURCES = (
 
 
 def kernel(function: F) -> F:
-    """Physics on floats: plain Python for Python, inlined machine code for an executor."""
+    """Mark a function as physics on floats: plain Python for Python, inlined in an executor."""
     registered: F = register_jitable(**INLINED)(function)
     return registered
 
 
 def guard(function: F) -> F:
-    """A kernel that must see NaN and infinity for what they are."""
+    """Mark a kernel that must handle NaN and infinity exactly."""
     registered: F = register_jitable(**GUARDING)(function)
     return registered
 
 
 def rare_kernel(function: F) -> F:
-    """A kernel for rare events: compiled once and called, never inlined, strict about NaN.
+    """Mark a kernel for rare events: compiled once and called, never inlined, strict about NaN.
 
-    It may hold lists.  Callees inherit their caller's flags unless they set them, so the code that
-    counts references, which kernels go without, is asked for here.
+    It may hold lists.  Callees inherit their caller's flags unless they set them, so reference
+    counting, which kernels do without, is switched on here.
     """
     registered: F = register_jitable(**{**STRICT, "_nrt": True})(function)
     return registered
@@ -120,10 +120,10 @@ def rare_kernel(function: F) -> F:
 def compiled(
     function: Callable[..., Any], options: dict[str, Any] = INLINED, *, literal: bool = False
 ) -> Callable[[F], F]:
-    """Decorator for a rule that tells the compiler what a function becomes for given types.
+    """Decorator for a rule that gives the compiler an implementation of a function by types.
 
-    The rule gets compiler types and returns a Python function, or None if the types do not fit.
-    ``literal`` shows it the values of constant strings.
+    The rule takes compiler types and returns a Python function, or None if the types do not fit.
+    ``literal`` passes constant strings to it by value.
     """
 
     def teach(rule: F) -> F:
@@ -134,32 +134,32 @@ def compiled(
 
 
 class Generic(Protocol[P, R]):
-    """A function chosen by the type of its first argument."""
+    """Function dispatched on the type of its first argument."""
 
     def __call__(self, *arguments: P.args, **named: P.kwargs) -> R:
         """Call the function registered for the type of the first argument."""
 
     def register(self, cls: type) -> Callable[[F], F]:
-        """Decorator that makes a function the one for ``cls``."""
+        """Decorator that registers a function for ``cls``."""
 
     def dispatch(self, cls: type) -> Callable[..., R]:
-        """The function for ``cls``."""
+        """The function registered for ``cls``."""
 
 
-#: Every generic function there is.
+#: All generic functions.
 _GENERICS: list[Generic[..., Any]] = []
 
 
 def registered(cls: type) -> list[Callable[..., Any]]:
-    """What each generic function does for ``cls``."""
+    """Implementations of every generic function for ``cls``."""
     return [known.dispatch(cls) for known in _GENERICS]
 
 
 def generic(function: Callable[P, R]) -> Generic[P, R]:
-    """A kernel that is chosen by the type of its first argument, in Python and when compiled.
+    """Mark a kernel that dispatches on the type of its first argument, in Python and when compiled.
 
-    Other types join with ``function.register(Type)``, exactly as for `functools.singledispatch`.
-    What is like a tree (`springback.kernels.layout.TreeLayout`) counts for the tree.
+    Other types join with ``function.register(Type)``, as with `functools.singledispatch`.  The
+    layout of a tree (`springback.kernels.layout.TreeLayout`) dispatches as the tree does.
     """
     by_class = functools.singledispatch(function)
 
@@ -181,16 +181,16 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
 
 
 def is_named(numba_type: Any, cls: type) -> bool:
-    """Whether a compiler type is the NamedTuple class ``cls``."""
+    """True if a compiler type is the NamedTuple class ``cls``."""
     return getattr(numba_type, "instance_class", None) is cls
 
 
 @functools.cache
 def source_digest() -> str:
-    """Digest of every source file that ends up in compiled code.
+    """Digest of every source file that contributes to compiled code.
 
-    The compiler's own cache looks at the file of the entry function only; an edit or an upgrade
-    elsewhere would go unseen.  So the digest names the cache folder.
+    The compiler's own cache checks the file of the entry function only, so an edit or an upgrade
+    elsewhere would go unnoticed.  The digest therefore names the cache folder.
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
@@ -203,12 +203,12 @@ def source_digest() -> str:
 def cache_folder() -> Path:
     """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's."""
     root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
-    # An unknown user's ~ stays as it is.
+    # An unknown user's ~ is left unexpanded.
     return Path(os.path.expanduser(root)) / "kernels" / source_digest()
 
 
 def is_writable(folder: Path) -> bool:
-    """Whether ``folder`` exists or can be made, and takes files."""
+    """True if ``folder`` exists or can be created, and files can be written to it."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError:
@@ -217,7 +217,7 @@ def is_writable(folder: Path) -> bool:
 
 
 def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
-    """Compile an entry point, kept in a folder between processes, or not kept."""
+    """Compile an entry point, cached in a folder between processes, or not cached."""
     entry: Any = njit(**{**STRICT, **options})(function)
     if folder is not None:
         entry._cache = KernelCache(function, folder)
@@ -225,9 +225,9 @@ def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
 
 
 def executor(**options: Any) -> Callable[[F], F]:
-    """Compile an entry point, kept on disk between processes.
+    """Compile an entry point, cached on disk between processes.
 
-    The undecorated function stays reachable as ``.py_func``: that is the plain-Python executor.
+    The undecorated function remains available as ``.py_func``: that is the plain-Python executor.
     """
 
     def compile_entry(function: F) -> F:
@@ -237,7 +237,7 @@ def executor(**options: Any) -> Callable[[F], F]:
 
 
 def rebound(function: F, **others: Any) -> F:
-    """A function whose globals of some names are others: the same loop around other functions."""
+    """A copy of a function with some globals replaced: the same loop around other functions."""
     rebuilt = types.FunctionType(
         function.__code__,
         {**function.__globals__, **others},
@@ -249,32 +249,32 @@ def rebound(function: F, **others: Any) -> F:
 
 
 class Origin(NamedTuple):
-    """All that decides what the code of a user's types becomes."""
+    """Everything that determines the compiled code of a user's types."""
 
     files: tuple[str, ...]
-    """Of the code."""
+    """Source files of the code."""
     modules: tuple[str, ...]
-    """Under which it was imported: a kept kernel finds its types by these names."""
+    """Names under which it was imported: a cached kernel finds its types by these names."""
     frozen: str
-    """Digest of the values that it takes from elsewhere (`springback.kernels.frozen`)."""
+    """Digest of the values that it reads from elsewhere (`springback.kernels.frozen`)."""
 
     def words(self) -> list[str]:
-        """What names a place where its kernels are kept."""
+        """Parts of the name of the folder in which its kernels are cached."""
         read = [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in self.files]
         return [*self.files, *read, *self.modules, self.frozen]
 
 
 @functools.cache
 def own_executor(function: F, origin: Origin | None, **options: Any) -> F:
-    """An entry point for models that hold a user's types, apart from the package's own kernels.
+    """Compile an entry point for a user's types, cached apart from the package's own kernels.
 
-    A kept kernel can be read only where its types can be imported under the same names, and must
-    follow edits of their source and of the values frozen into it.  So these are kept in a folder
-    named after all of that, or not at all.
+    A cached kernel can be read only where its types can be imported under the same names, and it
+    must be recompiled when their source, or a value frozen into it, changes.  The folder's name
+    therefore contains all of these; without an origin nothing is cached.
 
     Args:
         function: The undecorated entry point.
-        origin: Of the user's code; None if there is none to be relied on.
+        origin: Origin of the user's code; None if unknown.
         **options: As for `executor`.
     """
     if origin is None:

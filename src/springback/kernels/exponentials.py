@@ -1,6 +1,6 @@
 """Exponential and logarithm from additions, products and the bits of floats alone.
 
-As `springback.kernels.angles`: they can be laid abreast, and give the same bits on every machine.
+As in `springback.kernels.angles`: they vectorise, and return the same bits on every machine.
 The reductions and the logarithm's polynomial are those of Sun's fdlibm 1993 (e_exp, e_log).
 """
 
@@ -14,23 +14,23 @@ from springback.kernels.angles import rounded
 from springback.kernels.bits import bits_of, float_of
 from springback.kernels.compiler import kernel
 
-#: Of a float: bits of its fraction, those of 1.0, and place of the exponent.
+#: Layout of a float: bits of its fraction, those of 1.0, and shift of the exponent.
 _FRACTION, _ONE = np.uint64(0x000FFFFFFFFFFFFF), np.uint64(0x3FF0000000000000)
 _PLACE = np.uint64(52)
 _BIAS = 1023.0
-#: 2⁵²: whole numbers added to it stand in the fraction's bits.
+#: 2⁵²: integers added to it appear in the fraction's bits.
 _WHOLE = 4503599627370496.0
 #: ln 2 in two parts, and 1/ln 2.
 _LN2_HIGH, _LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
 _PER_LN2 = 1.44269504088896338700
 _ROOT_2 = math.sqrt(2.0)
-#: Smallest exponent of which the exponential is a normal float; below, it is taken for that.
+#: Smallest exponent whose exponential is a normal float; arguments below are replaced by it.
 LEAST = -708.0
 
 
 @kernel
 def logarithm(x: float) -> float:
-    """Natural logarithm of a normal float above zero."""
+    """Natural logarithm of a positive normal float."""
     bits = bits_of(x)
     exponent: float = 1.0 * (bits >> _PLACE) - _BIAS
     m = float_of((bits & _FRACTION) | _ONE)
@@ -50,9 +50,9 @@ def logarithm(x: float) -> float:
 
 @kernel
 def exponential(x: float) -> float:
-    """Of −708 to 709; it stays at e⁻⁷⁰⁸ below.
+    """Exponential for −708 to 709; e⁻⁷⁰⁸ below.
 
-    e^x = 2^n e^r with |r| ≤ ln 2 / 2, and e^r by its series to r¹³/13!, of which the rest is below
+    e^x = 2^n e^r with |r| ≤ ln 2 / 2, and e^r by its series to r¹³/13!, with a remainder below
     2⁻⁵⁷.
     """
     inside = x if x > LEAST else LEAST

@@ -1,8 +1,8 @@
-"""What compiled code of a user's takes from outside its file: values that are frozen into it.
+"""Values that a user's compiled code reads from outside its file, and that are frozen into it.
 
 A compiled kernel holds the values that its globals had when it was compiled.  They may come from
-anywhere: a file of gains, the environment, a module on another path.  So a kept kernel is named
-after all of them, and is not kept where one of them cannot be told apart from another.
+anywhere: a file of gains, the environment, a module on another path.  A cached kernel is therefore
+named after all of them, and is not cached where one of them has no digest.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-#: Packages whose functions the compiler replaces by its own: their version says enough.
+#: Packages whose functions the compiler replaces by its own: their version identifies them.
 _LIBRARIES = {"numpy", "numba", "scipy", "llvmlite"}
 _PLAIN = (bool, int, float, complex, str, bytes, type(None), type(Ellipsis))
 _BUILT_IN = (
@@ -30,18 +30,18 @@ _BUILT_IN = (
 
 
 class Unnamed(Exception):
-    """A value that no digest can stand for."""
+    """A value without a digest."""
 
 
 def frozen_digest(functions: Iterable[Any]) -> str | None:
-    """Digest of all values that some functions, and what they call, take from outside.
+    """Digest of all values that some functions, and their callees, read from outside.
 
     Args:
-        functions: Of the user's; those of this package are left out.
+        functions: The user's functions; those of this package are skipped.
 
     Returns:
-        SHA-256, hexadecimal; None if one of the values is not made of numbers, text, arrays,
-        tuples, types and functions.
+            SHA-256, hexadecimal; None if a value is not made of numbers, text, arrays, tuples,
+        types and functions.
     """
     walk = _Walk()
     try:
@@ -53,7 +53,7 @@ def frozen_digest(functions: Iterable[Any]) -> str | None:
 
 
 class _Walk:
-    """Follows functions through their globals, each value once."""
+    """Walk through functions and their globals, visiting each value once."""
 
     def __init__(self) -> None:
         self.digest = hashlib.sha256()
@@ -148,7 +148,7 @@ class _Walk:
             self.value(constant)
 
     def _named(self, name: str, value: Any, names: tuple[str, ...]) -> None:
-        """A global, or of a module those of its entries that the code may mean."""
+        """Add a global; of a module, those of its entries that the code may refer to."""
         self._add("name", name)
         if not isinstance(value, types.ModuleType):
             self.value(value)
@@ -169,7 +169,7 @@ class _Walk:
 
 @functools.lru_cache(maxsize=1024)
 def _globals_of(code: types.CodeType) -> tuple[str, ...]:
-    """Names of the globals that a code reads; attributes have such names, too."""
+    """Names of the globals that code reads; attribute names are among them."""
     read = {
         step.argval
         for step in dis.get_instructions(code)
@@ -179,6 +179,6 @@ def _globals_of(code: types.CodeType) -> tuple[str, ...]:
 
 
 def _is_ours_or_known(module: str) -> bool:
-    """Whether a module is this package's, whose source names the cache, or a library's."""
+    """True for modules of this package, whose source names the cache, and of known libraries."""
     root = module.partition(".")[0]
     return root == "springback" or root in _LIBRARIES or root in sys.stdlib_module_names

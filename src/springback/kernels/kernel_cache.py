@@ -1,12 +1,13 @@
-"""Compiled kernels on disk: one file for each signature, checked before it is believed.
+"""Compiled kernels on disk: one file per signature, verified before use.
 
 A file holds SHA-256 of the rest, then a pickle of the key and the compiled code; for a GPU its name
-and LLVM's bitcode or PTX.  Each is a program, so only files are read that the user or root owns and
-that nobody else can write, as ssh does with its keys.  Whatever cannot be read, checked or written
-is left aside with a `CacheWarning`, and the kernel is compiled for this process alone.
+and LLVM's bitcode or PTX.  Each is executable code, so only files are read that the user or root
+owns and that no other user can write, as ssh does with its keys.  A file that cannot be read,
+verified or written is skipped with a `CacheWarning`, and the kernel is compiled for this process
+alone.
 
-The compiler's own cache has an index with neither checksum nor owner: an empty or torn file stops
-every later start, and two processes that keep different signatures at once can exchange them.
+The compiler's own cache has an index with neither checksum nor owner: an empty or truncated file
+breaks every later start, and two processes that save different signatures at once can swap them.
 """
 
 from __future__ import annotations
@@ -27,26 +28,26 @@ from numba.core import compiler, serialize
 from springback.errors import CacheWarning
 from springback.files import write_atomically
 
-#: What reads and writes compiled code.
+#: Reader and writer of compiled code.
 _rebuild: Any = compiler.CompileResult._rebuild
 _dumps: Any = serialize.dumps
 #: Length of SHA-256 [bytes].
 _DIGEST = 32
-#: Drafts older than this are of processes that were killed [s] (chosen).
+#: Temporary files older than this were left by killed processes [s] (chosen).
 _STALE = 3600.0
-#: What was said already in this process.
+#: Warnings already issued in this process.
 _said: set[str] = set()
 
 
 class KernelCache:
-    """The kept signatures of one entry point; the interface is that of numba's own caches."""
+    """Cached signatures of one entry point; the interface is that of numba's own caches."""
 
     def __init__(self, function: Any, folder: Path) -> None:
-        """Of an entry point; the folder is made when something is kept in it.
+        """Cache for an entry point; the folder is created on the first write.
 
         Args:
             function: The undecorated entry point.
-            folder: Of its own for every state of the source.
+            folder: A separate one for every state of the source.
         """
         self._folder = folder
         self._code = hashlib.sha256(function.__code__.co_code).hexdigest()
@@ -55,20 +56,20 @@ class KernelCache:
 
     @property
     def cache_path(self) -> str:
-        """The folder."""
+        """Path of the folder."""
         return str(self._folder)
 
     def enable(self) -> None:
-        """Nothing to do: it is always on."""
+        """Do nothing: the cache is always on."""
 
     def disable(self) -> None:
-        """Nothing to do: it is always on."""
+        """Do nothing: the cache is always on."""
 
     def flush(self) -> None:
-        """Keep what is kept: the folder's name changes with the source."""
+        """Do nothing: the folder's name changes with the source."""
 
     def load_overload(self, signature: Any, context: Any) -> Any:
-        """The kernel for a signature, or None if it is not there or not to be trusted."""
+        """The kernel for a signature, or None if there is no trusted file of it."""
         context.refresh()
         key = self._key(signature, context.codegen())
         for path in self._candidates(key):
@@ -80,13 +81,13 @@ class KernelCache:
                 if known != key:
                     continue
                 return _rebuild(context, *payload)
-            except Exception as error:  # whatever a torn or foreign file leads to
-                _left_aside(path, error)
+            except Exception as error:  # any error that a truncated or foreign file causes
+                _ignored(path, error)
                 return None
         return None
 
     def save_overload(self, signature: Any, result: Any) -> None:
-        """Keep a kernel, whole or not at all."""
+        """Save a kernel atomically."""
         if any(not lifted.can_cache for lifted in result.lifted):
             return
         if result.library.has_dynamic_globals:
@@ -96,7 +97,7 @@ class KernelCache:
             data = _dumps((key, result._reduce()))
             _write(self._free(key), data)
         except Exception as error:
-            _not_kept(self._folder, error)
+            _not_cached(self._folder, error)
 
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
@@ -107,7 +108,7 @@ class KernelCache:
         return (self._folder / f"{stem}-{k}.kernel" for k in range(100))
 
     def _free(self, key: tuple[Any, ...]) -> Path:
-        """Where to keep a key: in its own file, or in place of one that cannot be used."""
+        """Path to write a key to: its own file, or in place of one that cannot be used."""
         path = Path()
         for path in self._candidates(key):
             try:
@@ -120,10 +121,10 @@ class KernelCache:
 
 
 def cached(path: Path) -> bytes | None:
-    """What `keep` wrote; None if there is nothing, or, with a warning, nothing to be trusted.
+    """Content written by `keep`; None if there is no file, or, with a warning, no trusted one.
 
     Args:
-        path: Whose last part is the key.
+        path: Its last part is the key.
     """
     try:
         data = _trusted(path)
@@ -131,31 +132,31 @@ def cached(path: Path) -> bytes | None:
             return None
         name, _, content = data.partition(b"\n")
         if name != path.name.encode():
-            raise ValueError("it is another one's")
+            raise ValueError("it holds another key")
         return content
     except (OSError, ValueError) as error:
-        _left_aside(path, error)
+        _ignored(path, error)
         return None
 
 
 def keep(path: Path, content: bytes) -> None:
-    """Keep a compiled program for other processes; not to be able to is a warning.
+    """Save a compiled program for other processes; a failure is a warning.
 
     Args:
-        path: Whose last part is the key: the same for the same program only.
-        content: Of the program.
+        path: Its last part is the key, which identifies the program.
+        content: The compiled program.
     """
     try:
         _write(path, path.name.encode() + b"\n" + content)
     except OSError as error:
-        _not_kept(path.parent, error)
+        _not_cached(path.parent, error)
 
 
 def _trusted(path: Path) -> bytes | None:
-    """What a file holds behind its digest; None if there is no such file.
+    """Content of a file after its digest; None if there is no such file.
 
     Raises:
-        OSError: If it cannot be read, or somebody else could have written it.
+        OSError: If it cannot be read, or another user could have written it.
         ValueError: If it is damaged.
     """
     try:
@@ -165,12 +166,12 @@ def _trusted(path: Path) -> bytes | None:
     with os.fdopen(handle, "rb") as file:
         about = os.fstat(handle)
         if not stat.S_ISREG(about.st_mode):
-            raise ValueError("it is no file")
+            raise ValueError("it is not a regular file")
         if hasattr(os, "getuid"):
             if about.st_uid not in (os.getuid(), 0):
                 raise PermissionError(f"it belongs to user {about.st_uid}")
             if about.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-                raise PermissionError("others than its owner can write it")
+                raise PermissionError("other users can write to it")
         data = file.read()
     if hashlib.sha256(data[_DIGEST:]).digest() != data[:_DIGEST]:
         raise ValueError("it is damaged")
@@ -178,14 +179,14 @@ def _trusted(path: Path) -> bytes | None:
 
 
 def _write(path: Path, data: bytes) -> None:
-    """Write data behind its digest, whole or not at all."""
+    """Write data with its digest, atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     _remove_stale(path.parent)
     write_atomically(path, hashlib.sha256(data).digest() + data, mode=0o644)
 
 
 def _remove_stale(folder: Path) -> None:
-    """Remove drafts of processes that were killed."""
+    """Remove temporary files of processes that were killed."""
     for draft in folder.glob(".*.draft"):
         with contextlib.suppress(OSError):
             if time.time() - draft.stat().st_mtime > _STALE:
@@ -197,19 +198,19 @@ def _reason(error: BaseException) -> str:
     return text[:200] or type(error).__name__
 
 
-def _left_aside(path: Path, error: BaseException) -> None:
-    _say(f"{path}: kept kernel left aside ({_reason(error)}); compiling it anew")
+def _ignored(path: Path, error: BaseException) -> None:
+    _say(f"{path}: cached kernel ignored ({_reason(error)}); recompiling it")
 
 
-def _not_kept(folder: Path, error: BaseException) -> None:
+def _not_cached(folder: Path, error: BaseException) -> None:
     _say(
-        f"{folder}: compiled kernels cannot be kept ({_reason(error)}); every start compiles them "
-        "anew. SPRINGBACK_CACHE_DIR names another folder"
+        f"{folder}: compiled kernels cannot be cached ({_reason(error)}); every start recompiles "
+        "them. SPRINGBACK_CACHE_DIR names another folder"
     )
 
 
 def _say(text: str) -> None:
-    """Warn, once a process."""
+    """Warn once per process."""
     if text not in _said:
         _said.add(text)
         warnings.warn(text, CacheWarning, stacklevel=2)

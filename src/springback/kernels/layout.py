@@ -1,9 +1,9 @@
-"""Trees in flat buffers: how many rows they take, where their parts lie, reading and writing.
+"""Trees in flat buffers: number of rows, positions of the parts, reading and writing.
 
-A buffer holds many flights abreast: leaf k of the tree of one lane lies at ``(row + k) * width +
-lane``.  What lies there is told by a `TreeLayout`, which has the type of a tree and none of its
-numbers: it costs nothing to hand from function to function.  It also knows the row at which its
-tree begins, so that `load` and `store` reach any branch by its name.
+A buffer holds a batch of flights: leaf k of the tree of one lane is at ``(row + k) * width +
+lane``.  A `TreeLayout` describes the positions.  It has the type of a tree and none of its numbers,
+so that passing it from function to function is free.  It also knows the row at which its tree
+begins, so that `load` and `store` reach any branch by name.
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ from springback.kernels.trees import (
     rebuilt,
 )
 
-#: numba.extending, whose stubs know only some of it.
+#: numba.extending, with incomplete type stubs.
 _numba: Any = numba.extending
 _typeof: Any = numba.typeof
 _AttributeTemplate: Any = templates.AttributeTemplate
 
 Buffer = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Bytes of a line of the cache.
+#: Bytes of a cache line.
 _LINE = 64
 
 
 def zeros(*shape: int) -> Buffer:
-    """Zeros from the beginning of a line of the cache on: no row of eight lanes lies across two."""
+    """Zeros, aligned to a cache line: no row of eight lanes straddles two."""
     size = 8 * math.prod(shape)
     raw = np.zeros(size + _LINE, dtype=np.uint8)
     start = -raw.ctypes.data % _LINE
@@ -49,7 +49,7 @@ def zeros(*shape: int) -> Buffer:
 
 
 def structure(tree: Any) -> Any:
-    """The types in a tree, nested as they are; equal for trees that differ in numbers only."""
+    """The types in a tree, nested alike; equal for trees that differ in numbers only."""
     if not isinstance(tree, tuple):
         return type(tree)
     inner = [structure(branch) if isinstance(branch, tuple) else type(branch) for branch in tree]
@@ -57,12 +57,12 @@ def structure(tree: Any) -> Any:
 
 
 class TreeLayout:
-    """Like a tree, but without numbers: its parts are reached by name, and are likes again."""
+    """Layout of a tree, without numbers: its parts are reached by name, and are layouts again."""
 
-    __slots__ = ("_parts", "_row", "_tree", "_type")  # underscored: fields may be named so
+    __slots__ = ("_parts", "_row", "_tree", "_type")  # underscored, as fields may have these names
 
     def __init__(self, tree: Any, row: int = 0) -> None:
-        """Take the shape of a tree that begins at some row of a buffer."""
+        """Layout of a tree that begins at some row of a buffer."""
         self._tree = tree
         self._row = row
         self._parts: dict[str, TreeLayout] = {}
@@ -70,12 +70,12 @@ class TreeLayout:
 
     @property
     def instance_class(self) -> type:
-        """Class of the tree, by which a generic function is chosen."""
+        """Class of the tree, on which generic functions dispatch."""
         return type(self._tree)
 
     @property
     def _numba_type_(self) -> Any:
-        """What the compiler asks for."""
+        """Type for the compiler."""
         if self._type is None:
             self._type = _like_type(structure(self._tree), self._row, self._tree)
         return self._type
@@ -91,7 +91,7 @@ _LIKE_TYPES: dict[Any, Any] = {}
 
 
 def _like_type(nested: Any, row: int, tree: Any) -> Any:
-    """Compiler type of a structure; the compiler takes long to find the type of a large tree."""
+    """Compiler type of a structure, cached: typing a large tree takes the compiler long."""
     if (nested, row) not in _LIKE_TYPES:
         _LIKE_TYPES[nested, row] = TreeLayoutType(_typeof(tree), row)
     return _LIKE_TYPES[nested, row]
@@ -103,42 +103,42 @@ def rows(like: Any) -> int:
 
 
 def row_of(like: Any, field: str) -> int:
-    """Number of floats in a tree, or a `TreeLayout`, before one of its fields."""
+    """Number of floats before one of the fields of a tree, or of a `TreeLayout`."""
     tree = like._tree if isinstance(like, TreeLayout) else like
     return sum(len(leaves(branch)) for branch in tree[: tree._fields.index(field)])
 
 
 def read(like: TreeLayout, buffer: Buffer, row: int, width: int, lane: int) -> Any:
-    """The tree that lies in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
+    """The tree stored in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
     return rebuilt(like._tree, [buffer[(row + k) * width + lane] for k in range(rows(like))])
 
 
 def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
-    """Lay a tree into ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
+    """Store a tree in ``buffer`` from ``row`` on, in the column ``lane`` of ``width``."""
     for k, leaf in enumerate(leaves(tree)):
         buffer[(row + k) * width + lane] = leaf
 
 
 class Parted(NamedTuple):
-    """A buffer in two pieces: `load` and `store` find the one in which a tree lies."""
+    """A buffer in two pieces: `load` and `store` find the one that holds a tree."""
 
-    like: TreeLayout  # what lies in the first
+    like: TreeLayout  # layout of the first
     first: Buffer
     second: Buffer
 
 
 def load(like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> Any:
-    """The tree in the column ``lane`` of ``width``, at the place that ``like`` knows."""
+    """The tree in the column ``lane`` of ``width``, at the position given by ``like``."""
     return read(like, *_piece(like, buffer), width, lane)
 
 
 def store(tree: Any, like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> None:
-    """Lay a tree into the column ``lane`` of ``width``, at the place that ``like`` knows."""
+    """Store a tree in the column ``lane`` of ``width``, at the position given by ``like``."""
     write(tree, *_piece(like, buffer), width, lane)
 
 
 def _piece(like: TreeLayout, buffer: Buffer | Parted) -> tuple[Buffer, int]:
-    """The buffer in which a tree lies, and its first row there."""
+    """The buffer that holds a tree, and its first row there."""
     if not isinstance(buffer, Parted):
         return buffer, like._row
     before = rows(buffer.like)
@@ -153,19 +153,19 @@ class TreeLayoutType(types.Opaque):
     """Compiler type of a `TreeLayout`."""
 
     def __init__(self, tree: Any, row: int = 0) -> None:
-        """Of a tree's type, at a row."""
+        """Type of the layout of a tree's type, at a row."""
         self.tree = tree
         self.row = row
         super().__init__(name=f"Like({row}, {tree})")
 
     @property
     def key(self) -> Any:
-        """What makes two of them equal: names alone would take namesakes for one another."""
+        """Key for equality: names alone would confuse classes of the same name."""
         return self.row, self.tree
 
     @property
     def instance_class(self) -> Any:
-        """The NamedTuple class of the tree, by which a generic function is chosen."""
+        """NamedTuple class of the tree, on which generic functions dispatch."""
         return getattr(self.tree, "instance_class", object)
 
 
@@ -212,8 +212,8 @@ def _row_of(like: Any, field: Any) -> Any:
     return function_of("like, field", [f"return {before}"], {})
 
 
-#: Unsigned, so that the compiler need not ask whether an index counts from the end.  A flight alone
-#: lies in lane 0, which the compiler cannot see of a loop that may have no turn at all.
+#: Unsigned, so that the compiler need not check for an index that counts from the end.  A single
+#: flight is in lane 0, which the compiler cannot see in a loop that may have no iteration at all.
 _STEP = ("step = whole(width)", "start = whole(lane if width != 1 else 0)")
 _PLACE = (*_STEP, "start = whole(row) * step + start")
 
@@ -228,12 +228,12 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     return function_of("like, buffer, row, width, lane", lines, scope)
 
 
-#: Where a row is known when code is compiled, no two rows are taken for the same memory.
+#: Where a row is known at compile time, no two rows alias.
 _KNOWN = _STEP
 
 
 def _typed_piece(like: Any, buffer: Any) -> tuple[str, int]:
-    """`_piece` when compiled: how the buffer is called in generated code, and the first row."""
+    """`_piece` when compiled: name of the buffer in generated code, and the first row."""
     if not is_named(buffer, Parted):
         return "buffer", like.row
     before = leaf_count(buffer.types[0].tree)
@@ -269,7 +269,7 @@ def _element(context: Any, builder: Any, typ: Any, buffer: Any, place: Any) -> A
 
 
 def _tagged(builder: Any, access: Any, row: int) -> Any:
-    """A load or store that is known to touch nothing but a row (LLVM: type-based aliasing)."""
+    """Mark a load or store as touching one row only (LLVM: type-based alias analysis)."""
     module = builder.module
     root = module.add_metadata([ir.MetaDataString(module, "springback rows")])
     zero = ir.Constant(ir.IntType(64), 0)
@@ -291,14 +291,14 @@ def _taken_from(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
 
 @functools.cache
 def _has_slow_masks() -> bool:
-    """Whether a store under a mask takes longer than a selection and a store: without AVX-512."""
+    """True if a masked store is slower than a select and a store: without AVX-512."""
     return not binding.get_host_cpu_features().get("avx512f")
 
 
 def _frozen(builder: Any, leaf: Any) -> Any:
-    """The same number; but the compiler no longer sees that it may be the one that is there.
+    """The same number, hidden from the optimiser, which might see that it is already stored.
 
-    Else it makes one store under a mask out of a selection and a store.
+    Otherwise it makes one masked store out of a select and a store.
     """
     frozen = ir.instructions.Instruction(builder.block, leaf.type, "freeze", (leaf,))
     builder._insert(frozen)  # llvmlite prints this instruction, but has no method for it
@@ -307,7 +307,7 @@ def _frozen(builder: Any, leaf: Any) -> Any:
 
 @_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
 def _laid_into(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
-    """Lay a number into a row of a buffer."""
+    """Store a number in a row of a buffer."""
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         pointer = _element(context, builder, signature.args[0], *arguments[:2])
@@ -327,7 +327,7 @@ def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
 
 
 def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place: str) -> int:
-    """Lines that lay a tree into a buffer from its row ``first`` on; the number of the next."""
+    """Append lines that store a tree in a buffer from row ``first`` on; return the next row."""
     if not isinstance(tree, types.BaseTuple):
         lines.append(indent + place.format(row=first, leaf=stem))
         return first + 1
@@ -336,7 +336,7 @@ def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place:
             lines.append(f"{indent}if {stem}[0] > 0.5:")
             indent += "    "
         inner = f"{stem}[{k}]"
-        if isinstance(branch, types.BaseTuple):  # taken out once: see `reached`
+        if isinstance(branch, types.BaseTuple):  # extracted once: see `reached`
             lines.append(f"{indent}{stem}_{k} = {inner}")
             inner = f"{stem}_{k}"
         first = _lay(branch, inner, first, lines, indent, place)

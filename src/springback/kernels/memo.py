@@ -1,8 +1,8 @@
-"""What was made before is not made again: results kept by the identity of what they are made of.
+"""Memoisation keyed on the identity of the inputs.
 
-Flights of a campaign share most of their tables.  Whatever follows from some of them alone is made
-once, by the same functions that make a single flight ready, each of which is given exactly what it
-reads.
+Flights of a campaign share most of their tables.  Whatever follows from shared tables alone is
+built once, by the same functions that build a single flight, each of which is passed exactly what
+it reads.
 """
 
 from __future__ import annotations
@@ -14,62 +14,62 @@ from typing import Any, Protocol, TypeVar
 R = TypeVar("R")
 
 
-#: A place where all results are kept.
+#: Place at which all results are cached.
 FOREVER = "ever"
 
 
 class Build(Protocol):
-    """How a part is made: `uncached`, or a `Memo` that remembers."""
+    """Interface of `uncached` and of a `Memo`."""
 
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
         """``function(*given)``."""
 
 
 def uncached(function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
-    """``function(*given)``, whatever was made before."""
+    """``function(*given)``, computed anew."""
     return function(*given)
 
 
 class Memo:
-    """Remembers the last result of every function, and what it was made of.
+    """Cache of the last result of every function, with its inputs.
 
-    Only one result is kept for each function and place, so memory does not grow with the number of
-    flights; those that share parts had better come one after another.  For what comes again later,
-    as the tables of a sample do with the next robot, there is the place `FOREVER`.
+    Only one result is cached for each function and place, so memory does not grow with the number
+    of flights; flights that share parts should follow one another.  Inputs that recur later, such
+    as the tables of a sample with the next robot, use the place `FOREVER`.
     """
 
     __slots__ = ("_ever", "_last")
 
     def __init__(self) -> None:
-        """Remember nothing yet."""
+        """Start with an empty cache."""
         self._last: dict[Any, tuple[tuple[Any, ...], Any]] = {}
         self._ever: dict[Any, tuple[Any, Any]] = {}
 
     def forget(self) -> None:
-        """Remember nothing any more: what is kept at `FOREVER` grows with the number of flights."""
+        """Clear the cache: results at `FOREVER` accumulate with the number of flights."""
         self._last.clear()
         self._ever.clear()
 
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
-        """``function(*given)``, or what it gave for the very same objects the last time.
+        """``function(*given)``, or its last result for the very same objects.
 
         Args:
-            function: Gives the same for the same, and changes nothing; always given as many.
+            function: Deterministic and without side effects; always called with as many arguments.
             *given: Compared by identity.
-            place: Tells apart uses of one function that take turns; `FOREVER` keeps all results.
+            place: Distinguishes alternating uses of one function; `FOREVER` caches all results.
         """
         if place is FOREVER:
-            known = self._ever.get((function, *map(id, given)))
-            if known is None:  # what is kept is held, lest its id be used again
-                known = given, function(*given)
-                self._ever[function, *map(id, given)] = known
-            ever: R = known[1]
+            entry = self._ever.get((function, *map(id, given)))
+            if entry is None:  # holding the inputs prevents reuse of their ids
+                entry = given, function(*given)
+                self._ever[function, *map(id, given)] = entry
+            ever: R = entry[1]
             return ever
         key = function if place is None else (function, place)
         last = self._last.get(key)
         if last is not None and all(map(is_, last[0], given)):
-            kept: R = last[1]
-            return kept
+            cached: R = last[1]
+            return cached
         result = function(*given)
         self._last[key] = given, result
         return result

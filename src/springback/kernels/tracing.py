@@ -1,12 +1,12 @@
-"""A sheet of cells: what is computed once with cells is known for many rows of numbers.
+"""Tracing scalars: run a plain-Python function once, then evaluate it for many rows of numbers.
 
-A cell stands where a float would.  It computes as a float does, with the number of the first row,
-and the sheet remembers the formula; so any function in plain Python may be given cells.  Where the
-function asks whether something is larger than something else, it gets the answer of the first row,
-and the sheet remembers that, too: the formulas hold for the rows that answer alike.
+A `Traced` number replaces a float.  It computes as a float does, with the value of the first row,
+and its tape records the formula; so any function in plain Python accepts traced numbers.  Where the
+function compares two numbers, it gets the answer of the first row, and the tape records that too:
+the formulas hold for the rows that give the same answers.
 
-Every row gets the bits that the function would give it, for the formulas are worked out by the
-operations of IEEE 754, one by one, or by the standard library's very functions.
+Every row gets the bits that the function would return for it, as the formulas are evaluated by the
+operations of IEEE 754, one by one, or by the standard library's own functions.
 """
 
 from __future__ import annotations
@@ -19,44 +19,44 @@ from typing import Any, NamedTuple
 import numpy as np
 
 Column = np.ndarray[Any, np.dtype[np.float64]]
-#: What a function says, in plain Python, to which cells are given and which asks more of them than
-#: they know: their hash, say, or to be written down.
+#: Exceptions of a plain-Python function that asks more of traced numbers than they support: their
+#: hash, say, or their text.
 NO_FORMULA = (TypeError, AttributeError)
 
 
 class Step(NamedTuple):
-    """One operation, as it was with the first row."""
+    """One recorded operation."""
 
-    many: Callable[..., Any]  # the same with columns
-    operands: tuple[Any, ...]  # cells, or floats
-    outcome: Any  # what a claim came to; None of a formula
+    many: Callable[..., Any]  # the same on columns
+    operands: tuple[Any, ...]  # traced numbers, or floats
+    outcome: Any  # result of a comparison in the first row; None for a formula
 
 
 class Tape:
-    """Rows of numbers, and what was computed from them."""
+    """Rows of numbers, and the operations recorded on them."""
 
     def __init__(self, rows: Column) -> None:
-        """Of rows, shape (rows, columns)."""
+        """Start a tape for rows, shape (rows, columns)."""
         self._rows = rows
         self._steps: list[Step] = []
         self.first = [Traced(self, k, value) for k, value in enumerate(rows[0].tolist())]
         """Cells for the numbers of the first row."""
 
     def computed(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
-        """A new cell: an operation, and what it gives with the first row."""
+        """Record an operation; returns the traced result, with its value in the first row."""
         self._steps.append(Step(many, operands, None))
         return Traced(self, self._rows.shape[1] + len(self._steps) - 1, value)
 
     def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
-        """What a question came to with the first row."""
+        """Record a comparison; returns its result in the first row."""
         self._steps.append(Step(many, operands, outcome))
         return outcome
 
     def filled(self) -> Evaluated:
-        """All formulas, row by row."""
+        """Evaluate all formulas for every row."""
         columns: list[Any] = list(self._rows.T)
         holds = np.ones(len(self._rows), dtype=bool)
-        with np.errstate(all="ignore"):  # rows of which the claims do not hold may do anything
+        with np.errstate(all="ignore"):  # rows for which the comparisons differ may overflow
             for many, operands, outcome in self._steps:
                 given = (columns[x.place] if isinstance(x, Traced) else x for x in operands)
                 columns.append(many(*given))
@@ -66,25 +66,25 @@ class Tape:
 
 
 class Evaluated(NamedTuple):
-    """A sheet worked out."""
+    """A tape evaluated for all rows."""
 
     columns: list[Any]
     holds: Any
-    """Whether a row answers all questions as the first, shape (rows,); else it is unknown."""
+    """True for rows that give the first row's answers, shape (rows,); others are undefined."""
 
     def of(self, x: Any, rows: Any) -> Any:
-        """What stands where a float would, in some rows: a column of a cell, or the float."""
+        """Values in some rows: the column of a traced number, or the float itself."""
         return self.columns[x.place][rows] if isinstance(x, Traced) else x
 
 
 class Traced:
-    """A number on a sheet."""
+    """A traced number."""
 
-    __slots__ = ("place", "sheet", "value")
+    __slots__ = ("place", "tape", "value")
 
-    def __init__(self, sheet: Tape, place: int, value: float) -> None:
-        """At a place of a sheet, with the value that it has in the first row."""
-        self.sheet, self.place, self.value = sheet, place, value
+    def __init__(self, tape: Tape, place: int, value: float) -> None:
+        """Number at a place of a tape, with its value in the first row."""
+        self.tape, self.place, self.value = tape, place, value
 
     def _with(
         self, other: Any, many: Callable[..., Any], one: Callable[..., Any], turned: bool = False
@@ -92,7 +92,7 @@ class Traced:
         if not isinstance(other, Traced | float | int):
             return NotImplemented
         a, b = (other, self) if turned else (self, other)
-        return self.sheet.computed(many, one(_value(a), _value(b)), a, b)
+        return self.tape.computed(many, one(_value(a), _value(b)), a, b)
 
     def __add__(self, other: Any) -> Any:
         return self._with(other, np.add, operator.add)
@@ -122,19 +122,19 @@ class Traced:
         if not (isinstance(a, Traced | float | int) and isinstance(b, Traced | float | int)):
             return NotImplemented
         quotient = _value(a) / _value(b)
-        self.sheet.guard(np.not_equal, True, b, 0.0)  # Python divides nothing by zero
-        return self.sheet.computed(np.divide, quotient, a, b)
+        self.tape.guard(np.not_equal, True, b, 0.0)  # Python raises on division by zero
+        return self.tape.computed(np.divide, quotient, a, b)
 
     def __neg__(self) -> Traced:
-        return self.sheet.computed(np.negative, -self.value, self)
+        return self.tape.computed(np.negative, -self.value, self)
 
     def __abs__(self) -> Traced:
-        return self.sheet.computed(np.absolute, abs(self.value), self)
+        return self.tape.computed(np.absolute, abs(self.value), self)
 
     def _asked(self, other: Any, many: Callable[..., Any], one: Callable[..., Any]) -> Any:
         if not isinstance(other, Traced | float | int):
             return NotImplemented
-        return self.sheet.guard(many, bool(one(self.value, _value(other))), self, other)
+        return self.tape.guard(many, bool(one(self.value, _value(other))), self, other)
 
     def __lt__(self, other: Any) -> Any:
         return self._asked(other, np.less, operator.lt)
@@ -154,10 +154,10 @@ class Traced:
     def __ne__(self, other: object) -> Any:
         return self._asked(other, np.not_equal, operator.ne)
 
-    __hash__ = None  # type: ignore[assignment]  # what is looked up by a number is not computed
+    __hash__ = None  # type: ignore[assignment]  # a hash cannot be traced
 
     def __bool__(self) -> bool:
-        return self.sheet.guard(np.not_equal, self.value != 0.0, self, 0.0)
+        return self.tape.guard(np.not_equal, self.value != 0.0, self, 0.0)
 
 
 def _value(x: Any) -> Any:
@@ -165,7 +165,7 @@ def _value(x: Any) -> Any:
 
 
 def _by_one(function: Callable[[float], float]) -> Callable[[Column], Column]:
-    """The same, number by number: NumPy's own may round otherwise than the standard library's."""
+    """The same, number by number: NumPy may round differently from the standard library."""
 
     def many(column: Column) -> Column:
         return np.array([function(x) for x in column.tolist()])
@@ -177,23 +177,23 @@ _SINES, _COSINES = _by_one(math.sin), _by_one(math.cos)
 
 
 def sqrt(x: Any) -> Any:
-    """√x of a float or a cell."""
+    """√x of a float or a traced number."""
     if not isinstance(x, Traced):
         return math.sqrt(x)
     root = math.sqrt(x.value)
-    x.sheet.guard(np.greater_equal, True, x, 0.0)
-    return x.sheet.computed(np.sqrt, root, x)
+    x.tape.guard(np.greater_equal, True, x, 0.0)
+    return x.tape.computed(np.sqrt, root, x)
 
 
 def sin(x: Any) -> Any:
-    """Sine of a float or a cell [rad]."""
+    """Sine of a float or a traced number [rad]."""
     if not isinstance(x, Traced):
         return math.sin(x)
-    return x.sheet.computed(_SINES, math.sin(x.value), x)
+    return x.tape.computed(_SINES, math.sin(x.value), x)
 
 
 def cos(x: Any) -> Any:
-    """Cosine of a float or a cell [rad]."""
+    """Cosine of a float or a traced number [rad]."""
     if not isinstance(x, Traced):
         return math.cos(x)
-    return x.sheet.computed(_COSINES, math.cos(x.value), x)
+    return x.tape.computed(_COSINES, math.cos(x.value), x)

@@ -1,8 +1,8 @@
 """Trees: NamedTuples and tuples, nested, with a float at every leaf.
 
-A vehicle, its state and everything measured on it are trees.  The operations here treat any tree
-alike, so no module keeps offsets into arrays and no formula is written per arm.  Each works on
-plain Python objects; when compiled, the tree's type is known and straight-line code is generated.
+A vehicle, its state and everything measured on it are trees.  The operations here accept any tree,
+so no module computes offsets into arrays and no formula is written per arm.  In Python they work
+on plain objects; when compiled, the tree's type is known and straight-line code is generated.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ R = TypeVar("R")
 
 
 class Rarely(NamedTuple):
-    """A part of a memory that is mostly returned as it came.
+    """A part of a memory that is usually returned unchanged.
 
-    Compiled code lays it into a buffer only where it is new: copying it would often cost more than
-    all else that a kernel does.
+    Compiled code stores it in a buffer only where it is new: copying it would often cost more than
+    the rest of a kernel.
     """
 
-    new: float  # 1 where the tree may differ from what was read; 0 only if it does not
+    new: float  # 1 if the tree may differ from the one that was read; 0 only if it does not
     tree: Any
 
 
@@ -51,7 +51,7 @@ def _gather(tree: tuple[Any, ...], found: list[float]) -> None:
 
 
 def rebuilt(like: T, values: Iterable[float]) -> T:
-    """A tree shaped as ``like`` with its floats replaced, in order."""
+    """A tree of the shape of ``like`` with its floats replaced, in order."""
     stream = iter(values)
 
     def build(tree: Any) -> Any:
@@ -80,17 +80,17 @@ def names(tree: Any, prefix: str = "") -> list[str]:
 def tree_map(
     function: Callable[..., R], zipped: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> tuple[R, ...]:
-    """``function(*one of tree_map zipped, *shared)`` for every position of the zipped tuples."""
+    """Tuple of ``function(*one of tree_map zipped, *shared)`` for every position of the tuples."""
     return tuple(function(*some, *shared) for some in zip(*zipped, strict=True))
 
 
 def tree_map_sum(
     function: Callable[..., R], field: str, zipped: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> tuple[tuple[R, ...], Any]:
-    """`tree_map`, and the `tree_sum` of one field of the results.
+    """Results of `tree_map`, and the `tree_sum` of one of their fields.
 
-    Compiled, every result is added as soon as it is known: what is only summed then need not be
-    kept, and the vector registers hold more of the rest.
+    When compiled, every result is added as soon as it is known: one that is only summed needs no
+    storage, and more of the rest fits in the vector registers.
     """
     results = tree_map(function, zipped, shared)
     return results, tree_sum(field_of(results, field))
@@ -99,7 +99,7 @@ def tree_map_sum(
 def fold(
     function: Callable[..., R], start: R, values: tuple[Any, ...], shared: tuple[Any, ...]
 ) -> R:
-    """``function(so_far, value, *shared)`` from a start on through all values, one by one."""
+    """Left fold, ``function(so_far, value, *shared)`` from a start through all values."""
     result = start
     for value in values:
         result = function(result, value, *shared)
@@ -112,7 +112,7 @@ def field_of(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
 
 
 def tree_sum(trees: tuple[T, ...]) -> T:
-    """Leaf-by-leaf sum of equally shaped trees."""
+    """Leaf-by-leaf sum of trees of the same shape."""
     first, *others = trees
     values = leaves(first)
     for other in others:
@@ -121,7 +121,7 @@ def tree_sum(trees: tuple[T, ...]) -> T:
 
 
 def minimum(values: tuple[float, ...]) -> float:
-    """Smallest of some floats."""
+    """Smallest of several floats."""
     smallest = values[0]
     for value in values[1:]:
         smallest = value if value < smallest else smallest
@@ -129,7 +129,7 @@ def minimum(values: tuple[float, ...]) -> float:
 
 
 def maximum(values: tuple[float, ...]) -> float:
-    """Largest of some floats."""
+    """Largest of several floats."""
     greatest = values[0]
     for value in values[1:]:
         greatest = value if value > greatest else greatest
@@ -137,18 +137,18 @@ def maximum(values: tuple[float, ...]) -> float:
 
 
 def axpy(x: T, rate: T, h: float) -> T:
-    """X + h · rate, leaf by leaf."""
+    """Leaf-by-leaf x + h · rate."""
     pairs = zip(leaves(x), leaves(rate), strict=True)
     return rebuilt(x, [a + h * b for a, b in pairs])
 
 
 def axpy_strictly(x: T, rate: T, h: float) -> T:
-    """X + h · rate where a rate may be NaN or infinite; the result then is so too."""
+    """Leaf-by-leaf x + h · rate that propagates NaN and infinity of the rates."""
     return axpy(x, rate, h)
 
 
 def square(tree: Any) -> float:
-    """Sum of the squares of all leaves; NaN or infinite where a leaf is."""
+    """Sum of the squares of all leaves; NaN or infinite if a leaf is."""
     result = 0.0
     for leaf in leaves(tree):
         result = result + leaf * leaf
@@ -166,7 +166,7 @@ def replace(tree: T, **fields: Any) -> T:
 
 
 def select(claim: bool, a: T, b: T) -> T:
-    """``a`` where the claim holds, else ``b``: a selection, not a branch, in compiled code."""
+    """``a`` if the claim holds, else ``b``: a selection, not a branch, in compiled code."""
     return a if claim else b
 
 
@@ -181,8 +181,8 @@ def branches(tree: Any) -> list[Any]:
 def reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
     """Source text of every leaf, after lines that give each branch a name.
 
-    A branch is taken out of its parent once: the compiler copies whatever is taken out, and taking
-    every leaf from the root would copy most of the tree for each.
+    A branch is extracted from its parent once: the compiler copies whatever is extracted, and
+    extracting every leaf from the root would copy most of the tree for each.
     """
     texts = []
     for k, branch in enumerate(branches(tree)):
@@ -212,13 +212,13 @@ def construct(tree: Any, texts: list[str], scope: dict[str, Any]) -> str:
 
 
 def _tuple(texts: list[str]) -> str:
-    """Source text of a tuple of some texts; there may be none."""
+    """Source text of a tuple of several texts, possibly none."""
     return f"({', '.join(texts)},)" if texts else "()"
 
 
 def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Callable[..., Any]:
     """A function with a generated body; ``scope`` holds the names that it uses."""
-    scope["__name__"] = __name__  # a kept kernel looks for the modules of what it calls
+    scope["__name__"] = __name__  # a cached kernel looks for the modules of its callees
     body = "\n".join(f"    {line}" for line in lines)
     exec(f"def generated({arguments}):\n{body}\n", scope)
     generated: Callable[..., Any] = scope["generated"]
@@ -290,7 +290,7 @@ def _replaced(tree: Any, **fields: Any) -> Any:
 
 @compiled(select)
 def _pick(claim: Any, a: Any, b: Any) -> Any:
-    """Leaf by leaf: of a branch between two trees the compiler would make one between addresses."""
+    """Select leaf by leaf: a branch between trees would compile to one between addresses."""
     if not isinstance(a, types.BaseTuple):
         return lambda claim, a, b: selected(claim, a, b)
     lines: list[str] = []

@@ -1,10 +1,10 @@
-"""Vectors, matrices and quaternions with operators, in Python and in compiled code alike.
+"""Vectors, matrices and quaternions with operators, in Python and in compiled code.
 
-``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` are what they look like; ``a @ b`` is the
+``a + b``, ``a - b``, ``-a``, ``a * s`` and ``s * a`` have their usual meaning; ``a @ b`` is the
 scalar product, ``a ^ b`` the vector product, ``M @ a`` a matrix times a vector and ``a @ M`` the
-transposed matrix times a vector (so ``R @ v`` takes body axes to world axes and ``v @ R`` takes
-them back). Matrices add, subtract, scale and multiply (``A @ B``) alike. Mind Python's precedence:
-``^`` binds weaker than ``+``, so vector products are put in brackets.
+transposed matrix times a vector (so ``R @ v`` rotates body axes to world axes and ``v @ R`` back).
+Matrices add, subtract, scale and multiply (``A @ B``) likewise.  Mind Python's precedence: ``^``
+binds weaker than ``+``, so vector products need parentheses.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from springback.kernels.compiler import compiled, is_named, kernel
 
 
 class Vec(NamedTuple):
-    """Three components along x, y, z; unit and frame are those of the quantity it holds."""
+    """Three components along x, y, z; unit and frame are those of the quantity."""
 
     x: float
     y: float
@@ -53,7 +53,7 @@ class Vec(NamedTuple):
         return _cross(self, other)
 
 
-#: One object, so that flights which have nothing somewhere share it (`springback.kernels.memo`).
+#: One object, shared by all flights that lack a part (`springback.kernels.memo`).
 ZERO = Vec(0.0, 0.0, 0.0)
 
 
@@ -85,7 +85,7 @@ class Mat3(NamedTuple):
 
 
 class Quat(NamedTuple):
-    """Hamilton quaternion, scalar first; as an attitude it takes body (FLU) to world (NWU) axes."""
+    """Hamilton quaternion, scalar first; as an attitude, from body (FLU) to world (NWU) axes."""
 
     w: float
     x: float
@@ -156,7 +156,7 @@ def _transform_back(a: Vec, m: Mat3) -> Vec:
 def _teach(
     symbol: Callable[..., Any], cases: list[tuple[tuple[Any, ...], Callable[..., Any]]]
 ) -> None:
-    """Give the compiler the operators above."""
+    """Register the operators above with the compiler."""
 
     def fits(numba_type: Any, wanted: Any) -> bool:
         if wanted is float:
@@ -203,7 +203,7 @@ _teach(operator.xor, [((Vec, Vec), _cross)])
 
 @kernel
 def positive_part(x: float) -> float:
-    """X where it is positive, else zero."""
+    """The positive part of x: max(x, 0)."""
     return x if x > 0.0 else 0.0
 
 
@@ -229,7 +229,7 @@ def rotation(q: Quat) -> Mat3:
 
 @kernel
 def quaternion_rate(q: Quat, omega: Vec) -> Quat:
-    """q̇ = ½ q ⊗ (0, ω) for ω in body axes [rad/s]."""
+    """Rate q̇ = ½ q ⊗ (0, ω) for ω in body axes [rad/s]."""
     x, y, z = 0.5 * omega.x, 0.5 * omega.y, 0.5 * omega.z
     return Quat(
         -q.x * x - q.y * y - q.z * z,
@@ -241,16 +241,16 @@ def quaternion_rate(q: Quat, omega: Vec) -> Quat:
 
 @kernel
 def normalised(q: Quat) -> Quat:
-    """Q scaled to unit length."""
+    """Unit quaternion in the direction of q."""
     scale = 1.0 / math.sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)
     return Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
 
 
 @kernel
 def renormalised(q: Quat) -> Quat:
-    """Q scaled to unit length where it nearly has it, without root and division.
+    """Unit quaternion from a q of nearly unit length, without root and division.
 
-    With e = 1 − q·q the length that is left is 1 − 5 e³/16: exact to the last bit for e < 1e-5.
+    With e = 1 − q·q the remaining length is 1 − 5 e³/16: exact to the last bit for e < 1e-5.
     """
     e = 1.0 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)
     scale = 1.0 + e * (0.5 + 0.375 * e)
@@ -258,7 +258,7 @@ def renormalised(q: Quat) -> Quat:
 
 
 class Adjugate(NamedTuple):
-    """A symmetric matrix turned inside out: its inverse is the adjugate over the determinant."""
+    """Adjugate and determinant of a symmetric matrix; their quotient is the inverse."""
 
     matrix: Mat3
     determinant: float
@@ -266,7 +266,7 @@ class Adjugate(NamedTuple):
 
 @kernel
 def _adjugate(m: Mat3) -> Adjugate:
-    """Of a symmetric matrix, of which only the upper half is read."""
+    """Adjugate of a symmetric matrix, of which only the upper half is read."""
     a, d, f = m.x.x, m.y.y, m.z.z
     p, q, r = m.x.y, m.x.z, m.y.z
     c00, c01, c02 = d * f - r * r, q * r - p * f, p * r - q * d
@@ -301,25 +301,25 @@ def transposed(m: Mat3) -> Mat3:
 
 @kernel
 def symmetric_part(m: Mat3) -> Mat3:
-    """½ (m + mᵀ)."""
+    """Symmetric part ½ (m + mᵀ)."""
     return 0.5 * (m + transposed(m))
 
 
 @kernel
 def isotropic(s: float) -> Mat3:
-    """S times the identity."""
+    """Identity matrix times s."""
     return Mat3(Vec(s, 0.0, 0.0), Vec(0.0, s, 0.0), Vec(0.0, 0.0, s))
 
 
 @kernel
 def skew(a: Vec) -> Mat3:
-    """[a]×, the matrix with [a]× b = a × b."""
+    """Matrix [a]× with [a]× b = a × b."""
     return Mat3(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))
 
 
 @kernel
 def quaternion_product(a: Quat, b: Quat) -> Quat:
-    """A ⊗ b, Hamilton: as attitudes, first b, then a."""
+    """Hamilton product a ⊗ b; as attitudes, first b, then a."""
     return Quat(
         a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
         a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
@@ -330,11 +330,11 @@ def quaternion_product(a: Quat, b: Quat) -> Quat:
 
 @kernel
 def conjugate(q: Quat) -> Quat:
-    """The inverse of a unit quaternion."""
+    """Inverse of a unit quaternion."""
     return Quat(q.w, -q.x, -q.y, -q.z)
 
 
-#: Added to squared angles, so that the axis of no rotation needs no case of its own.
+#: Added to squared angles, so that the axis of a zero rotation needs no special case.
 _NO_ANGLE = 1e-300
 
 
@@ -349,9 +349,9 @@ def turned_by(angle: Vec) -> Quat:
 
 @kernel
 def turned_a_little(angle: Vec) -> Quat:
-    """`turned_by` for small angles, by four terms of cosine and sine.
+    """Small-angle `turned_by`, by four terms of cosine and sine.
 
-    It is right to the last bit below 0.1 rad, to 1e-9 at 0.6 rad, and takes a third of the time.
+    It is exact to the last bit below 0.1 rad, to 1e-9 at 0.6 rad, and takes a third of the time.
     """
     z = 0.25 * (angle @ angle)
     w = 1.0 - z * (1.0 / 2.0 - z * (1.0 / 24.0 - z * (1.0 / 720.0)))
@@ -370,13 +370,13 @@ def rotation_vector(q: Quat) -> Vec:
 
 @kernel
 def axiswise(a: Vec, b: Vec) -> Vec:
-    """Products of equal components."""
+    """Products of corresponding components."""
     return Vec(a.x * b.x, a.y * b.y, a.z * b.z)
 
 
 @kernel
 def within(x: float, lowest: float, highest: float) -> float:
-    """X, or the bound that it exceeds; the lowest wins where the bounds cross."""
+    """Clamp x between two bounds; the lower one wins if they cross."""
     below = x if x < highest else highest
     return below if below > lowest else lowest
 

@@ -1,1 +1,1 @@
-"""Results: a flight, its measures, and the files that hold it."""
+"""Results: a flight, its measures, and its files."""

@@ -1,8 +1,8 @@
-"""DuckDB, locked in, and so that Ctrl-C breaks it off.
+"""Sandboxed DuckDB connections that Ctrl-C can interrupt.
 
-SQL comes from plans and folders that others wrote.  So a connection reads and writes the files that
-it is given and nothing else, loads no extension, sees no variable of Python's, and cannot be told
-otherwise; questions are one SELECT, and conditions are one expression.
+SQL comes from other people's plans and folders.  A connection therefore reads and writes only the
+files that it is given, loads no extension, sees no variable of Python's, and its configuration is
+locked; queries are one SELECT, and conditions are one expression.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ _LOCK = (
 def locked(
     paths: Sequence[Path] = (), folders: Sequence[Path] = (), *, threads: int | None = None
 ) -> Any:
-    """A new database in memory that can reach some files and no others.
+    """A new in-memory database that can only access given files.
 
     Args:
         paths: Files that it may read and write.
-        folders: Whose files it may read and write.
-        threads: How many it uses; None leaves it to DuckDB.
+        folders: Folders whose files it may read and write.
+        threads: Number of threads; None leaves it to DuckDB.
     """
     import duckdb
 
@@ -54,14 +54,15 @@ def locked(
 
 
 def in_database(work: Callable[[Any], T], connection: Any = None) -> T:
-    """What ``work`` finds with a DuckDB connection, which is closed afterwards.
+    """Result of ``work`` with a DuckDB connection, which is closed afterwards.
 
-    DuckDB hears Ctrl-C between the tasks of a query, if the thread that asked has one of them, and
-    makes a RuntimeError of it. So another thread asks, and this one listens.
+    DuckDB checks for Ctrl-C between the tasks of a query, if the calling thread executes one of
+    them, and turns it into a RuntimeError.  So another thread runs the query, and this one waits
+    for signals.
 
     Args:
-        work: Given the connection.
-        connection: Where to ask; None is a new database in memory that reaches no file.
+        work: Called with the connection.
+        connection: Connection to use; None is a new in-memory database that can access no file.
 
     Raises:
         KeyboardInterrupt: After Ctrl-C at any instant, once the query has ended.
@@ -77,9 +78,9 @@ def in_database(work: Callable[[Any], T], connection: Any = None) -> T:
 
 
 class _Asked:
-    """Work for another thread, which begins it unless it was called off before.
+    """Work for another thread, which starts it unless it was cancelled before.
 
-    Ctrl-C may come while the thread is being started, when nobody can say whether it will run.
+    Ctrl-C may arrive while the thread is being started, when it is unknown whether it will run.
     """
 
     def __init__(self, work: Callable[[Any], Any], connection: Any) -> None:
@@ -91,7 +92,7 @@ class _Asked:
 
     def run(self) -> None:
         if not self._once.acquire(blocking=False):
-            return  # called off
+            return  # cancelled
         try:
             self._found = self._work(self._connection)
         except BaseException as error:
@@ -100,8 +101,8 @@ class _Asked:
             self.ended.set()
 
     def close(self) -> None:
-        """Break the work off if it has not ended, and close the connection."""
-        if not self._once.acquire(blocking=False):  # it has begun
+        """Interrupt the work if it has not ended, and close the connection."""
+        if not self._once.acquire(blocking=False):  # it has started
             while not self.ended.is_set():
                 self._connection.interrupt()
                 self.ended.wait(0.05)
@@ -117,17 +118,17 @@ class _Asked:
 
 
 def quoted(text: str) -> str:
-    """A text as SQL writes it."""
+    """A text as an SQL literal."""
     return "'" + text.replace("'", "''") + "'"
 
 
 def named(column: str) -> str:
-    """The name of a column as SQL writes it."""
+    """A column name as an SQL identifier."""
     return '"' + column.replace('"', '""') + '"'
 
 
 def pattern(path: Path) -> str:
-    """A path as readers of files take it, which else see a pattern in ``*``, ``?`` and ``[``."""
+    """A path for file readers, with the wildcards ``*``, ``?`` and ``[`` escaped."""
     return "".join(f"[{sign}]" if sign in "*?[" else sign for sign in str(path))
 
 
@@ -137,13 +138,13 @@ def parquet(paths: Sequence[Path]) -> str:
 
 
 def one_select(sql: str) -> str:
-    """A question, that it is one SELECT.
+    """A query, verified to be one SELECT.
 
     Returns:
-        The statement; it may end in a comment, so more goes to the next line.
+        The statement; it may end in a comment, so that more must follow on the next line.
 
     Raises:
-        InputError: If it cannot be understood, or is something else.
+        InputError: If it cannot be parsed, or is something else.
     """
     import duckdb
 
@@ -160,13 +161,13 @@ def one_select(sql: str) -> str:
 
 @functools.lru_cache(maxsize=64)
 def one_expression(text: str) -> str:
-    """A condition, that it is one expression.
+    """A condition, verified to be one expression.
 
     Returns:
-        The expression in brackets, safe to stand in a larger one.
+        The expression in parentheses, safe to use in a larger one.
 
     Raises:
-        InputError: If it cannot be understood, or is something else.
+        InputError: If it cannot be parsed, or is something else.
     """
     import duckdb
 
@@ -193,7 +194,7 @@ def _encodable(text: str, what: str) -> None:
 
 
 def in_one_line(error: BaseException) -> str:
-    """What DuckDB does not understand, in one line."""
+    """Error message of DuckDB, in one line."""
     said = str(error)
     for rest in ("\nLINE ", "\n\n", " You might need", "\n\tCandidate functions"):
         said = said.partition(rest)[0]

@@ -1,6 +1,6 @@
-"""The energy ledger over time: where energy is and where it went, instant by instant.
+"""Energy balance over time: stored, supplied and lost energy at every instant.
 
-Measures tell the ledger at the end of a flight; this is its course.
+Measures give the balance at the end of a flight; this is its history.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from springback.vehicle.state import Airframe, Arm
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Columns = dict[str, Array]
 
-#: Columns of a ledger beside time, in the order in which energy wanders: held, then put in, then
-#: lost.  They are named after the measures that tell their last values, and are in J.
+#: Columns of a ledger besides time: stored, then supplied, then lost energy [J].  They are named
+#: after the measures of their final values.
 HELD = ("energy_kinetic", "energy_gravity", "energy_springs", "energy_stops", "energy_contact")
 LOST = (
     "loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling", "loss_air",
@@ -25,16 +25,16 @@ LOST = (
 
 
 def ledger(flight: Flight | Scenario) -> dict[str, Array]:
-    """The energy ledger of a flight, instant by instant.
+    """Energy ledger of a flight, instant by instant.
 
     Args:
-        flight: As it was flown.  One that was read from a folder does not know its work: it is
-            flown again, to the same bits, and so is a scenario; then without a pilot or obstacles
-            of the user's own.
+        flight: Flight as flown.  One read from a folder has no record of its work: it is flown
+            again, to the same bits, as is a scenario; then without a pilot or obstacles of the
+            user's own.
 
     Returns:
-        Columns of shape (instants,): ``t`` [s], the same as of the trajectory; what is held
-        (`HELD`, gravity above the start), what rotors have put in (``work_thrust``) and what is
+        Columns of shape (instants,): ``t`` [s], the same as of the trajectory; stored energy
+        (`HELD`, gravity above the start), that supplied by the rotors (``work_thrust``) and that
         lost (`LOST`), all in J since the start.
     """
     if isinstance(flight, Scenario):
@@ -45,9 +45,9 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
     columns = {"t": flight.t, "work_thrust": work["thrust"]}
     columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
     columns |= _stored(world.airframe, world.world.gravity, flight.columns)
-    # What is in contacts is the rest, as the ledger closes (tests/results/test_energy_history.py).
+    # Contact energy is the remainder, as the ledger closes (tests/results/test_energy_history.py).
     known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
-    before = sum(float(columns[name][0]) for name in HELD[:-1])  # no flight begins in contact
+    before = sum(float(columns[name][0]) for name in HELD[:-1])  # flights start without contact
     rest = np.maximum(before + columns["work_thrust"] - known, 0.0)
     columns["energy_contact"] = np.where(work["touching"] > 0.0, rest, 0.0)
     return {name: columns[name] for name in ("t", *HELD, "work_thrust", *LOST)}
@@ -80,25 +80,25 @@ def _stored(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
 
 
 def _half_square(stiffness: float, arm: Arm, length: Array) -> Array:
-    """½ k (L − l)² of an arm that slides [J]."""
+    """Energy ½ k (L − l)² of a sliding arm [J]."""
     energy: Array = 0.5 * arm.compliance * stiffness * (arm.length - length) ** 2
     return energy
 
 
 def _in_stops(arm: Arm, length: Array) -> Array:
-    """½ k (past either stop)² of an arm that slides [J]."""
+    """Energy ½ k (beyond either stop)² of a sliding arm [J]."""
     inner, outer = np.maximum(arm.shortest - length, 0.0), np.maximum(length - arm.length, 0.0)
     energy: Array = 0.5 * arm.compliance * arm.stop_stiffness * (inner**2 + outer**2)
     return energy
 
 
 def _vectors(c: Columns, stem: str) -> Array:
-    """Shape (instants, 3)."""
+    """Vectors of shape (instants, 3)."""
     return np.stack([c[f"{stem}{axis}"] for axis in "xyz"], axis=1)
 
 
 def _rotations(c: Columns) -> Array:
-    """Body to world, shape (instants, 3, 3)."""
+    """Rotations from body to world, shape (instants, 3, 3)."""
     w, x, y, z = (c[f"q{part}"] for part in "wxyz")
     rows = [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],

@@ -1,4 +1,4 @@
-"""How far a pilot's estimate is from the truth, and what an accelerometer could not say."""
+"""Errors of a pilot's estimate, and velocity lost to accelerometer clipping."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class EstimateErrors(NamedTuple):
-    """Estimate against truth, each of shape (ticks,)."""
+    """Errors of the estimate, each of shape (ticks,)."""
 
     time: Array  # [s]
     position: Array  # length of the error [m]
@@ -22,7 +22,7 @@ class EstimateErrors(NamedTuple):
 
 
 def _ticks(flight: Flight) -> Array:
-    """Instants of the ticks [s]; those that there would be where no pilot was aboard."""
+    """Instants of the ticks [s]; without a pilot, those of the clock."""
     if not flight.columns:
         raise InputError("the flight kept no trajectory")
     if "t" in flight.telemetry:
@@ -41,7 +41,7 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
     """Errors of the estimate at every tick of a flight.
 
     Raises:
-        InputError: If the flight kept no trajectory, or no estimate was made.
+        InputError: If the trajectory was not recorded, or there is no estimate.
     """
     if "est_x" not in flight.telemetry:
         raise InputError("the flight kept no trajectory, or no estimate was made")
@@ -64,8 +64,8 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
 def felt_force(flight: Flight) -> Array:
     """Mean specific force over each tick along the body axes, shape (ticks, 3) [m/s²].
 
-    From the velocities at the ticks and the attitude at the later one; nought at the first.  What a
-    perfect accelerometer would say, but for its place and the turn within the tick.
+    From the velocities at the ticks and the attitude at the later one; zero at the first.  It is
+    the output of a perfect accelerometer, apart from its position and the rotation within the tick.
     """
     v, q = _at_ticks(flight, ("vx", "vy", "vz")), _at_ticks(flight, ("qw", "qx", "qy", "qz"))
     gravity = np.array([0.0, 0.0, float(flight.scenario.world.gravity)])
@@ -76,12 +76,12 @@ def felt_force(flight: Flight) -> Array:
 
 
 def clipped_area(flight: Flight, full_scale: float) -> float:
-    """Velocity that an accelerometer of some range cannot tell of [m/s].
+    """Velocity that an accelerometer of some range misses [m/s].
 
     ∫ max(|f_i| − range, 0) dt, signed, of each body axis; the length of the three.
 
     Args:
-        flight: With its trajectory.
+        flight: Flight with its trajectory.
         full_scale: Range of each axis [m/s²].
     """
     force = felt_force(flight)

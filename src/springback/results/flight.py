@@ -1,4 +1,4 @@
-"""Flying a scenario, and the result of it."""
+"""Flying a scenario, and its result."""
 
 from __future__ import annotations
 
@@ -49,25 +49,26 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Flight:
-    """Result of a flight.  Every measure is an attribute, too: ``flight.touch_speed``."""
+    """Result of a flight.  Every measure is an attribute as well: ``flight.touch_speed``."""
 
     scenario: Scenario
     outcome: Outcome
     measures: dict[str, float | None]
     """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
     columns: dict[str, Array]
-    """Trajectory by column, each of shape (instants,); empty if none was kept."""
+    """Trajectory by column, each of shape (instants,); empty if it was not recorded."""
     units: dict[str, str]
-    """Unit of each column, of the telemetry too."""
+    """Unit of each column, including telemetry."""
     telemetry: dict[str, Array] = field(default_factory=dict)
-    """What was measured, believed, wanted and commanded, tick by tick; empty without a pilot."""
+    """Measured, estimated, desired and commanded values at every tick; empty without a pilot."""
     work: dict[str, Array] = field(default_factory=dict)
-    """Work done so far [J], by kind, and 1 where something touches, each of shape (instants,): what
-    `springback.results.energy_history` needs beside the columns.  No file keeps it."""
+    """Work done so far [J], by kind, and 1 during contact, each of shape (instants,), for
+    `springback.results.energy_history`.  Files do not contain it.
+    """
     own: tuple[Own, ...] = ()
-    """Obstacles of the user's own that it was flown with; none of a flight that was read back."""
+    """The user's own obstacles; empty for a flight that was read back."""
     own_surfaces: tuple[Mesh, ...] = ()
-    """Of a flight that was read back, the surfaces of those obstacles, to be drawn."""
+    """Surfaces of those obstacles for drawing, in a flight that was read back."""
 
     def __getattr__(self, name: str) -> float | None:
         measures: dict[str, float | None] = self.__dict__.get("measures", {})
@@ -77,9 +78,9 @@ class Flight:
 
     @property
     def success(self) -> bool:
-        """As in campaigns: recovered, where that was asked for; else neither ground nor stop hit.
+        """Success as in campaigns: recovered, if required; else neither ground nor stop was hit.
 
-        A simulation that diverged is no success either.
+        A simulation that diverged is not a success either.
         """
         if "runs" in self.measures:
             return self.outcome is Outcome.RECOVERED
@@ -87,19 +88,19 @@ class Flight:
 
     @property
     def is_finite(self) -> bool:
-        """Whether the simulation stayed finite."""
+        """True if the simulation stayed finite."""
         return self.outcome is not Outcome.NOT_FINITE
 
     @property
     def remarks(self) -> dict[type[FlightWarning], str]:
-        """What to be wary of, a sentence each, by the kind of warning."""
+        """Warnings about the flight, a sentence each, by their kind."""
         found: dict[type[FlightWarning], str] = {}
         if self.measures.get("ledger_open"):
-            left = self.measures["ledger_residual"]  # None where it is beyond all numbers
+            left = self.measures["ledger_residual"]  # None if it is not finite
             share = "more than all" if left is None else f"{left:.1e}"
             found[LedgerWarning] = (
                 f"the energy ledger leaves {share} of the energy: the "
-                "numbers are not to be trusted; try smaller steps (simulation.impact_step)"
+                "numbers cannot be trusted; try smaller steps (simulation.impact_step)"
             )
         commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
         lowest = np.min(commands, axis=0, initial=0.0)
@@ -109,7 +110,7 @@ class Flight:
             found[CommandWarning] = (
                 f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
                 f"at {self.telemetry['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do "
-                f"not turn backwards and give their least, {propulsion.min_thrust:g} N"
+                f"not turn backwards and give their minimum, {propulsion.min_thrust:g} N"
             )
         return found
 
@@ -138,24 +139,24 @@ class Flight:
         width = max(len(name) for name, _ in shown)
         for name, unit in shown:
             value = self.measures[name]
-            if unit == "deg" and value is not None:  # people read degrees, the measure is in rad
+            if unit == "deg" and value is not None:  # for reading; the measure is in rad
                 value = math.degrees(value)
             lines.append(
                 f"  {name:<{width}} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}"
             )
         return "\n".join(lines)
 
-    def _kept(self) -> None:
+    def _need_trajectory(self) -> None:
         if not self.columns:
             raise InputError("this flight kept no trajectory: fly it with trajectory=True")
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """Trajectory as a pandas DataFrame, one row an instant; units in ``attrs``.
+        """Trajectory as a pandas DataFrame, one row per instant; units in ``attrs``.
 
         Raises:
-            InputError: If pandas is not installed, or no trajectory was kept.
+            InputError: If pandas is not installed, or the trajectory was not recorded.
         """
-        self._kept()
+        self._need_trajectory()
         from springback.extras import needs
 
         pd = needs("pandas", "dataframe")
@@ -167,9 +168,9 @@ class Flight:
         """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
 
         Raises:
-            InputError: If xarray is not installed, or no trajectory was kept.
+            InputError: If xarray is not installed, or the trajectory was not recorded.
         """
-        self._kept()
+        self._need_trajectory()
         from springback.extras import needs
 
         xr = needs("xarray", "xarray")
@@ -187,7 +188,7 @@ class Flight:
         return dataset
 
     def summary(self) -> dict[str, Any]:
-        """All there is to say in plain data: outcome, measures, units, scenario, versions."""
+        """The result as plain data: outcome, measures, units, scenario, versions."""
         from springback.version import __version__
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
@@ -203,7 +204,7 @@ class Flight:
         }
 
     def _own_obstacles(self) -> dict[str, Any]:
-        """Surfaces of the user's own obstacles near the flight, if there are any."""
+        """Surfaces of the user's own obstacles near the flight, if any."""
         found = self.own_surfaces
         if self.own and self.columns:
             place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
@@ -241,7 +242,7 @@ def _columns(flown: FlightRecord) -> tuple[dict[str, Array], dict[str, str]]:
 
 
 def _work(flown: FlightRecord) -> dict[str, Array]:
-    """Works of the trace by name, and whether any arm's cage touches."""
+    """Work in the trace by name, and a flag for contact of any cage."""
     trace, stem = flown.trace, "work."
     if trace is None:
         return {}
@@ -254,8 +255,8 @@ def _work(flown: FlightRecord) -> dict[str, Array]:
     return work | {"touching": touching}
 
 
-#: Columns of a telemetry: name, where it comes from, unit.  An `n` stands for the number of an arm.
-_DIARY = (
+#: Columns of telemetry: name, source, unit.  An `n` represents the number of an arm.
+_TELEMETRY = (
     ("t", "time", "s"),
     ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
     ("imu_a{a}", "measurement.inertial.specific_force.{a}", "m/s^2"),
@@ -283,12 +284,12 @@ _DIARY = (
 
 
 def _telemetry(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
-    """Columns of the telemetry under their file names, with units; those that the pilot told."""
+    """Columns of telemetry under their file names, with units; those that the pilot recorded."""
     columns: dict[str, Array] = {}
     units: dict[str, str] = {}
     if trace is None:
         return columns, units
-    for name, source, unit in _DIARY:
+    for name, source, unit in _TELEMETRY:
         for n in range(1, arms + 1) if "{n}" in source else (0,):
             for a in "xyz" if "{a}" in source else ("",):
                 for q in "wxyz" if "{q}" in source else ("",):
@@ -313,25 +314,25 @@ def fly(
 
     Args:
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
-        *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a ready `Scenario`.
-        own: Obstacles of one's own beside the scenario's: pairs of a shape, registered with
+        *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a `Scenario`.
+        own: The user's own obstacles besides the scenario's: pairs of a shape, registered with
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
-        pilot: A pilot of one's own in place of the scenario's: a plain function
-            ``(time, measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or
-            an `CompiledPilot`, which is compiled, or ``"file.py:name"`` of either.
-        trajectory: Keep the trajectory.
+        pilot: The user's own pilot, in place of the scenario's: a plain function ``(time,
+            measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or a
+            `CompiledPilot`, which is compiled, or ``"file.py:name"`` of either.
+        trajectory: Record the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
-        progress: Called now and then with the simulated time [s].
+        progress: Called from time to time with the simulated time [s].
 
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
-        CommandWarning: If a pilot commands less than 0 N of a rotor and the telemetry is kept.
+        CommandWarning: If a pilot commands less than 0 N of a rotor and telemetry is recorded.
 
     Raises:
         InputError: If the scenario cannot be flown; one line for each problem.  If the distance or
-            the normal of an obstacle of one's own is wrong where the vehicle could meet it.  If a
-            pilot of one's own fails, in one line with its file and line; what it raised is the
-            cause.
+            the normal of a user's own obstacle is wrong where the vehicle could touch it.  If a
+            user's own pilot fails, in one line with its file and line; the exception that it raised
+            is the cause.
     """
     check_executor(executor)
     flown_by = chosen_pilot(pilot)
@@ -356,7 +357,7 @@ def fly(
 
 
 def _wary(flight: Flight) -> Flight:
-    """The flight, with a warning where it needs one."""
+    """The flight, after issuing its warnings."""
     for kind, sentence in flight.remarks.items():
         warnings.warn(f"{flight.scenario.name}: {sentence}", kind, stacklevel=3)
     return flight
@@ -370,9 +371,9 @@ def _guided(
     executor: Executor,
     progress: Callable[[float], None] | None,
 ) -> Flight:
-    """Fly with a pilot aboard."""
+    """Fly with a pilot."""
     seed, model, start, built_avionics = built
-    assert built_avionics is not None  # asked only of flights with a pilot
+    assert built_avionics is not None  # only called for flights with a pilot
     own = pilot if isinstance(pilot, CompiledPilot) else None
     rotors = len(start.arm_length)
     plain = guarded(pilot, rotors) if callable(pilot) else None
@@ -397,7 +398,7 @@ def _guided(
 
 @contextmanager
 def _as_input() -> Iterator[None]:
-    """Tell the problem of a scenario that was checked before as bad input."""
+    """Convert the problem of a scenario that was checked before to bad input."""
     try:
         yield
     except PydanticCustomError as error:
@@ -409,12 +410,12 @@ def as_scenario(
     overrides: tuple[str, ...] = (),
     pilot: bool | None = None,
 ) -> Scenario:
-    """A checked scenario from whatever describes one.
+    """A checked scenario from any description of one.
 
     Args:
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
         overrides: Words such as ``"vehicle.arms.stiffness=6000"``.
-        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+        pilot: True if a pilot of the user's own will fly it; None if unknown.
 
     Raises:
         InputError: If it is none of these, or cannot be flown; one line for each problem.

@@ -1,6 +1,6 @@
-"""Surfaces of obstacles of one's own as meshes: what a file can keep of them, and a page can draw.
+"""Meshes of the user's own obstacles, for files and drawings.
 
-Their code is not in a result, so a saved flight knows them by their surface near the flight.
+Their code is not in a result, so a saved flight contains their surface near the flight.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from springback.kernels.vectors import Vec
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
 
-#: A shape is searched this far around where something touched, or else flew [m] ...
+#: Distance from contacts, or else from the trajectory, within which a shape is searched [m] ...
 SEARCHED = 1.2
-#: ... in cells that are halved so often; chosen: the last are 4 cm wide.
+#: ... in cells that are halved this many times; chosen: the last are 4 cm wide.
 HALVINGS, FIRST_CELLS = 3, 8
-#: Digits of a metre that a file keeps (chosen).
+#: Decimal digits of a metre that a file stores (chosen).
 DIGITS = 5
 
 _CORNERS = np.array([[(k >> a) & 1 for a in range(3)] for k in range(8)])
@@ -30,11 +30,11 @@ _NO_CELLS: Cells = np.zeros((0, 3), dtype=np.intp)
 
 
 class Mesh(NamedTuple):
-    """The surface of a shape as triangles, counted anticlockwise from outside."""
+    """Surface of a shape as triangles, counterclockwise as seen from outside."""
 
     name: str  # of the shape's type
     vertices: Array  # world [m], shape (vertices, 3)
-    triangles: Cells  # shape (triangles, 3); none where no surface was found
+    triangles: Cells  # shape (triangles, 3); empty if no surface was found
     normals: Array  # at the vertices, unit vectors, shape (vertices, 3)
 
     def as_dict(self) -> dict[str, Any]:
@@ -48,11 +48,11 @@ class Mesh(NamedTuple):
 
 
 def surfaces_of(own: Sequence[Own], near: Array) -> tuple[Mesh, ...]:
-    """Surfaces of shapes around some places.
+    """Surfaces of shapes around some points.
 
     Args:
         own: Pairs of a shape and its contact law.
-        near: World [m], shape (places, 3), at least one.
+        near: World [m], shape (points, 3), at least one.
     """
     low, high = near.min(axis=0) - SEARCHED, near.max(axis=0) + SEARCHED
     return tuple(surface_of(shape, low, high) for shape, _ in own)
@@ -62,8 +62,8 @@ def read_surfaces(given: Any, where: str) -> tuple[Mesh, ...]:
     """Surfaces from plain data.
 
     Args:
-        given: A list of what `Mesh.as_dict` gives.
-        where: For errors.
+        given: A list of dictionaries from `Mesh.as_dict`.
+        where: Place, for errors.
 
     Raises:
         InputError: If it is something else.
@@ -86,12 +86,12 @@ def _read(entry: Mapping[str, Any]) -> Mesh:
 
 
 def surface_of(shape: Any, low: Array, high: Array) -> Mesh:
-    """A shape's surface inside a box, as triangles; without any if there is none.
+    """Surface of a shape inside a box, as triangles; empty if there is none.
 
-    Cells that the surface cannot reach, by their distance, are dropped before those that are left
-    are halved.  Each of the last cells that the surface passes through has one vertex, laid onto
-    the surface along the normal, and every edge that it crosses becomes a face ("surface nets",
-    S. F. F. Gibson, 1998).
+    Cells that the surface cannot reach, by their distance, are dropped before the remaining ones
+    are halved.  Each of the last cells that the surface passes through has one vertex, projected to
+    the surface along the normal, and every edge that it crosses becomes a face ("surface nets", S.
+    F. F. Gibson, 1998).
 
     Args:
         shape: Registered with `signed_distance` and `outward_normal`.
@@ -130,7 +130,7 @@ def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Mesh | None:
 
 
 def _laid(shape: Any, points: Array) -> tuple[Array, Array]:
-    """Points moved onto the surface along the normal, and the normals there."""
+    """Points projected to the surface along the normal, and the normals there."""
     n = np.zeros_like(points)
     for _ in range(2):
         n = np.array([outward_normal(shape, Vec(*p)) for p in points.tolist()], dtype=float)

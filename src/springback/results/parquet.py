@@ -19,14 +19,14 @@ def write_parquet(
     *,
     select: str = "SELECT * FROM given",
 ) -> None:
-    """Columns as Parquet, with units and ``about`` in the file's metadata.
+    """Write columns as Parquet, with units and ``about`` in the file's metadata.
 
     Args:
         path: File to write.
         columns: Arrays of equal length by name.
-        units: Unit of each column, kept as JSON under the key ``units``.
+        units: Unit of each column, stored as JSON under the key ``units``.
         about: More metadata.
-        select: What is written, in SQL over the table ``given`` of these columns.
+        select: SQL query for the rows to write, over the table ``given`` of these columns.
     """
     path = path.absolute()
     metadata = {"units": json.dumps(dict(units)), **about}
@@ -49,5 +49,5 @@ def write_parquet(
 
 @functools.lru_cache(maxsize=4)
 def _database(folder: Path) -> Any:
-    """One for all files of a folder: to make it takes as long as a file does."""
+    """One database for all files of a folder: creating it takes as long as writing a file."""
     return locked(folders=[folder], threads=1)  # one thread, so that rows keep their order

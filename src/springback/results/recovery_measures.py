@@ -1,4 +1,4 @@
-"""How a recovery went: outcome and measures, from what the referee saw and the pilot remembers."""
+"""Outcome and measures of a recovery, from the evaluator and the pilot's memory."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from springback.simulation.measures import Outcome, first_claimed, outcomes_of, 
 
 #: Vectors shorter than this have no direction.
 LEVEL = 1e-9
-#: Unit and meaning of every measure of a recovery; of several collisions in one flight those with
-#: "last" are of the last one.
+#: Unit and meaning of every measure of a recovery; if a flight has several collisions, those with
+#: "last" refer to the last one.
 RECOVERY_MEASURES = {
     "runs": ("", "collisions, each with what followed"),
     "recovered_runs": ("", "of these, those that ended at rest, at p_r or at home"),
@@ -45,12 +45,12 @@ RECOVERY_MEASURES = {
 
 
 def is_evaluated(guided: GuidedFlown) -> bool:
-    """Whether a flight had a referee."""
+    """True if a flight had an evaluator."""
     return isinstance(guided.onboard.evaluator, EvaluatorMemory)
 
 
 def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
-    """The outcomes of flights that a referee has judged.
+    """Outcomes of flights with an evaluator.
 
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
@@ -68,7 +68,7 @@ def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
 
 
 def recovery_outcome(guided: GuidedFlown) -> Outcome:
-    """The outcome of a flight that a referee has judged."""
+    """Outcome of a flight with an evaluator."""
     record, seen = as_columns(guided.flown.record), as_columns(guided.onboard.evaluator)
     return recovery_outcomes(record, seen)[0]
 
@@ -82,25 +82,25 @@ def _since(time: Array, touch: Array) -> Array:
 
 
 def _between(a: Any, b: Any) -> Array:
-    """Angles between the level parts of vectors of columns [rad]; NaN where one has none."""
+    """Angles between the horizontal parts of vectors of columns [rad]; NaN where one is zero."""
     level = (a.x * a.x + a.y * a.y >= LEVEL**2) & (b.x * b.x + b.y * b.y >= LEVEL**2)
     across, along = a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y
-    # By Python's own arc tangent: NumPy's may differ in the last bit with its place in an array.
+    # By Python's own arc tangent: NumPy's may differ in the last bit with the position in an array.
     angles = map(math.atan2, across.tolist(), along.tolist())
     return where(level, np.abs(np.array(list(angles))))
 
 
 def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
-    """Every measure of many recoveries, in the order of `RECOVERY_MEASURES`; NaN for None.
+    """Measures of many recoveries, in the order of `RECOVERY_MEASURES`; NaN for None.
 
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
         seen: `EvaluatorMemory` of columns.
-        memory: `RecoveryPilotMemory` of columns; only collision, detection and journey are read.
+        memory: `RecoveryPilotMemory` of columns.
     """
     run, hit, d = seen.run, memory.collision, memory.detection
     first, log = record.touch_time, memory.recovery_state.log
-    # The record knows first touch exactly; the referee, of later runs, to a tick.
+    # The record knows first touch exactly; the evaluator, for later runs, to a tick.
     touch = np.where(seen.runs == 1.0, first, run.touch)
     happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
     gap = hit.position - run.alarm_place
@@ -133,7 +133,7 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
 
 
 def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
-    """Every measure of a recovery, in the order of `RECOVERY_MEASURES`."""
+    """Measures of a recovery, in the order of `RECOVERY_MEASURES`."""
     onboard = guided.onboard
     trees = guided.flown.record, onboard.evaluator, onboard.pilot
     return scalars_of(recovery_columns(*(as_columns(tree) for tree in trees)))

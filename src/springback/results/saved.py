@@ -1,4 +1,4 @@
-"""Results of flights, read back from the folders that `springback fly` writes."""
+"""Saved results: flights read back from the folders that `springback fly` writes."""
 
 from __future__ import annotations
 
@@ -24,14 +24,15 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def read_result(folder: str | Path) -> Flight:
-    """A flight as it was written, with its scenario, measures, trajectory and telemetry.
+    """Read a flight as it was written, with its scenario, measures, trajectory and telemetry.
 
     Args:
-        folder: With ``summary.json``, ``trajectory.parquet`` and, of a flight with a pilot,
+        folder: With ``summary.json``, ``trajectory.parquet`` and, for a flight with a pilot,
             ``telemetry.parquet``.
 
     Raises:
-        InputError: In one line, if the folder is no result, or what is in it is torn or foreign.
+        InputError: In one line, if the folder is not a result, or its content is damaged or
+            foreign.
     """
     folder = Path(folder)
     if not folder.exists():
@@ -58,8 +59,8 @@ def read_result(folder: str | Path) -> Flight:
         _check(path, telemetry, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
-    told = f"{folder / 'summary.json'}: own_obstacles"
-    surfaces = read_surfaces(summary.get("own_obstacles", ()), told)
+    where = f"{folder / 'summary.json'}: own_obstacles"
+    surfaces = read_surfaces(summary.get("own_obstacles", ()), where)
     return Flight(scenario, outcome, measures, columns, units, telemetry, own_surfaces=surfaces)
 
 
@@ -80,7 +81,7 @@ def _summary(path: Path) -> Mapping[str, Any]:
 
 
 def _check_file(path: Path, files: Mapping[str, Any]) -> None:
-    """Refuse a file that is not the one of the flight: damaged, or left by another."""
+    """Reject a file that is not the flight's: damaged, or from another flight."""
     if path.name not in files:
         return
     try:
@@ -135,7 +136,7 @@ def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | Non
 
 
 def _wanted(vehicle: Vehicle) -> list[str]:
-    """Columns of a trajectory that are needed."""
+    """Required columns of a trajectory."""
     numbers = range(1, vehicle.arm_count + 1)
     names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
     names += [f"{kind}{axis}" for kind in "vwa" for axis in "xyz"]
@@ -150,13 +151,13 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
 
     def ask(connection: Any) -> tuple[Any, Any]:
         read = connection.execute(f"SELECT * FROM {parquet([path])}").fetchnumpy()
-        told = connection.execute(
+        metadata = connection.execute(
             "SELECT value FROM parquet_kv_metadata(?) WHERE key = 'units'", [pattern(path)]
         ).fetchone()
-        return read, told
+        return read, metadata
 
     try:
-        read, told = in_database(ask, locked([path], threads=1))
+        read, metadata = in_database(ask, locked([path], threads=1))
     except duckdb.Error as error:
         raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
     columns: dict[str, Array] = {}
@@ -168,7 +169,7 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
         except (TypeError, ValueError):
             raise InputError(f"{path}: column {name}: must hold numbers") from None
     try:
-        units = json.loads(told[0]) if told else {}
+        units = json.loads(metadata[0]) if metadata else {}
     except ValueError:
         units = {}
     known = units if isinstance(units, dict) else {}
@@ -176,14 +177,14 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
 
 
 def _check_there(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
-    """Refuse columns of which some are missing."""
+    """Reject a table with missing columns."""
     missing = [name for name in wanted if name not in columns]
     if missing:
         raise InputError(f"{path}: has no column {', '.join(missing[:6])}; it is of another kind")
 
 
 def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
-    """Refuse columns that are not those of a flight."""
+    """Reject columns that are not those of a flight."""
     _check_there(path, columns, wanted)
     t = columns["t"]
     if len(t) < 2:

@@ -1,4 +1,4 @@
-"""JSON that says when it is not what was written: plain data with a digest of the rest."""
+"""JSON with a checksum: plain data with a digest of the rest."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import Any
 
 from springback.errors import InputError
 
-#: Under which the digest stands.
+#: Key of the digest.
 SEAL = "seal"
 
 
 def digest_of(data: Mapping[str, Any]) -> str:
-    """SHA-256 of plain data, whatever the order of its keys and the blanks in its text."""
+    """SHA-256 of plain data, independent of the order of keys and of white space."""
     rest = {key: value for key, value in data.items() if key != SEAL}
     text = json.dumps(rest, sort_keys=True, ensure_ascii=True, allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
@@ -27,7 +27,7 @@ def sealed(data: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def is_sealed(data: Mapping[str, Any]) -> bool:
-    """Whether data are what was sealed."""
+    """True if the data agree with their digest."""
     try:
         return data.get(SEAL) == digest_of(data)
     except (ValueError, RecursionError):
@@ -35,7 +35,7 @@ def is_sealed(data: Mapping[str, Any]) -> bool:
 
 
 def read_object(path: Path) -> dict[str, Any]:
-    """A JSON object from a file, whether sealed or not.
+    """Read a JSON object from a file, sealed or not.
 
     Raises:
         FileNotFoundError: If there is no such file.

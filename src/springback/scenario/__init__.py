@@ -1,1 +1,1 @@
-"""Scenarios: what a user writes down, checked, and the model and avionics built from it."""
+"""Scenarios: validated user input, and the model and avionics built from it."""

@@ -1,4 +1,4 @@
-"""What callers in Python hand over beside a scenario, checked before anything is flown."""
+"""Checks of the arguments that Python callers pass besides a scenario."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from springback.simulation.guided import PlainPilot
 
 
 def check_executor(executor: str) -> None:
-    """Refuse an executor that there is not.
+    """Reject an unknown executor.
 
     Raises:
-        InputError: With the names of those that there are.
+        InputError: With the names of the known ones.
     """
     known = get_args(Executor)
     if executor not in known:
@@ -24,10 +24,10 @@ def check_executor(executor: str) -> None:
 
 
 def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
-    """The pilot that was asked for, read from its file if it is in one.
+    """The requested pilot, read from its file if it is in one.
 
     Raises:
-        InputError: If it is no pilot.
+        InputError: If it is not a pilot.
     """
     if isinstance(pilot, str):
         return read_pilot(pilot)

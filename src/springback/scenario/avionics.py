@@ -1,4 +1,4 @@
-"""What a scenario puts aboard: sensors, estimator, controller, reference, rotors, weather."""
+"""Avionics of a scenario: sensors, estimator, controller, reference, rotors, weather."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
-#: Range of an accelerometer that has none [m/s²]; finite, as all numbers in kernels.
+#: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
 
 
@@ -57,7 +57,7 @@ class CompiledPilot(NamedTuple):
 
 
 class BuiltAvionics(NamedTuple):
-    """What is aboard, and the normal numbers that it takes."""
+    """Avionics, and the schedule of their noise."""
 
     avionics: Avionics
     noise: tuple[Draw, ...]
@@ -65,7 +65,7 @@ class BuiltAvionics(NamedTuple):
 
 @contextmanager
 def _in_table(table: str) -> Iterator[None]:
-    """Name the table of a scenario that a problem is in."""
+    """Name the table of a scenario in problems within it."""
     try:
         with inside(table):
             yield
@@ -74,11 +74,11 @@ def _in_table(table: str) -> Iterator[None]:
 
 
 def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) -> Propulsion:
-    """Rotors of the vehicle; refused where there are none, or where they cannot lift it.
+    """Rotors of the vehicle; rejected if there are none, or if they cannot lift it.
 
     Args:
-        scenario: To be flown.
-        airframe: The true one, if it is known already.
+        scenario: Scenario to be flown.
+        airframe: The true one, if already known.
     """
     propulsion = scenario.vehicle.propulsion
     if propulsion is None:
@@ -102,15 +102,15 @@ def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) ->
 
 
 class Devices(NamedTuple):
-    """Sensors that are not switched on yet."""
+    """Sensors before they are turned on."""
 
-    told: SensorSettings
+    settings: SensorSettings
     sensors: Sensors
     noise: tuple[Draw, ...]
 
 
 class NominalVehicle(NamedTuple):
-    """What its pilot believes of a vehicle."""
+    """A pilot's model of its vehicle."""
 
     airframe: Airframe
     mass: float  # [kg]
@@ -122,14 +122,14 @@ class NominalVehicle(NamedTuple):
 def nominal_vehicle(
     vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = uncached
 ) -> NominalVehicle:
-    """What the pilot of a vehicle believes."""
+    """A pilot's model of a vehicle."""
     airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
     most = vehicle.arm_count * rotors.most
     return NominalVehicle(airframe, vehicle.mass, rotors, most, gravity)
 
 
 def limits_of(believed: NominalVehicle, rate_limit: float) -> Limits:
-    """What the vehicle can do, as its pilot believes; the limit of its rate is in rad/s."""
+    """Limits of the vehicle in its pilot's model; the limit of its rate is in rad/s."""
     return Limits(
         mass=believed.mass,
         gravity=believed.gravity,
@@ -147,15 +147,15 @@ def reference_of(
     build: Build = uncached,
     advises: bool = True,
 ) -> Any:
-    """Numbers of a reference.
+    """Build a reference.
 
     Args:
         settings: The table.
-        believed: What the pilot believes of the vehicle.
-        rate_limit: Of roll and pitch [rad/s].
-        point: Where a cage touches.
-        build: How parts are made.
-        advises: Say what would do where a run-up cannot be flown; it takes long.
+        believed: The pilot's model of the vehicle.
+        rate_limit: Limit for roll and pitch [rad/s].
+        point: Contact point of a cage.
+        build: Builder of the parts.
+        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
@@ -171,15 +171,15 @@ def reference_of(
 def _made_reference(
     settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
 ) -> Any:
-    """Numbers of the reference, or the problem with it."""
+    """Reference, or the problem with it."""
     if isinstance(settings, RunUpSettings):
         return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
     return _found(settings, limits)
 
 
-@functools.lru_cache(maxsize=4096)  # every scenario asks twice, and many vehicles reach as far
+@functools.lru_cache(maxsize=4096)  # used twice per scenario; many vehicles reach equally far
 def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
-    """Numbers of a run-up, or the problem with it: finding that out takes longest."""
+    """Reference of a run-up, or the problem with it, which is slowest to find."""
     try:
         return settings.run_up(limits, lambda pitch: ahead, advises).reference
     except InputError as problem_of_it:
@@ -188,9 +188,9 @@ def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises:
 
 @functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
 def _found(settings: Any, limits: Limits) -> Any:
-    """Numbers of a reference that is no run-up, or the problem with it."""
+    """Reference other than a run-up, or the problem with it."""
     try:
-        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups ask how far cages reach
+        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups depend on the reach
     except InputError as problem_of_it:
         return problem_of_it
 
@@ -198,24 +198,24 @@ def _found(settings: Any, limits: Limits) -> Any:
 def devices_of(
     sensors: SensorSettings, estimator: EstimatorSettings, tick: float, vehicle: Vehicle
 ) -> Devices:
-    """Numbers of the sensors that are the same in every flight.
+    """Sensors, without what differs from flight to flight.
 
-    They reveal the truth to an estimator that is to be perfect.
+    They reveal the exact state to a perfect estimator.
     """
-    told = sensors
+    settings = sensors
     if estimator.type == "perfect":
-        told = sensors.with_checked(reveal=True)
+        settings = sensors.with_checked(reveal=True)
     with _in_table("sensors"):
-        devices = told.devices(tick, vehicle)
-    return Devices(told, devices, draws_of(devices, vehicle.arm_count))
+        devices = settings.devices(tick, vehicle)
+    return Devices(settings, devices, draws_of(devices, vehicle.arm_count))
 
 
 def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
-    """Normal numbers by which sensors are biased when they are switched on, of many flights.
+    """Normal numbers for the turn-on biases of sensors, for many flights.
 
     Args:
         seeds: One for each flight.
-        flight: Its number in a campaign.
+        flight: Number of the flight in a campaign.
     """
     streams = (stream(seed, Purpose.TURN_ON, flight) for seed in seeds)
     return [one.standard_normal(BIASES).tolist() for one in streams]
@@ -226,7 +226,7 @@ def _tick(clock: float) -> float:
 
 
 def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
-    """The pace of the sensors, as the estimator must know it."""
+    """Timing of the sensors, for the estimator."""
     s = sensors
     return Rhythm(
         tick=tick,
@@ -237,7 +237,7 @@ def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
 
 
 def _estimator_settings(given: EstimatorSettings, sensors: SensorSettings) -> EstimatorSettings:
-    """Settings of the estimator; where it stands on the robot it knows from the sensors."""
+    """Settings of the estimator; its position on the robot is that of the sensor."""
     if "offset" in given.kalman.model_fields_set:
         return given
     kalman = given.kalman.with_checked(offset=sensors.imu.offset)
@@ -247,14 +247,14 @@ def _estimator_settings(given: EstimatorSettings, sensors: SensorSettings) -> Es
 def _estimator(
     given: EstimatorSettings, sensors: SensorSettings, tick: float, gravity: float
 ) -> tuple[EstimatorSettings, Any]:
-    """Settings and numbers of the estimator."""
+    """Settings of the estimator, and the estimator built from them."""
     settings = _estimator_settings(given, sensors)
     with _in_table("estimator"):
         return settings, settings.estimator(_rhythm(sensors, tick), gravity)
 
 
 def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings:
-    """Settings of the controller; unless told, it feeds forward where the reference is a run-up."""
+    """Settings of the controller; by default, it feeds forward if the reference is a run-up."""
     if given.feed_forward is not None:
         return given
     return given.with_checked(feed_forward=isinstance(reference, RunUpSettings))
@@ -309,7 +309,7 @@ def cascade_of(
 
 
 class CollisionSensing(NamedTuple):
-    """By what a collision is noticed and made out."""
+    """Detection and characterisation of collisions."""
 
     observer: Observer
     detection: Detection
@@ -317,9 +317,13 @@ class CollisionSensing(NamedTuple):
 
 
 def collision_sensing(
-    told: RecoverySettings, vehicle: Vehicle, sensors: SensorSettings, gravity: float, tick: float
+    recovery: RecoverySettings,
+    vehicle: Vehicle,
+    sensors: SensorSettings,
+    gravity: float,
+    tick: float,
 ) -> CollisionSensing:
-    """Numbers of what notices and makes out a collision."""
+    """Build the detection and characterisation of collisions."""
     propulsion, imu = vehicle.propulsion, sensors.imu
     lag = propulsion.time_constant if propulsion else 0.0
     inertial = tick if imu.perfect else 1.0 / imu.rate
@@ -328,9 +332,9 @@ def collision_sensing(
     full_scale = UNCLIPPED if imu.perfect else imu.accelerometer.full_scale
     with _in_table("recovery"):
         return CollisionSensing(
-            told.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
-            told.triggers(is_compliant, inertial, hall),
-            told.looks(full_scale),
+            recovery.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
+            recovery.triggers(is_compliant, inertial, hall),
+            recovery.looks(full_scale),
         )
 
 
@@ -338,11 +342,11 @@ def recovery_pilot(
     scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = uncached
 ) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
-    s, told, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
-    assert told is not None  # asked only of scenarios that recover
-    eyes = build(collision_sensing, told, s.vehicle, s.sensors, believed.gravity, tick)
-    route: Route = build(RecoverySettings.route, told, ZERO)
-    if told.home is None:
+    s, recovery, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
+    assert recovery is not None  # only called for scenarios with recovery
+    eyes = build(collision_sensing, recovery, s.vehicle, s.sensors, believed.gravity, tick)
+    route: Route = build(RecoverySettings.route, recovery, ZERO)
+    if recovery.home is None:
         route = route._replace(home=Vec(*s.start.position))
     return RecoveryPilot(cascade, *eyes, route)
 
@@ -359,23 +363,23 @@ def build_avionics(
     build: Build = uncached,
     advises: bool = True,
 ) -> BuiltAvionics:
-    """What is aboard before the first tick.
+    """Build the avionics as they are before the first tick.
 
     Args:
         scenario: With a reference, or flown by a pilot of the user's own.
-        model: Of the flight.
+        model: Model of the flight.
         start: State at time 0.
-        flight: Its number in a campaign, for its luck.
-        pilot: In place of the paper's.
-        relay: The pilot is in plain Python, and sits outside.
-        biases: `turn_on_normals` of the seed and the number, if they are known already.
-        build: How parts are made.
-        advises: Say what would do where a run-up cannot be flown; it takes long.
+        flight: Number of the flight in a campaign, for its noise.
+        pilot: Pilot in place of the paper's.
+        relay: True for a pilot in plain Python, which runs outside.
+        biases: `turn_on_normals` of the seed and the number, if already known.
+        build: Builder of the parts.
+        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
     """
     s, arms, period = scenario, len(model.airframe.arms), build(_tick, scenario.clock)
     devices = build(devices_of, s.sensors, s.estimator, period, s.vehicle)
     drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
-    sensors = devices.told.switched_on(devices.sensors, drawn)
+    sensors = devices.settings.switched_on(devices.sensors, drawn)
     if relay:
         pilot = CompiledPilot(Relay(0.0), model.thrust)
     flown_by = pilot or cascade_of(s, model, start, build, advises)
@@ -402,7 +406,7 @@ def build_avionics(
 
 
 class Blowing(NamedTuple):
-    """The air about a vehicle with a pilot."""
+    """The air around a vehicle with a pilot."""
 
     weather: Any
     mean_wind: Vec  # world [m/s]
@@ -416,22 +420,22 @@ def _air_of(air: AirSettings, tick: float) -> Blowing:
     return Blowing(weather, Vec(*air.wind), noise)
 
 
-#: Tables that only the pilot of the paper reads, and those that every pilot flies with.
+#: Tables that only the pilot of the paper reads, and those that apply to every pilot.
 _PAPERS = ("reference", "control", "estimator", "recovery")
 _PILOTS = ("sensors", "clock", "seed")
 
 
 def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
-    """What a user had better know before the flight: one sentence each.
+    """Warnings for this scenario, one sentence each.
 
     Args:
-        scenario: To be flown.
-        own: By a pilot of the user's own, who takes the place of the paper's.
+        scenario: Scenario to be flown.
+        own: True if a pilot of the user's own flies it.
     """
     given = scenario.model_fields_set
     if own:
         unread = [name for name in _PAPERS if name in given]
-        return _unread(unread, "a pilot of your own flies, who is not told of it")
+        return _unread(unread, "a pilot of your own flies, which does not read it")
     if scenario.reference is None or scenario.vehicle.propulsion is None:
         unread = [name for name in (*_PAPERS[1:], *_PILOTS) if name in given]
         return _unread(unread, "no pilot flies without a [reference]")
@@ -445,9 +449,9 @@ def _unread(names: list[str], why: str) -> list[str]:
 
 
 def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
-    """What a circle at full speed asks for beyond the limits.
+    """Demands of a circle at full speed beyond the limits.
 
-    The thrust leans inwards by atan(R ω²/g) and turns about the vertical with ω.
+    The thrust tilts inwards by atan(R ω²/g) and turns about the vertical with ω.
     """
     circle = scenario.reference
     if not isinstance(circle, CircleSettings):

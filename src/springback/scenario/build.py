@@ -1,4 +1,4 @@
-"""One way in: a scenario is checked while it is built, and what is built is what flies."""
+"""Build a flight from a scenario, which is checked while it is built."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PLAIN_PYTHON = "plain Python"
 
 
 class ReadyFlight(NamedTuple):
-    """A flight made ready; without a pilot it has no avionics."""
+    """A built flight; without a pilot it has no avionics."""
 
     seed: int
     model: Model
@@ -43,18 +43,18 @@ def build_flight(
     biases: Sequence[float] | None = None,
     advises: bool = True,
 ) -> ReadyFlight:
-    """Check a scenario across its tables, and make it ready to fly.
+    """Check a scenario across its tables, and build its flight.
 
     Args:
-        scenario: Tables that were checked one by one.
-        own: Obstacles of the user's beside the scenario's, with their surfaces.
-        pilot: In place of the paper's; `PLAIN_PYTHON` for one that stays outside.
-        build: How parts are made.
-        biases: `turn_on_normals` of its seed, if they are known already.
-        advises: Say what would do where a run-up cannot be flown; it takes long.
+        scenario: Tables validated one by one.
+        own: The user's own obstacles besides the scenario's, with their surfaces.
+        pilot: Pilot in place of the paper's; `PLAIN_PYTHON` for one that runs outside.
+        build: Builder of the parts.
+        biases: `turn_on_normals` of its seed, if already known.
+        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
-        The first problem, with the key at fault.
+        The first problem, with its key.
     """
     s = scenario
     check_tables(s, build)
@@ -66,7 +66,7 @@ def build_flight(
         check_without_pilot(s)
         return ReadyFlight(s.seed, model, start, None)
     if pilot is not None and s.model.slider is not None:
-        raise problem("cannot be given to a pilot: nobody flies on it", "model.slider")
+        raise problem("cannot be given to a pilot: no pilot flies on a slider", "model.slider")
     check_clock(s)
     if s.reference is None and not any(model.thrust):
         model = model._replace(thrust=build(hover_thrusts, s.vehicle, s.world.gravity))
@@ -81,7 +81,7 @@ def build_flight(
 
 
 def _check_start_beside(model: Model, start: State) -> None:
-    """Refuse a start inside an obstacle of the user's own."""
+    """Reject a start inside an obstacle of the user's own."""
     m = model
     seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
     gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]

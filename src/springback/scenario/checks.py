@@ -1,4 +1,4 @@
-"""Checks across the tables of a scenario: each raises the problem, and names the key at fault."""
+"""Checks across the tables of a scenario: each raises the problem, with the key at fault."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ from springback.vehicle.state import Airframe, State, arm_pose
 
 #: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
 STABLE = 2.5
-#: Most steps of a flight, should all be as fine as its finest (chosen): about 2 min of a processor.
+#: Maximum number of steps, if all were as fine as the finest (chosen): about 2 min of a processor.
 MOST_STEPS = 1e8
-#: Most ticks of a flight with a pilot (chosen): its noise takes 1 GB.  Trajectories are bounded
-#: apart, by `springback.simulation.flight.MOST_INSTANTS`.
+#: Maximum number of ticks of a flight with a pilot (chosen): its noise takes 1 GB.  Trajectories
+#: have a separate limit, `springback.simulation.flight.MOST_INSTANTS`.
 MOST_TICKS = 5e6
-#: Farther from its main body than this share of its reach no point of a vehicle is (chosen: the
+#: Upper bound on the distance of a point from the main body, relative to the reach (chosen: the
 #: rounding of a ring adds 1e-5).
 AMPLE = 1.01
 
 
 def check_tables(scenario: ScenarioTables, build: Build = uncached) -> None:
-    """Refuse what cannot be flown, whoever flies it; `check_start` is the last of these checks."""
+    """Reject what no pilot can fly; `check_start` is the last of these checks."""
     s = scenario
     check_reference(s)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
@@ -50,20 +50,22 @@ def check_tables(scenario: ScenarioTables, build: Build = uncached) -> None:
 
 
 def check_reference(scenario: ScenarioTables) -> None:
-    """Refuse what cannot stand beside a reference."""
+    """Reject settings that conflict with a reference."""
     if scenario.reference is None:
         return
     if scenario.thrust not in (0.0, "hover"):
         raise problem(
-            f"cannot be given beside a reference, whose pilot commands it (got {scenario.thrust})",
+            f"cannot be combined with a reference, whose pilot commands it (got {scenario.thrust})",
             "thrust",
         )
     if scenario.model.slider is not None:
-        raise problem("cannot be given beside a reference: nobody flies on it", "model.slider")
+        raise problem(
+            "cannot be combined with a reference: no pilot flies on a slider", "model.slider"
+        )
 
 
 def check_without_pilot(scenario: ScenarioTables) -> None:
-    """Refuse what only a flight with a pilot can do; a scenario does not know its pilot."""
+    """Reject settings that require a pilot; a scenario does not know its pilot."""
     if scenario.reference is None and scenario.air.gusts is not None:
         raise problem(
             "blow only where a pilot flies: give a [reference], or a pilot of your own",
@@ -72,7 +74,7 @@ def check_without_pilot(scenario: ScenarioTables) -> None:
 
 
 def check_clock(scenario: ScenarioTables) -> None:
-    """Refuse more ticks than can be kept, and blame the duration where no clock was given."""
+    """Reject more ticks than can be stored; the duration is at fault if no clock was given."""
     duration, clock = scenario.simulation.duration, scenario.clock
     if clock * duration <= MOST_TICKS:
         return
@@ -91,7 +93,7 @@ def check_clock(scenario: ScenarioTables) -> None:
 
 @contextlib.contextmanager
 def blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
-    """Where the clock was given and a rate was not, the clock is at fault, not the rate."""
+    """Attribute problems of rates to the clock, if the clock was given and the rate was not."""
     try:
         yield
     except PydanticCustomError as error:
@@ -103,7 +105,7 @@ def blaming_the_clock(scenario: ScenarioTables) -> Iterator[None]:
 
 
 def check_slider(scenario: ScenarioTables) -> None:
-    """Refuse a start that a slider would not let be."""
+    """Reject a start that a slider does not allow."""
     axis = scenario.model.slider
     if axis is None:
         return
@@ -118,7 +120,7 @@ def check_slider(scenario: ScenarioTables) -> None:
 
 
 def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
-    """Refuse steps without number, and those too long for the arms."""
+    """Reject too many steps, and steps too long for the arms."""
     shortest = simulation.duration / MOST_STEPS
     for name in ("impact_step", "settle_step", "free_step"):
         step = getattr(simulation, name)
@@ -148,7 +150,7 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
 
 
 def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...]) -> None:
-    """Refuse steps too long for the drag of a main body of some mass [kg]."""
+    """Reject steps too long for the drag of a main body of some mass [kg]."""
     if not scenario.air.has_drag:
         return
     start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
@@ -162,7 +164,7 @@ def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...])
 
 
 def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
-    """Refuse a start inside an obstacle."""
+    """Reject a start inside an obstacle."""
     if is_clear(model, state):
         return
     r, still = rotation(state.attitude), Vec(0.0, 0.0, 0.0)
@@ -185,13 +187,13 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
 
 
 def reach_of(airframe: Airframe) -> float:
-    """No point of a vehicle is farther from the main body than this [m], arms unpressed."""
+    """Upper bound on the distance of a point from the main body [m], arms uncompressed."""
     cages = [arm.length + arm.cage_radius for arm in airframe.arms]
     return AMPLE * max(cages + [norm(hull.centre) + hull.radius for hull in airframe.hull])
 
 
 def is_clear(model: Model, state: State) -> bool:
-    """Whether all planes are out of reach, whatever the attitude."""
+    """True if all planes are out of reach at any attitude."""
     reach = reach_of(model.airframe)
     for obstacle in model.world.obstacles:
         shape = obstacle.shape

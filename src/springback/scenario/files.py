@@ -27,7 +27,7 @@ MOST_LINES, LONGEST_LINE = 20_000, 500
 
 
 def _value(text: str) -> Any:
-    """The value of an override: TOML where it is TOML, else the text itself."""
+    """Value of an override: parsed as TOML if possible, else the text itself."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except (ValueError, RecursionError):
@@ -38,24 +38,26 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
     """A raw scenario with ``key=value`` words applied, in order.
 
     Raises:
-        InputError: For a word that is no ``key=value``, or that points into something that is no
-            table.
+        InputError: For a word that is not ``key=value``, or that points into something that is not
+            a table.
     """
     result: Any = given
     check_depth(given, "scenario")
     for word in overrides:
         if not isinstance(word, str):
-            raise InputError(f"{word!r} is no override; write text such as 'start.pitch=15 deg'")
+            raise InputError(
+                f"{word!r} is not an override; write text such as 'start.pitch=15 deg'"
+            )
         key, sign, text = word.partition("=")
         parts = list(key_path(key.strip()))
         if not sign or not parts:
             raise InputError(
-                f"{shown_value(word)} is no override; write key=value, such as "
+                f"{shown_value(word)} is not an override; write key=value, such as "
                 "vehicle.arms.stiffness=6000"
             )
         if len(parts) > MOST_DEPTH:
             raise InputError(
-                f"{shown_value(word)} is no override; its key has {len(parts)} parts, "
+                f"{shown_value(word)} is not an override; its key has {len(parts)} parts, "
                 f"and at most {MOST_DEPTH} are read"
             )
         result = replaced(_spelled_out(result, parts, word), parts, _value(text.strip()), word)
@@ -64,10 +66,10 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
 
 
 def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
-    """Raw tables in which the list whose entry ``parts`` name is spelled out.
+    """Raw tables in which the list that ``parts`` refer to is written out.
 
     An entry such as ``start.position.2`` can be overridden although the list is not given, but
-    stands in a preset or is a default: the other entries stay as they are.
+    comes from a preset or a default: the other entries remain.
     """
     lists = [parts[:k] for k, part in enumerate(parts) if isinstance(part, int) and k]
     if not lists or (found := default_at(given, lists[0])) is None:
@@ -76,7 +78,7 @@ def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
 
 
 def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
-    """The list at a path that raw tables leave out; None where there is none, or one is given.
+    """Default list at a path; None if there is none, or if raw tables give one.
 
     Args:
         given: Raw tables of a scenario.
@@ -86,7 +88,7 @@ def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
         return None
     try:
         found = _at(expanded(given), path)
-    except InputError:  # of another part, to be reported when the whole is read
+    except InputError:  # from another part, reported when the whole is read
         return None
     table: Any = Scenario
     for key in path if found is None else ():
@@ -97,7 +99,7 @@ def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
 
 
 def _at(tables: Any, path: Sequence[Key]) -> Any:
-    """What stands at a path of raw tables; None if nothing does."""
+    """Value at a path of raw tables; None if there is none."""
     for key in path:
         if isinstance(tables, dict):
             tables = tables.get(key)
@@ -109,16 +111,16 @@ def _at(tables: Any, path: Sequence[Key]) -> Any:
 
 
 def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
-    """``node`` with one value replaced, copied on the way; all that is beside the way is shared.
+    """``node`` with one value replaced; the path to it is copied, all else is shared.
 
     Args:
-        node: Raw tables, of which strings are names of presets.
+        node: Raw tables, in which strings are names of presets.
         parts: Keys and indices of the value.
-        value: In its place.
-        word: Who asks, for errors.
+        value: New value.
+        word: Override, for errors.
     """
     head, *rest = parts
-    if isinstance(node, str):  # a preset's name, about to be adjusted
+    if isinstance(node, str):  # a preset's name, to be modified
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
@@ -133,7 +135,7 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
 
 
 def _counted(node: Any) -> str:
-    """How many entries there are, in words."""
+    """Number of entries, in words."""
     if not isinstance(node, list):
         return "; it is not a list"
     last = len(node) - 1
@@ -143,10 +145,10 @@ def _counted(node: Any) -> str:
 
 
 def line_of(text: str, path: Sequence[Key]) -> int | None:
-    """Line of the most exact mention of a key path in a TOML text; None if there is none.
+    """Line of the most specific mention of a key path in a TOML text; None if there is none.
 
-    TOML parsers keep no positions, so this follows table headers and keys; inline tables and dotted
-    keys count as their first line.
+    TOML parsers return no positions, so this follows table headers and keys; inline tables and
+    dotted keys count as their first line.
     """
     counts: dict[str, int] = {}
     table: list[Key] = []
@@ -178,7 +180,7 @@ def line_of(text: str, path: Sequence[Key]) -> int | None:
 
 
 def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]) -> str:
-    """Where a problem comes from: the override that set it, else file and line."""
+    """Source of a problem: the override that set it, else file and line."""
     for word in reversed(overrides):
         parts = key_path(word.partition("=")[0])
         if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
@@ -187,7 +189,7 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
 
 
 def place_of(name: str, text: str, path: Sequence[Key]) -> str:
-    """File and line of a key path, or the file alone where its text does not mention the path."""
+    """File and line of a key path, or the file alone if its text does not mention the path."""
     line = line_of(text, path)
     return name if line is None else f"{name}:{line}"
 
@@ -200,7 +202,7 @@ def read_scenario(
     Args:
         path: TOML file.
         overrides: Words such as ``vehicle.arms.stiffness=6000`` or ``start.pitch="15 deg"``.
-        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+        pilot: True if a pilot of the user's own will fly it; None if unknown.
 
     Raises:
         InputError: One line for each problem: file and line or override, field, value, unit, range.
@@ -222,7 +224,7 @@ def checked_scenario(
     overrides: Sequence[str],
     pilot: bool | None = None,
 ) -> Scenario:
-    """A scenario from raw tables; problems are blamed on lines of ``text`` or on overrides."""
+    """A scenario from raw tables; problems refer to lines of ``text`` or to overrides."""
     found: list[tuple[tuple[Key, ...], str]]
     try:
         return Scenario.model_validate(expanded(given), context={"pilot": pilot})

@@ -1,7 +1,7 @@
-"""A scenario's tables made numbers for the equations of motion.
+"""Model of a flight: a scenario's tables, converted to the numbers of the equations of motion.
 
-Each function is given exactly what it reads, so that flights which share a table share what follows
-from it (`springback.kernels.memo`).
+Each function is passed exactly what it reads, so that flights that share a table share its results
+(`springback.kernels.memo`).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
 
-#: Tilt within which a cage that lies flat on a surface is taken to touch at its centre [rad].
+#: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]
@@ -45,7 +45,7 @@ Matrix = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def hover_thrusts(vehicle: Vehicle, gravity: float) -> tuple[float, ...]:
-    """The weight of a vehicle, shared by all rotors [N]."""
+    """Weight of a vehicle, shared by all rotors [N]."""
     count = vehicle.arm_count
     return (vehicle.mass * gravity / count,) * count
 
@@ -56,10 +56,10 @@ def thrusts_of(
     """Thrust of each rotor [N].
 
     Args:
-        vehicle: As it is believed to be.
+        vehicle: Nominal vehicle.
         gravity: g [m/s²].
         thrust: As given: one for all, a list, or ``"hover"``.
-        is_piloted: A pilot starts at the thrust of hovering.
+        is_piloted: True for a pilot, which starts at the hover thrust.
     """
     count = vehicle.arm_count
     if thrust == "hover" or is_piloted:
@@ -71,11 +71,11 @@ def thrusts_of(
         return tuple(checked(entry, "N", least=0.0) for entry in given)
 
 
-# -- the vehicle as it is -------------------------------------------------------------------------
+# -- the true vehicle -----------------------------------------------------------------------------
 
 
 class Masses(NamedTuple):
-    """What is believed of a vehicle's mass and inertia."""
+    """Nominal mass and inertia of a vehicle."""
 
     body: float  # [kg]
     arms: float  # all together [kg]
@@ -85,14 +85,14 @@ class Masses(NamedTuple):
 
 
 class TrueBody(NamedTuple):
-    """The main body as it is."""
+    """The true main body."""
 
     mass: float  # [kg]
     inertia: tuple[tuple[float, ...], ...]  # about its centre of mass, body axes [kg m²]
 
 
 def masses_of(vehicle: Vehicle) -> Masses:
-    """Masses and inertias as they are believed to be."""
+    """Nominal masses and inertias."""
     arms = sum(vehicle.arms.at("mass", j) for j in range(vehicle.arm_count))
     body = vehicle.body
     return Masses(body.mass, arms, vehicle.mass, np.array(body.inertia), vehicle.inertia())
@@ -101,10 +101,10 @@ def masses_of(vehicle: Vehicle) -> Masses:
 def true_body(
     vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
 ) -> TrueBody | None:
-    """The main body with the errors of what is believed, and the payload; None where it is that.
+    """True main body, with model errors and payload; None if it is the nominal one.
 
     Raises:
-        The problem of an error that leaves nothing to the main body beside the arms.
+        The problem of an error that leaves nothing to the main body besides the arms.
     """
     if error.mass == 1.0 and error.inertia == 1.0 and build(_is_empty, load):
         return None
@@ -119,7 +119,7 @@ def true_body(
         )
     if not _is_positive(inertia):
         raise problem(
-            f"must leave the main body an inertia beside the arms' (got {error.inertia:g})",
+            f"must leave the main body an inertia besides the arms' (got {error.inertia:g})",
             "model_error.inertia",
         )
     rows = (inertia + build(_own_inertia, load)).tolist()
@@ -135,7 +135,7 @@ def _own_inertia(load: Payload) -> Matrix:
 
 
 def _is_positive(matrix: Matrix) -> bool:
-    """Whether a symmetric matrix is positive definite; a dominant diagonal settles it at once."""
+    """True if a symmetric matrix is positive definite; a dominant diagonal decides at once."""
     (xx, xy, xz), (_, yy, yz), (_, _, zz) = matrix.tolist()
     xy, xz, yz = abs(xy), abs(xz), abs(yz)
     if xx > xy + xz and yy > xy + yz and zz > xz + yz:
@@ -144,7 +144,7 @@ def _is_positive(matrix: Matrix) -> bool:
 
 
 def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
-    """The vehicle as it is, as its designer would have written it down had he known."""
+    """The true vehicle, as parameters."""
     body = true_body(vehicle, error, load)
     if body is None:
         return vehicle
@@ -154,7 +154,7 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
 def true_airframe(
     vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
 ) -> Airframe:
-    """The numbers of the vehicle as it is, for the equations of motion."""
+    """Airframe of the true vehicle, for the equations of motion."""
     airframe = build(Vehicle.airframe, vehicle)
     body = build(true_body, vehicle, error, load, build)
     if body is None:
@@ -168,7 +168,7 @@ def true_airframe(
 
 
 def world_numbers(world: WorldSettings, own: Sequence[Own] = (), build: Build = uncached) -> World:
-    """Obstacles and gravity for the equations; ``own`` are shapes of the user's beside them."""
+    """Obstacles and gravity for the equations; ``own`` are the user's own shapes."""
     built = obstacles(world.obstacles, own, build)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
@@ -186,7 +186,7 @@ def settle_step(simulation: SimulationSettings, vehicle: Vehicle) -> float:
 
 
 def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Vehicle) -> Timing:
-    """When to stop, and how finely to step."""
+    """Duration and step sizes."""
     s = simulation
     return Timing(
         until=s.duration,
@@ -201,25 +201,25 @@ def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Veh
 
 
 def unit(v: Vec) -> Vec:
-    """A vector made one long."""
+    """Unit vector along a vector."""
     one: Vec = v * (1.0 / sqrt(v @ v))
     return one
 
 
 def guide_of(model: ModelSettings) -> Free | Slider:
-    """What guides the vehicle."""
+    """Constraint of the vehicle."""
     return Free(0.0) if model.slider is None else Slider(unit(Vec(*model.slider)))
 
 
 def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
-    """Where a cage touches."""
+    """Contact point model of a cage."""
     return Ring(RING_ROUNDING) if model.contact_point == "ring" else ArmTip(0.0)
 
 
 def flight_model(
     scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = uncached
 ) -> Model:
-    """All numbers of a flight; ``own`` are shapes of the user's, with their surfaces."""
+    """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
     world = build(world_numbers, s.world, own, build, place=FOREVER)

@@ -1,4 +1,4 @@
-"""Presets by name, and tables laid over them."""
+"""Presets by name, and tables merged over them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def vehicle_table(given: Any) -> Any:
-    """A raw vehicle, its preset replaced by what it stands for."""
+    """A raw vehicle, its preset replaced by its values."""
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
@@ -50,12 +50,12 @@ def vehicle_table(given: Any) -> Any:
 
 
 def _key_of_preset(given: Any) -> tuple[str, ...]:
-    """Where the name of a preset stands: in a table, or in the table's place."""
+    """Key of the name of a preset: in a table, or in the table's place."""
     return () if isinstance(given, str) else ("preset",)
 
 
 def surface_table(given: Any) -> Any:
-    """A raw surface, its preset replaced by what it stands for."""
+    """A raw surface, its preset replaced by its values."""
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
@@ -71,7 +71,7 @@ def surface_table(given: Any) -> Any:
 
 
 def estimator_table(given: Any) -> Any:
-    """A raw estimator, its preset replaced by what it stands for."""
+    """A raw estimator, its preset replaced by its values."""
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
@@ -80,7 +80,7 @@ def estimator_table(given: Any) -> Any:
 
 
 def obstacle_table(entry: Any) -> Any:
-    """A raw obstacle with the presets of its surfaces replaced by what they stand for."""
+    """A raw obstacle, the presets of its surfaces replaced by their values."""
     if not isinstance(entry, Mapping):
         return entry
     own = {}
@@ -92,7 +92,7 @@ def obstacle_table(entry: Any) -> Any:
 
 
 def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A raw scenario with every preset replaced by what it stands for."""
+    """A raw scenario, every preset replaced by its values."""
     result = dict(given)
     if "vehicle" in result:
         with within("vehicle"):

@@ -1,4 +1,4 @@
-"""A scenario: all that one flight needs, as a user writes it down, checked, made ready to fly."""
+"""A scenario: the validated input of one flight, ready to fly."""
 
 from __future__ import annotations
 
@@ -26,41 +26,41 @@ from springback.vehicle.state import Airframe, State
 
 
 class Scenario(ScenarioTables):
-    """Everything one flight needs, checked to be flyable."""
+    """All input of one flight, checked to be flyable."""
 
     @model_validator(mode="after")
     def _can_be_flown(self, info: ValidationInfo) -> Scenario:
         given = (info.context or {}).get("pilot")
-        if self.reference is None and given is None:  # a pilot of the user's may yet come
+        if self.reference is None and given is None:  # a pilot of the user's own may be given later
             check_tables(self, self.parts)
             check_start(self, self.flight_model(), self.start_state())
         else:
             self.build(pilot=PLAIN_PYTHON if given else None)
         return self
 
-    # -- made ready -------------------------------------------------------------------------------
+    # -- built parts ------------------------------------------------------------------------------
 
     @functools.cached_property
     def parts(self) -> Memo:
-        """What it was built of, so that nothing is built twice."""
+        """Memo of built parts, so that nothing is built twice."""
         return Memo()
 
     def build(
         self, own: tuple[Own, ...] = (), pilot: CompiledPilot | str | None = None
     ) -> ReadyFlight:
-        """What flies, checked; see `springback.scenario.build.build_flight`."""
+        """The checked flight; see `springback.scenario.build.build_flight`."""
         return self.parts(build_flight, self, own, pilot, self.parts)
 
     def true_vehicle(self) -> Vehicle:
-        """The vehicle as it is: `vehicle` with the errors of what is believed, and the payload."""
+        """The true vehicle: `vehicle` with model errors and payload."""
         return true_vehicle(self.vehicle, self.model_error, self.payload)
 
     def true_airframe(self) -> Airframe:
-        """The numbers of the vehicle as it is, for the equations of motion."""
+        """Airframe of the true vehicle, for the equations of motion."""
         return true_airframe(self.vehicle, self.model_error, self.payload)
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
-        """All numbers of the flight; ``own`` are shapes of the user's, with their surfaces."""
+        """Model of the flight; ``own`` are the user's own shapes, with their surfaces."""
         return flight_model(self, own, self.parts)
 
     def start_state(self) -> State:
@@ -73,10 +73,10 @@ def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenar
 
     Args:
         given: The tables.
-        pilot: Whether a pilot of the user's own will fly it; None if that is not known yet.
+        pilot: True if a pilot of the user's own will fly it; None if unknown.
 
     Raises:
-        InputError: One line for each problem: its path, and what is wrong.
+        InputError: One line for each problem, with its path.
     """
     try:
         return Scenario.model_validate(expanded(given), context={"pilot": pilot})

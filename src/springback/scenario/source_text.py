@@ -1,7 +1,7 @@
-"""Files that a user wrote: read as text, within bounds, and made plain tables.
+"""User files: read as text, within limits, and parsed to plain tables.
 
-A file may come from a stranger or be the wrong one, so that its size, its depth and what it is are
-looked at before anything is made of it.
+A file may come from a stranger or be the wrong one, so its size, depth and type are checked before
+it is used.
 """
 
 from __future__ import annotations
@@ -14,22 +14,22 @@ from typing import Any
 
 from springback.errors import InputError
 
-#: Largest file that is read [B] (chosen: a plan of 100 000 values written out has 2 MB).
+#: Largest file that is read [B] (chosen: a plan of 100 000 explicit values has 2 MB).
 MOST_BYTES = 8_000_000
-#: Tables and lists within one another, at most (chosen: a scenario has five).
+#: Maximum nesting of tables and lists (chosen: a scenario has five).
 MOST_DEPTH = 32
 
 
 def source_text(path: Path) -> str:
-    """The text of a file, without the mark that some editors put before it.
+    """Text of a file, without byte order mark.
 
     Raises:
-        InputError: If it cannot be read, is no regular file, is too large, or is not UTF-8.
+        InputError: If it cannot be read, is not a regular file, is too large, or is not UTF-8.
     """
     try:
         kind = path.stat()
         if not stat.S_ISREG(kind.st_mode) and not stat.S_ISDIR(kind.st_mode):
-            raise InputError(f"{path}: cannot be read (is no regular file)")
+            raise InputError(f"{path}: cannot be read (is not a regular file)")
         if kind.st_size > MOST_BYTES and not stat.S_ISDIR(kind.st_mode):
             size = f"{kind.st_size / 1e6:.3g} MB"
             raise InputError(
@@ -40,16 +40,16 @@ def source_text(path: Path) -> str:
         raise InputError(f"{path}: is not text in UTF-8") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    except ValueError as error:  # a name that no file can have
+    except ValueError as error:  # an invalid file name
         raise InputError(f"{path}: cannot be read ({error})") from None
 
 
 def toml_tables(text: str, name: str) -> dict[str, Any]:
-    """The tables of a text in TOML.
+    """Tables of a text in TOML.
 
     Args:
-        text: Of a file or a string.
-        name: Of the file, for errors.
+        text: Text of a file or a string.
+        name: Name of the file, for errors.
 
     Raises:
         InputError: If it is not TOML, or too deep.
@@ -60,21 +60,21 @@ def toml_tables(text: str, name: str) -> dict[str, Any]:
         raise InputError(f"{name}: is not TOML: {error}") from None
     except RecursionError:
         raise InputError(f"{name}: {_too_deep()}") from None
-    except ValueError as error:  # a whole number of thousands of digits, a day that is none
+    except ValueError as error:  # an integer of thousands of digits, an invalid date
         raise InputError(f"{name}: is not TOML: {str(error).partition(';')[0]}") from None
     check_depth(tables, name)
     return tables
 
 
 def json_tables(text: str, name: str) -> dict[str, Any]:
-    """The object of a text in JSON.
+    """Object of a text in JSON.
 
     Args:
-        text: Of a file.
-        name: Of the file, for errors.
+        text: Text of a file.
+        name: Name of the file, for errors.
 
     Raises:
-        InputError: If it is not JSON, no object, or too deep.
+        InputError: If it is not JSON, not an object, or too deep.
     """
     try:
         found = json.loads(text)
@@ -91,11 +91,11 @@ def json_tables(text: str, name: str) -> dict[str, Any]:
 
 
 def check_depth(tables: Any, name: str) -> None:
-    """Refuse tables and lists too deep within one another.
+    """Reject tables and lists nested too deeply.
 
     Args:
-        tables: Of a file, or made of overrides.
-        name: Whose they are, for errors.
+        tables: From a file, or from overrides.
+        name: Their source, for errors.
     """
     layer, depth = [tables], 0
     while layer:
@@ -111,4 +111,4 @@ def check_depth(tables: Any, name: str) -> None:
 
 
 def _too_deep() -> str:
-    return f"has tables or lists more than {MOST_DEPTH} deep within one another"
+    return f"has tables or lists nested more than {MOST_DEPTH} deep"

@@ -1,4 +1,4 @@
-"""The tables of a scenario as a user writes them down, each checked by itself."""
+"""Tables of a scenario: user input, each table validated by itself."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.parameters import Vehicle, check_moments
 
-#: More obstacles are a slip of the pen (chosen): a flight is compiled for each number of them.
+#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of obstacles.
 MOST_OBSTACLES = 64
 
 
 class WorldSettings(Settings):
-    """What is there to hit, and gravity."""
+    """Obstacles and gravity."""
 
     gravity: Annotated[float, Unit("m/s^2", least=0.0)] = 9.81
     obstacles: tuple[ObstacleSettings, ...] = ()
@@ -47,31 +47,31 @@ class Start(Settings):
 
 
 class ModelSettings(Settings):
-    """Which of the models of the paper, and beyond."""
+    """Choice of models, those of the paper and others."""
 
     contact_point: Literal["ring", "paper"] = "ring"
     """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
     arms: Literal["hybrid", "always-free"] = "hybrid"
     """`hybrid`: one rigid body in free flight (assumption 5).  `always-free`: arms always slide."""
     slider: Annotated[Triple, Unit("")] | None = None
-    """World axis of a slider that guides the vehicle, as on the testbed; none: free flight."""
+    """World axis of a slider that constrains the vehicle, as on the testbed; none: free flight."""
 
 
 class Payload(Settings):
-    """What the vehicle carries in truth, unknown to who flies it."""
+    """True payload, unknown to the pilot."""
 
     mass: Annotated[float, Unit("kg", least=0.0)] = 0.0
     inertia: Annotated[Triple, Unit("kg m^2")] = (0.0, 0.0, 0.0)
-    """Its own moments about its centre of mass, body axes; a point mass has none."""
+    """Its own moments about its centre of mass, body axes; zero for a point mass."""
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """Of its centre of mass in body axes; only the main body's centre of mass is possible."""
+    """Its centre of mass in body axes; only the main body's centre of mass is possible."""
 
     @model_validator(mode="after")
     def _possible(self) -> Payload:
         if any(self.position):
             raise problem(
                 "must be [0, 0, 0] m: the equations have the main body's centre of mass in the "
-                f"plane of arms and rotors, where a payload aside would move it out (got "
+                f"plane of arms and rotors, and a payload elsewhere would move it (got "
                 f"{list(self.position)} m)",
                 "position",
             )
@@ -85,12 +85,12 @@ class Payload(Settings):
 
 
 class ModelError(Settings):
-    """True over believed numbers of the whole vehicle; `vehicle` is what is believed of it."""
+    """True over nominal numbers of the whole vehicle; `vehicle` is the nominal one."""
 
     mass: Annotated[float, Unit("", above=0.0)] = 1.0
-    """Of the mass; the difference is in the main body, the arms are as believed."""
+    """Factor for the mass; the difference is in the main body, the arms are nominal."""
     inertia: Annotated[float, Unit("", above=0.0)] = 1.0
-    """Of the inertia about the main body with the arms at their free length."""
+    """Factor for the inertia about the main body with the arms at their free length."""
 
 
 class SimulationSettings(Settings):
@@ -100,19 +100,19 @@ class SimulationSettings(Settings):
     free_step: Duration = 1e-3
     impact_step: Duration = 1e-4
     settle_step: Duration | None = None
-    """While arms settle and nothing touches; by default as fine as their damping needs."""
+    """Step while arms settle without contact; by default as fine as their damping needs."""
     arm_tolerance: Annotated[float, Unit("m", above=0.0)] = 1e-5
-    """An arm has settled within this distance of its free length ..."""
+    """Distance from its free length within which an arm has settled ..."""
     rate_tolerance: Annotated[float, Unit("m/s", above=0.0)] = 1e-3
-    """... moving slower than this."""
+    """... if it moves more slowly than this."""
     dwell: Duration = 0.02
     """Contacts closer together than this are one impact."""
 
 
 class ScenarioTables(Settings):
-    """Everything one flight needs, each table checked by itself."""
+    """All input of one flight, each table validated by itself."""
 
-    # Else pydantic before 2.10 takes model_error for a name of its own.
+    # Otherwise pydantic before 2.10 takes model_error for a name of its own.
     model_config = ConfigDict(protected_namespaces=())
 
     name: Name = "flight"
@@ -120,21 +120,21 @@ class ScenarioTables(Settings):
     world: WorldSettings = WorldSettings()
     start: Start = Start()
     thrust: Any = 0.0
-    """Of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
+    """Thrust of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
 
-    That is the weight of `vehicle`, whatever it carries in truth.
+    That is the weight of the nominal `vehicle`, without a true payload.
     """
     reference: ReferenceSettings | None = None
-    """Where a pilot should fly; none: the rotors give a constant thrust."""
+    """Reference for a pilot; none: the rotors give a constant thrust."""
     control: ControlSettings = ControlSettings()
     recovery: RecoverySettings | None = None
-    """How collisions are noticed and answered; none: the pilot flies on as if there were none."""
+    """Detection of collisions and the response to them; none: the pilot ignores them."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
     clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
-    """Ticks per second of everything aboard [Hz]."""
+    """Ticks per second of all on-board devices [Hz]."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of the noise."""
+    """Seed of the noise."""
     air: AirSettings = AirSettings()
     payload: Payload = Payload()
     model_error: ModelError = ModelError()

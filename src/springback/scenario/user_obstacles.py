@@ -1,9 +1,9 @@
-"""Obstacles of the user's own, sampled before a flight: is the normal the distance's gradient?
+"""Validation of the user's own obstacles before a flight, by sampling distance and normal.
 
 Contact laws take penetration from the distance and the direction of the force from the normal.  A
-shape that gets either wrong flies all the same, and the energy ledger need not notice: a distance
-a third of the true one is a softer surface.  So both are sampled, in plain Python, where rays from
-the vehicle meet the surface.
+shape with an error in either still flies, and the energy ledger may still close: a distance a third
+of the true one is a softer surface.  So both are sampled, in plain Python, where rays from the
+vehicle hit the surface.
 """
 
 from __future__ import annotations
@@ -21,31 +21,30 @@ from springback.scenario.user_pilots import failure_place
 
 #: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
 STEP = 1e-5
-#: A normal is a unit vector within this.
+#: Tolerance for the length of a normal.
 UNIT = 1e-6
-#: The gradient is the normal within this, 0.6 deg or 1 % (chosen: room for interpolated shapes).
+#: Tolerance between gradient and normal, 0.6 deg or 1 % (chosen: room for interpolated shapes).
 GRADIENT = 0.01
-#: Points on the way may be told to be farther away than they are by this share (chosen).
+#: Tolerated relative excess of the distance at points on the way (chosen).
 SHARE = 0.05
-#: Steps along a ray, and of the bisection that ends it, at most.
+#: Maximum number of steps along a ray, and of the bisection that ends it.
 STEPS, HALVINGS = 150, 50
 
 
 class _RayHit(NamedTuple):
-    """Where a ray meets a surface."""
+    """Intersection of a ray and a surface."""
 
     point: Vec
     before: tuple[Vec, ...]  # points on the way there
 
 
 def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
-    """Refuse obstacles whose distance or normal is wrong where a vehicle could meet them.
+    """Reject obstacles whose distance or normal is wrong where a vehicle could touch them.
 
-    Rays go from the start along the axes, the diagonals and the gradient of the distance.  At the
-    points of the surface that they meet, the normal must be a unit vector and the gradient of the
-    distance (points of a crease are left out, where there is none).  On the way there no point may
-    be told to be farther from the surface than it is.  Flights that begin in the same cubic metre
-    are looked at once.
+    Rays start at the vehicle along the axes, the diagonals and the gradient of the distance.  Where
+    they hit the surface, the normal must be a unit vector and the gradient of the distance (points
+    of a crease, which has none, are excluded).  At no point on the way may the returned distance
+    exceed the true one.  Flights that start in the same cubic metre are checked once.
 
     Args:
         own: Pairs of a shape and its surface.
@@ -67,12 +66,12 @@ def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
             _SEEN.add(known)
 
 
-#: Shapes found right, by their numbers and the metre that the start is in.
+#: Validated shapes, by their numbers and the cubic metre of the start.
 _SEEN: set[tuple[Any, ...]] = set()
 
 
 class _Sampled:
-    """A shape whose two functions are looked at with care."""
+    """A shape whose two functions are validated."""
 
     def __init__(self, name: str, shape: Any) -> None:
         self.name, self.shape = name, shape
@@ -87,10 +86,10 @@ class _Sampled:
                     found = True
                     self.check_at(hit)
         if not found:
-            self.normal(start)  # nothing is met: at least it is a unit vector
+            self.normal(start)  # no hit: check at least for a unit vector
 
     def ray_hit(self, start: Vec, direction: Vec, first: float) -> _RayHit | None:
-        """Where a ray meets the surface, of which the start has some distance [m]."""
+        """Intersection of a ray with the surface, at some distance from the start [m]."""
         side = self.distance(start) >= 0.0
         low, passed = 0.0, list[Vec]()
         for _ in range(STEPS):
@@ -112,15 +111,15 @@ class _Sampled:
         return _RayHit(start + direction * high, tuple(passed[::8]))
 
     def check_at(self, hit: _RayHit) -> None:
-        """Look at a point of the surface."""
+        """Check a point of the surface."""
         point = hit.point
         n = self.normal(point)
         for before in hit.before:
-            true, told = norm(before - point), self.distance(before)
-            if told > true * (1.0 + SHARE) + STEP:
+            true, returned = norm(before - point), self.distance(before)
+            if returned > true * (1.0 + SHARE) + STEP:
                 self.refuse(
                     "signed_distance", before,
-                    f"{told:.6g} m, and its surface is no farther than {true:.6g} m",
+                    f"{returned:.6g} m, and its surface is no farther than {true:.6g} m",
                 )  # fmt: skip
         if self.is_crease(point):
             return
@@ -138,7 +137,7 @@ class _Sampled:
             )  # fmt: skip
 
     def is_crease(self, point: Vec) -> bool:
-        """Whether the gradient differs between both sides of a point: an edge has none."""
+        """True if the gradient differs between both sides of a point, as at an edge."""
         here = self.distance(point)
         for axis in _AXES:
             ahead = (self.distance(point + axis * STEP) - here) / STEP
@@ -148,7 +147,7 @@ class _Sampled:
         return False
 
     def gradient(self, point: Vec) -> Vec:
-        """Of the distance, by central differences."""
+        """Gradient of the distance, by central differences."""
         return Vec(
             *(
                 (self.distance(point + axis * STEP) - self.distance(point - axis * STEP))
@@ -158,25 +157,29 @@ class _Sampled:
         )
 
     def distance(self, point: Vec) -> float:
-        """What the shape says is its distance [m]."""
-        told = self.asked(signed_distance, point)
-        if not isinstance(told, float) or not math.isfinite(told):
-            self.refuse("signed_distance", point, f"{shown_value(told)}; it must be a finite float")
-        return float(told)
+        """Distance returned by the shape [m]."""
+        returned = self.asked(signed_distance, point)
+        if not isinstance(returned, float) or not math.isfinite(returned):
+            self.refuse(
+                "signed_distance", point, f"{shown_value(returned)}; it must be a finite float"
+            )
+        return float(returned)
 
     def normal(self, point: Vec) -> Vec:
-        """What the shape says is its normal."""
-        told = self.asked(outward_normal, point)
-        if not isinstance(told, Vec):
-            self.refuse("outward_normal", point, f"{shown_value(told)}; it must be a Vec")
-        if not abs(norm(told) - 1.0) <= UNIT:
+        """Normal returned by the shape."""
+        returned = self.asked(outward_normal, point)
+        if not isinstance(returned, Vec):
+            self.refuse("outward_normal", point, f"{shown_value(returned)}; it must be a Vec")
+        if not abs(norm(returned) - 1.0) <= UNIT:
             self.refuse(
-                "outward_normal", point, f"{_shown(told)}, {norm(told):.6g} long; it must be 1 long"
+                "outward_normal",
+                point,
+                f"{_shown(returned)}, {norm(returned):.6g} long; it must be 1 long",
             )
-        return Vec(*told)
+        return Vec(*returned)
 
     def asked(self, function: Any, point: Vec) -> Any:
-        """What one of the functions returns."""
+        """Value returned by one of the functions."""
         try:
             return function(self.shape, point)
         except Exception as error:
@@ -193,9 +196,9 @@ _AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
 
 
 def _directions() -> Iterator[Vec]:
-    """Along the axes and the diagonals between all three, a little aside of them.
+    """Directions along the axes and the diagonals between all three, slightly off them.
 
-    A shape is often drawn along the axes; rays beside them miss its edges.
+    A shape is often aligned with the axes; rays beside them miss its edges.
     """
     for x, y, z in itertools.product((-1.0, 0.0, 1.0), repeat=3):
         if abs(x) + abs(y) + abs(z) in (1.0, 3.0):

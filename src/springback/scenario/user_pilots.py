@@ -1,4 +1,4 @@
-"""Pilots of the user's own: read from a file, asked with care, tried before they are compiled."""
+"""The user's own pilots: read from a file, called with checks, tested before they are compiled."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 def read_pilot(word: str) -> PlainPilot | CompiledPilot:
-    """A pilot from a file of Python.
+    """Read a pilot from a Python file.
 
     Args:
         word: ``file.py:name``; the name is that of a function ``(time, measurement, memory) ->
@@ -41,11 +41,11 @@ def read_pilot(word: str) -> PlainPilot | CompiledPilot:
             `springback.scenario.avionics.CompiledPilot`.
 
     Raises:
-        InputError: If there is no such file or name, if it is no pilot, or if the file fails.
+        InputError: If there is no such file or name, if it is not a pilot, or if the file fails.
     """
     file, _, name = word.rpartition(":")
     if not file or not name.isidentifier():
-        raise InputError(f"{word!r} is no pilot; write file.py:name")
+        raise InputError(f"{word!r} is not a pilot; write file.py:name")
     path = Path(file)
     if not path.is_file():
         raise InputError(f"{file}: there is no such file")
@@ -72,14 +72,14 @@ def _is_pilot(value: Any, module: ModuleType) -> bool:
 
 
 def _imported(path: Path, shown: str) -> ModuleType:
-    """A file as a module, its folder searched for what it imports.
+    """Import a file as a module; its folder is searched for its imports.
 
-    Its name depends on where it is, and on nothing else, so that kept kernels find its types.
+    Its name depends on its path only, so that cached kernels find its types.
     """
     name = f"springback_pilot_{hashlib.sha256(str(path).encode()).hexdigest()[:8]}_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:
-        raise InputError(f"{shown}: is no file of Python; its name must end in .py")
+        raise InputError(f"{shown}: is not a Python file; its name must end in .py")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     if str(path.parent) not in sys.path:
@@ -98,7 +98,7 @@ def _imported(path: Path, shown: str) -> ModuleType:
     return module
 
 
-# -- what goes wrong, in one line -----------------------------------------------------------------
+# -- errors, in one line --------------------------------------------------------------------------
 
 
 def _words(error: BaseException) -> str:
@@ -109,14 +109,14 @@ def _place(error: BaseException, file: str, line: int = 1) -> str:
     """File and line of an error: the last that is in a file, else the last of the user's.
 
     Args:
-        error: That was raised.
-        file: Of the user.
-        line: Where what was called begins, for an error that was raised before it was entered.
+        error: Error that was raised.
+        file: File of the user.
+        line: Line of the called function, for an error that was raised before it was entered.
     """
     frames = traceback.extract_tb(error.__traceback__)
     mine = [frame for frame in frames if frame.filename == file]
     others = [frame for frame in frames if not frame.filename.startswith((PACKAGE, "<"))]
-    if not mine and not others:  # it was not even entered: its signature is at fault
+    if not mine and not others:  # it was not even entered: its signature is wrong
         return f"{file}:{line}"
     last = (mine or others)[-1]
     return f"{last.filename}:{last.lineno}"
@@ -128,7 +128,7 @@ def failure_place(error: BaseException) -> str:
 
 
 def _home(pilot: Any) -> tuple[str, int]:
-    """File and line where a pilot begins."""
+    """File and line of a pilot."""
     function = inspect.unwrap(getattr(pilot, "py_func", pilot))
     method = getattr(type(function), "__call__")  # noqa: B004, B009
     code = getattr(function, "__code__", None) or getattr(method, "__code__", None)
@@ -139,11 +139,11 @@ def _home(pilot: Any) -> tuple[str, int]:
 
 
 def guarded(pilot: PlainPilot, rotors: int) -> PlainPilot:
-    """A plain pilot whose slips are told in one line, with its file and line and the time.
+    """A plain pilot whose errors are reported in one line, with its file and line and the time.
 
     Args:
         pilot: ``(time, measurement, memory) -> (thrusts, memory)``.
-        rotors: Number of thrusts that it must give.
+        rotors: Number of thrusts that it must return.
     """
     file, line = _home(pilot)
 
@@ -163,7 +163,7 @@ def guarded(pilot: PlainPilot, rotors: int) -> PlainPilot:
 
 
 def wrong(said: Any, rotors: int) -> str:
-    """What is wrong with the word of a pilot, a sentence without its subject; empty if nothing."""
+    """Error in the command of a pilot, a sentence without its subject; empty if none."""
     if not isinstance(said, tuple) or len(said) != 2:
         return f"must return (thrusts, memory) (got {as_written(said)})"
     commanded = said[0]
@@ -186,10 +186,10 @@ def wrong(said: Any, rotors: int) -> str:
 
 
 def as_written(value: Any) -> str:
-    """A value as Python writes it, on one line and not too long, for messages."""
+    """A value as Python source, on one line and not too long, for messages."""
     try:
         text = " ".join(repr(value).split())
-    except Exception:  # of the user's own class
+    except Exception:  # in the user's own class
         text = f"a {type(value).__name__}"
     return text if len(text) <= 60 else f"{text[:57]}..."
 
@@ -198,12 +198,12 @@ def as_written(value: Any) -> str:
 
 
 def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
-    """Ask a pilot that is to be compiled once, as plain Python.
+    """Call a pilot that is to be compiled once, as plain Python.
 
-    What it returns must be laid out as the flight keeps it: compiled code does not look twice.
+    Its result must have the layout that the flight stores: compiled code does not check again.
 
     Raises:
-        InputError: What is wrong, with file and line where there are some.
+        InputError: The error, with file and line if known.
     """
     _check_floats(pilot.settings, "settings")
     _check_floats(pilot.memory, "memory")
@@ -211,7 +211,7 @@ def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
     file, line = _home(law)
     if file.startswith(PACKAGE) and not type(pilot.settings).__module__.startswith("springback."):
         raise InputError(
-            f"{type(pilot.settings).__name__} is no pilot yet: register pilot_step for it"
+            f"{type(pilot.settings).__name__} is not a pilot yet: register pilot_step for it"
         )
     try:
         said = law(pilot.settings, 0.0, measurement, pilot.memory)
@@ -230,7 +230,7 @@ def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
 
 
 def _check_floats(tree: Any, stem: str) -> None:
-    """Refuse what is no tree of floats, and name the leaf."""
+    """Reject anything but a tree of floats, and name the leaf."""
     if isinstance(tree, tuple):
         fields = getattr(tree, "_fields", [str(k) for k in range(1, len(tree) + 1)])
         for field, branch in zip(fields, tree, strict=True):
@@ -254,7 +254,7 @@ def _layout(tree: Any) -> str:
 
 @contextmanager
 def in_words(pilot: CompiledPilot | None) -> Iterator[None]:
-    """Tell in one line, with the place in the user's file, what the compiler could not do."""
+    """Report errors of the compiler in one line, with the place in the user's file."""
     try:
         yield
     except CompilerError as error:
@@ -262,9 +262,9 @@ def in_words(pilot: CompiledPilot | None) -> Iterator[None]:
             raise
         text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
         file, line = _home(pilot_step.dispatch(type(pilot.settings)))
-        # The compiler tells the innermost place and reason first.
+        # The compiler reports the innermost place and reason first.
         places = re.findall(rf"at {re.escape(file)} \((\d+)\)", text)
-        told = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()
-        reasons = [reason for reason in told if not reason.startswith("Failed in ")] or told
+        messages = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()
+        reasons = [reason for reason in messages if not reason.startswith("Failed in ")] or messages
         at = places[0] if places else line
         raise InputError(f"{file}:{at}: cannot be compiled: {reasons[0].strip()}") from error

@@ -1,1 +1,1 @@
-"""What a vehicle can know: sensors and estimators."""
+"""Sensing: sensors and estimators."""

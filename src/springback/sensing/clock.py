@@ -1,4 +1,4 @@
-"""Rates and delays of devices, made whole ticks of the clock."""
+"""Rates and delays of devices, as whole ticks of the clock."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from springback.sensing.memory import MOST_PERIODS
 from springback.settings import problem
 from springback.simulation.onboard import Draw
 
-#: A period or delay may miss a whole number of ticks by this share of a tick: rounding of decimals.
+#: Largest deviation of a period or delay from a whole number of ticks: rounding of decimals.
 WHOLE = 1e-6
 
 
@@ -22,7 +22,7 @@ def period(rate: float, tick: float) -> float:
     """Period of a device in whole ticks.
 
     Args:
-        rate: Of the device [Hz].
+        rate: Rate of the device [Hz].
         tick: Duration of a tick of the clock [s].
 
     Raises:
@@ -41,15 +41,15 @@ def period(rate: float, tick: float) -> float:
 
 
 def lateness(delay: float, every: float, tick: float) -> float:
-    """A device's delay in whole ticks.
+    """Delay of a device in whole ticks.
 
     Args:
-        delay: [s].
+        delay: Delay [s].
         every: Period of the device [ticks].
         tick: Duration of a tick of the clock [s].
 
     Raises:
-        The problem, if the delay is no whole number of ticks or longer than four periods.
+        The problem, if the delay is not a whole number of ticks or exceeds four periods.
     """
     exact = delay / tick
     ticks = round(exact)
@@ -66,20 +66,20 @@ def lateness(delay: float, every: float, tick: float) -> float:
 
 @functools.singledispatch
 def draws(device: Any, channels: int) -> tuple[Draw, ...]:
-    """When a device takes normal numbers; in between, it is given zeros.
+    """Schedule of a device's normal numbers; between its draws it gets zeros.
 
-    Devices that are not registered are given new numbers at every tick.
+    Devices that are not registered get new numbers at every tick.
 
     Args:
         device: Settings of the device.
-        channels: Number of its numbers.
+        channels: Number of its noise channels.
     """
     return (Draw(channels, 1),)
 
 
 @contextlib.contextmanager
 def inside(table: str) -> Iterator[None]:
-    """Put the name of a table before the key at fault in problems of checks that know only it."""
+    """Prefix the table's name to the key in problems of checks that only know the key."""
     try:
         yield
     except PydanticCustomError as error:

@@ -1,14 +1,14 @@
-"""Attitude from gyroscope, gravity's direction and an outside heading; position from an observer.
+"""Attitude from gyroscope, gravity and external heading; position from an observer.
 
 The attitude filter is that of the PX4 autopilot (module attitude_estimator_q), for FLU body axes
 and a world with Z up: motion capture gives it the heading, and tilt comes from the direction of the
-specific force, which is believed only while its magnitude is near g.  So what an impact does to the
-gyroscope would stay in the tilt for seconds.  Poses know the tilt, too; unless told otherwise, each
-takes back a share of the whole error of attitude, as it does of that of position.
+specific force, which is used only while its magnitude is near g.  Errors of the gyroscope from an
+impact would therefore stay in the tilt for seconds.  Poses contain the tilt as well; by default,
+each corrects a fraction of the whole attitude error, as it does of the position error.
 
 Position and velocity come from a fading-memory filter of motion capture (E. Brookner, Tracking and
-Kalman Filtering Made Easy, 1998, section 1.2.6; gains 1 − z² and (1 − z)²/T) around the measured
-force.  The place of the inertial sensor is taken for that of the main body: an offset r makes an
+Kalman Filtering Made Easy, 1998, section 1.2.6; gains 1 − z² and (1 − z)²/T) and the measured
+force.  The inertial sensor is assumed at the main body's centre of mass: an offset r causes an
 error ω × r of velocity, and one of ω² r of the force.
 """
 
@@ -44,11 +44,11 @@ from springback.sensing.measurement import (
     estimated,
 )
 
-#: Faster spin than this leaves the bias alone [rad/s] (PX4, attitude_estimator_q).
+#: Above this rate of rotation the bias is not updated [rad/s] (PX4, attitude_estimator_q).
 SLOW_SPIN = 0.175
-#: The force's direction counts while its magnitude is within these shares of g (PX4).
+#: The force's direction is used while its magnitude is within these multiples of g (PX4).
 LEAST_FORCE, MOST_FORCE = 0.9, 1.1
-#: A heading older than this no longer corrects [s] (PX4: half a second).
+#: A heading older than this is no longer used [s] (PX4: half a second).
 HEADING_TIMEOUT = 0.5
 
 
@@ -67,21 +67,21 @@ class Complementary(NamedTuple):
 
 
 class ComplementaryMemory(NamedTuple):
-    """What the filter remembers."""
+    """Memory of the filter."""
 
     position: Vec  # world [m]
     velocity: Vec  # world [m/s]
     attitude: Quat  # body to world
     gyroscope_bias: Vec  # body [rad/s]
-    angular_velocity: Vec  # body, bias taken off [rad/s]
-    heading_error: float  # of the last pose: measured less believed [rad]
+    angular_velocity: Vec  # body, bias subtracted [rad/s]
+    heading_error: float  # of the last pose: measured minus estimated [rad]
     waiting: float  # time since the last inertial sample [s]
     unposed: float  # time since the last pose [s]
     faded: float  # z = exp(−bandwidth T) for that time T
 
 
 def complementary_memory(complementary: Complementary, estimate: Estimate) -> ComplementaryMemory:
-    """What a filter remembers that starts from a known state."""
+    """Memory of a filter that starts from a known state."""
     return ComplementaryMemory(
         position=estimate.position,
         velocity=estimate.velocity,
@@ -112,12 +112,12 @@ def _believe(
     ticks: TreeLayout, g: Buffer, w: int,
     once: int,
 ) -> None:  # fmt: skip
-    """The same, step by step for all lanes; poses are looked at where one is fresh."""
+    """Batch version of `_complementary`, step by step; poses are processed where one is fresh."""
     posed, waiting = 0, 0
     for i in range(w * once):
         posed += 1 if load(seen.pose.fresh, g, w, i) > 0.5 else 0
         waiting += 0 if load(seen.inertial.fresh, g, w, i) > 0.5 else 1
-    for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
+    for i in range(w * once if waiting == 0 else 0):  # all lanes, so without a mask
         weights, m = load(estimator, g, w, i), load(memory, g, w, i)
         sample = load(seen.inertial, g, w, i)
         store(_followed(weights, sample, _older(weights, m)), memory, g, w, i)
@@ -127,7 +127,7 @@ def _believe(
     for i in range(w * once if posed > 0 else 0):
         weights, m, pose = load(estimator, g, w, i), load(memory, g, w, i), load(seen.pose, g, w, i)
         store(select(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
-    for i in range(w * once if waiting == 0 else 0):  # the same, without turning by nothing
+    for i in range(w * once if waiting == 0 else 0):  # all lanes, without an empty rotation
         m = load(memory, g, w, i)
         now = Estimate(m.position, m.attitude, m.velocity, m.angular_velocity)
         store(now, estimate, g, w, i)
@@ -139,14 +139,14 @@ def _believe(
 def _moved_on(
     weights: Complementary, inertial: Inertial, m: ComplementaryMemory
 ) -> ComplementaryMemory:
-    """A tick later, and an inertial sample wiser where there is one."""
+    """Memory one tick later, with an inertial sample where there is one."""
     older = _older(weights, m)
     return select(inertial.fresh > 0.5, _followed(weights, inertial, older), older)
 
 
 @kernel
 def _at_tick(m: ComplementaryMemory) -> Estimate:
-    """The estimate, taken on from the last inertial sample at constant rates."""
+    """Estimate, extrapolated from the last inertial sample at constant rates."""
     q = quaternion_product(m.attitude, turned_a_little(m.waiting * m.angular_velocity))
     position = m.position + m.waiting * m.velocity
     return Estimate(position, q, m.velocity, m.angular_velocity)
@@ -154,7 +154,7 @@ def _at_tick(m: ComplementaryMemory) -> Estimate:
 
 @kernel
 def _older(weights: Complementary, m: ComplementaryMemory) -> ComplementaryMemory:
-    """One tick has passed."""
+    """Memory aged by one tick."""
     return ComplementaryMemory(
         m.position,
         m.velocity,
@@ -170,7 +170,7 @@ def _older(weights: Complementary, m: ComplementaryMemory) -> ComplementaryMemor
 
 @kernel
 def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMemory) -> Vec:
-    """Rate that turns the estimate towards the outside heading and the felt vertical [rad/s].
+    """Rate that turns the estimate towards external heading and measured vertical [rad/s].
 
     W_EXT_HDG Rᵀ (0, 0, ψ_m − ψ) + W_ACC f/|f| × Rᵀ e_Z, body axes (PX4, attitude_estimator_q).
     """
@@ -186,14 +186,14 @@ def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMem
 
 @kernel
 def _bounded(x: float, limit: float) -> float:
-    """X within ± limit."""
+    """Clamp x to ± limit."""
     low = x if x > -limit else -limit
     return low if low < limit else limit
 
 
 @kernel
 def _bias(weights: Complementary, spin: Vec, turn: Vec, m: ComplementaryMemory) -> Vec:
-    """The gyroscope's bias: what the corrections keep taking back, learnt at slow spin only."""
+    """Gyroscope bias, learnt from persistent corrections at slow rotation only."""
     slow = spin @ spin < SLOW_SPIN * SLOW_SPIN
     learnt = weights.bias_weight * weights.interval if slow else 0.0
     b, limit = m.gyroscope_bias - learnt * turn, weights.largest_bias
@@ -204,7 +204,7 @@ def _bias(weights: Complementary, spin: Vec, turn: Vec, m: ComplementaryMemory) 
 def _followed(
     weights: Complementary, inertial: Inertial, m: ComplementaryMemory
 ) -> ComplementaryMemory:
-    """One inertial sample: q̇ = ½ q ⊗ (ω + correction), v̇ = R f − g e_Z."""
+    """Memory after one inertial sample: q̇ = ½ q ⊗ (ω + correction), v̇ = R f − g e_Z."""
     dt = weights.interval
     turn = _attitude_correction(weights, inertial.specific_force, m)
     bias = _bias(weights, inertial.angular_velocity, turn, m)
@@ -228,14 +228,14 @@ def _followed(
 
 @kernel
 def _heading_error(measured: Quat, believed: Quat) -> float:
-    """Heading measured less heading believed [rad]: how far north is off in the world."""
+    """Measured minus estimated heading [rad]: error of the estimated north in the world."""
     north = rotation(believed) @ rotation(measured).x
     return -angle_of(north.y, north.x)
 
 
 @kernel
 def _missing_turn(believed: Quat, measured: Quat) -> Vec:
-    """2 sgn(w) (x, y, z) of q⁻¹ ⊗ q_m: the turn that is missing, for small ones [rad]."""
+    """Small rotation from estimated to measured, 2 sgn(w) (x, y, z) of q⁻¹ ⊗ q_m [rad]."""
     e = quaternion_product(conjugate(believed), measured)
     twice = select(e.w < 0.0, -2.0, 2.0)
     return Vec(twice * e.x, twice * e.y, twice * e.z)
@@ -243,7 +243,7 @@ def _missing_turn(believed: Quat, measured: Quat) -> Vec:
 
 @kernel
 def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
-    """One pose, compared with the estimate taken back by its age at constant rates."""
+    """Memory after a pose, compared with the estimate extrapolated back by the pose's age."""
     age = positive_part(pose.age - m.waiting)
     then = quaternion_product(m.attitude, turned_by(-age * m.angular_velocity))
     missed = pose.position - (m.position - age * m.velocity)

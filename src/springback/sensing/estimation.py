@@ -1,4 +1,4 @@
-"""Estimators as a user writes them down, checked once, and turned into numbers."""
+"""Estimators: validated user input, converted to the numbers of the filters."""
 
 from __future__ import annotations
 
@@ -28,22 +28,22 @@ Memory = PerfectMemory | KalmanMemory | ComplementaryMemory
 
 
 class Rhythm(Settings):
-    """When an estimator hears from its sensors."""
+    """Timing of the sensors of an estimator."""
 
     tick: Duration
-    """Of the clock."""
+    """Tick of the clock."""
     interval: Duration
-    """Between inertial samples."""
+    """Time between inertial samples."""
     pose_age: Annotated[float, Unit("s", least=0.0)] = 0.0
-    """Oldest that a pose can be when it arrives; later ones are taken for this old."""
+    """Upper bound on the age of a pose when it arrives; older poses are treated as this old."""
     pose_interval: Duration | None = None
-    """Between exposures of motion capture, one of them at tick 0; None if that is not known."""
+    """Time between exposures of motion capture, one of them at tick 0; None if unknown."""
 
 
 class KalmanSettings(Settings):
-    """What the Kalman filter holds of its sensors.
+    """Assumptions of the Kalman filter about its sensors.
 
-    Densities are one-sided, as in data sheets.  Those of noise are multiplied by `inflation`.
+    Densities are one-sided, as in data sheets.  Noise densities are multiplied by `inflation`.
     """
 
     accelerometer_noise: Annotated[float, Unit("m/s^2/Hz^0.5", above=0.0)] = (
@@ -53,41 +53,42 @@ class KalmanSettings(Settings):
     gyroscope_noise: Annotated[float, Unit("rad/s/Hz^0.5", above=0.0)] = math.radians(0.006)
     """The same data sheet: 0.006 °/s/√Hz."""
     inflation: Factor = 10.0
-    """Noise assumed, over that of a data sheet at rest: vibration, scale factors, filters.
+    """Ratio of assumed noise to that of a data sheet at rest: vibration, scale factors, filters.
 
-    Chosen. PX4's EKF2 assumes 0.35 m/s² and 0.015 rad/s for a step of about 10 ms, which is some 24
-    and 14 times the data sheet.
+    Chosen.  PX4's EKF2 assumes 0.35 m/s² and 0.015 rad/s for a step of about 10 ms, some 24 and 14
+    times the data sheet.
     """
     accelerometer_walk: Annotated[float, Unit("m/s^3/Hz^0.5", least=0.0)] = 3e-3
-    """Of the bias; the unit of the EuRoC data set (Burri et al., IJRR 2016)."""
+    """Random walk of the bias; the unit of the EuRoC data set (Burri et al., IJRR 2016)."""
     gyroscope_walk: Annotated[float, Unit("rad/s^2/Hz^0.5", least=0.0)] = 1.9393e-5
-    """Of the bias; the same source."""
+    """Random walk of the bias; the same source."""
     accelerometer_range: Annotated[float, Unit("m/s^2", above=0.0)] = 16.0 * STANDARD_GRAVITY
     """ICM-20689: ±16 g."""
     gyroscope_range: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(2000.0)
     """ICM-20689: ±2000 °/s."""
     distrust_clipped: bool = True
-    """Assume more noise while a reading is at its range, so that poses soon correct what it lost.
+    """Assume more noise while a reading is at its range, so that poses soon correct the loss.
 
-    What was clipped is missing from the estimate either way.
+    The clipped part is missing from the estimate in any case.
     """
     clipping: Duration = 0.01
-    """How long a clipping lasts that loses as much as the range; chosen, an impact's order."""
+    """Duration of clipping that loses as much as the range; chosen, the order of an impact."""
     inertial_lag: Annotated[float, Unit("s")] = 5e-4
-    """By which inertial samples are late: (1 − s)/s ticks of a low-pass with share s.
+    """Delay of inertial samples: (1 − s)/s ticks for a low-pass with coefficient s.
 
     176 Hz at 1 kHz (s = 0.67), the ICM-20689's gyroscope: 0.49 ms.  0 without a low-pass; minus
-    half a sample if rates are those at the sample's end.
+    half a sample if rates are those at the end of the sample.
     """
     offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """Of the inertial sensor from the main body's centre of mass, body axes."""
+    """Position of the inertial sensor from the main body's centre of mass, body axes."""
     every: Annotated[int, Field(ge=1, strict=True)] = 5
-    """Inertial samples to one prediction of the covariance: 200 Hz at 1 kHz, the pace of the poses;
-    chosen."""
+    """Inertial samples per prediction of the covariance: 200 Hz at 1 kHz, the rate of the poses;
+    chosen.
+    """
     position_noise: Length = 2e-4
-    """Of motion capture, standard deviation along each axis; chosen, a common camera system."""
+    """Motion capture, standard deviation along each axis; chosen, a common camera system."""
     attitude_noise: Annotated[float, Unit("rad", above=0.0)] = math.radians(0.1)
-    """Of motion capture, standard deviation about each axis; chosen likewise."""
+    """Motion capture, standard deviation about each axis; chosen likewise."""
     initial_position: Annotated[float, Unit("m", least=0.0)] = 1e-3
     """Standard deviation at the start; chosen, as are those below."""
     initial_velocity: Annotated[float, Unit("m/s", least=0.0)] = 0.01
@@ -96,12 +97,12 @@ class KalmanSettings(Settings):
     initial_gyroscope_bias: Annotated[float, Unit("rad/s", least=0.0)] = math.radians(0.1)
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Kalman:
-        """The numbers; gravity is g along −Z [m/s²]."""
+        """Settings of the filter; gravity is g along −Z [m/s²]."""
         spacing = max(rhythm.pose_interval or 0.0, rhythm.interval)
         late = max(rhythm.pose_age - self.inertial_lag, 0.0) / spacing
-        # Poses that are not all kept at their own time are interpolated, and need one older yet.
-        all_kept = spacing == rhythm.pose_interval
-        reach = math.floor(late + ROUNDING) if all_kept else math.ceil(late - ROUNDING)
+        # Poses that are not all saved at their own time are interpolated, which needs an older one.
+        all_stored = spacing == rhythm.pose_interval
+        reach = math.floor(late + ROUNDING) if all_stored else math.ceil(late - ROUNDING)
         return Kalman(
             tick=rhythm.tick,
             interval=rhythm.interval,
@@ -146,13 +147,14 @@ class ComplementarySettings(Settings):
     largest_bias: Annotated[float, Unit("rad/s", least=0.0)] = 0.05
     """ATT_BIAS_MAX, of each axis."""
     bandwidth: Annotated[float, Unit("1/s", above=0.0)] = 20.0
-    """Of position and velocity from motion capture; chosen: an error halves in some 50 ms."""
+    """Bandwidth of the corrections by motion capture; chosen: an error halves in about 50 ms."""
     attitude: Literal["pose", "heading"] = "pose"
-    """What motion capture tells of attitude: all of it, with the same bandwidth, or as in PX4 the
-    heading only; tilt is then off for seconds after an impact."""
+    """Attitude from motion capture: all of it, with the same bandwidth, or as in PX4 the heading
+    only; tilt is then wrong for seconds after an impact.
+    """
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Complementary:
-        """The numbers; gravity is g along −Z [m/s²]."""
+        """Settings of the filter; gravity is g along −Z [m/s²]."""
         return Complementary(
             tick=rhythm.tick,
             interval=rhythm.interval,
@@ -167,18 +169,18 @@ class ComplementarySettings(Settings):
 
 
 class EstimatorSettings(Settings):
-    """How a robot makes out its own motion."""
+    """Estimator of a robot's own motion."""
 
     type: Literal["kalman", "complementary", "perfect"] = "kalman"
-    """`perfect` believes the truth, which the sensors must be asked to reveal."""
+    """`perfect` uses the exact state, which the sensors must reveal."""
     kalman: KalmanSettings = KalmanSettings()
     complementary: ComplementarySettings = ComplementarySettings()
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Estimator:
-        """The numbers of the chosen estimator.
+        """Settings of the chosen estimator.
 
         Args:
-            rhythm: When its sensors speak.
+            rhythm: Timing of its sensors.
             gravity: g along −Z [m/s²].
         """
         if self.type == "kalman":
@@ -188,7 +190,7 @@ class EstimatorSettings(Settings):
         return PerfectState(0.0)
 
     def memory(self, estimator: Estimator, start: Estimate) -> Memory:
-        """What an estimator remembers at the start, which it knows."""
+        """Memory of an estimator at the start, which it knows."""
         if isinstance(estimator, Kalman):
             return kalman_memory(estimator, start, self.kalman.deviations())
         if isinstance(estimator, Complementary):

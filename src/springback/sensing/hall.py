@@ -1,8 +1,8 @@
 """Arm lengths from Hall-effect sensors: magnet, sensor, converter, and back to a length.
 
-A magnet rides on each arm, on the axis of a linear Hall-effect sensor (A1302; the paper names it).
-The magnet is nearest while the arm is at its free length, and moves away as the arm is pressed in,
-so that the first millimetres, by which an impact is noticed, are the sharpest.
+Each arm carries a magnet on the axis of a linear Hall-effect sensor (A1302; the paper names it).
+The magnet is nearest while the arm is at its free length, and moves away as the arm is compressed,
+so that the first millimetres, which reveal an impact, have the best resolution.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from springback.simulation.onboard import Draw
 from springback.simulation.ticks import motion_of, truth_of
 from springback.vehicle.state import State
 
-#: Halvings of the range of lengths in the calibration: 54 mm become 0.4 mm, from where Newton's
-#: method comes to within 1 pm in so many steps.
+#: Bisections of the range of lengths in the calibration, from 54 mm to 0.4 mm, after which Newton's
+#: method converges to within 1 pm in this many steps.
 HALVINGS, NEWTON_STEPS = 7, 3
 
 
@@ -43,7 +43,7 @@ class Magnet(NamedTuple):
 
 
 class Span(NamedTuple):
-    """The lengths between which one arm's sensor is calibrated."""
+    """Range of lengths in which one arm's sensor is calibrated."""
 
     free: float  # L [m]
     shortest: float  # [m]
@@ -51,7 +51,7 @@ class Span(NamedTuple):
 
 
 class HallSensors(NamedTuple):
-    """One Hall-effect sensor for each arm, and the converter that reads them."""
+    """One Hall-effect sensor for each arm, and the converter that samples them."""
 
     magnet: Magnet
     distance: float  # from the magnet's face to the sensor at the arm's free length [m]
@@ -68,30 +68,30 @@ class HallSensors(NamedTuple):
 
 
 class ArmMemory(NamedTuple):
-    """Counts of one arm under way, and the last that arrived."""
+    """Samples of one arm in transit, and the last that arrived."""
 
     line: Line  # of counts
     word: float  # the last that arrived
-    length: float  # what it means [m]
+    length: float  # arm length for that count [m]
     sampled: float  # length at the last sample [m] ...
     output: float  # ... and the output there, without noise [V]
 
 
 class HallMemory(NamedTuple):
-    """Of every arm."""
+    """Memory of all arms."""
 
     arms: tuple[ArmMemory, ...]
 
 
 class ArmsRead(NamedTuple):
-    """Arm lengths, and what the device remembers."""
+    """Arm lengths, and the memory of the device."""
 
     length: tuple[float, ...]  # [m]
     fresh: float  # 1 at the tick at which they arrive
     memory: Any
 
 
-# -- there ----------------------------------------------------------------------------------------
+# -- forward --------------------------------------------------------------------------------------
 
 
 @kernel
@@ -112,14 +112,14 @@ def axial_field(magnet: Magnet, d: float) -> float:
 
 @kernel
 def output(sensors: HallSensors, compression: float) -> float:
-    """Voltage of a sensor whose arm is pressed in by L − l [m], without noise or saturation."""
+    """Voltage of a sensor at a compression L − l [m], without noise or saturation."""
     field = axial_field(sensors.magnet, sensors.distance + compression)
     return sensors.quiescent + sensors.sensitivity * field
 
 
 @kernel
 def counted(sensors: HallSensors, voltage: float) -> float:
-    """The converter's word for an output, a whole number from 0 to counts − 1."""
+    """Converter output for a voltage, an integer from 0 to counts − 1."""
     low = voltage if voltage > sensors.lowest else sensors.lowest
     inside = low if low < sensors.highest else sensors.highest
     word = rounded_down(inside / sensors.supply * sensors.counts)
@@ -127,17 +127,17 @@ def counted(sensors: HallSensors, voltage: float) -> float:
     return word if word < top else top
 
 
-# -- and back -------------------------------------------------------------------------------------
+# -- inverse -------------------------------------------------------------------------------------
 
 
 @kernel
 def calibrated(sensors: HallSensors, span: Span, word: float) -> float:
-    """Arm length for a word of the converter [m].
+    """Arm length for a converter output [m].
 
-    The output falls steadily as the arm is pressed in, and has no inverse in closed form: so the
-    calibrated range is halved a few times about the voltage in the middle of the word, and Newton's
-    method goes on from there, to far less than the half count that is left of the error
-    (`resolution`).  Outside its range the result stays at the range's end.
+    The voltage decreases monotonically with compression, and has no inverse in closed form: so the
+    calibrated range is bisected a few times around the voltage in the middle of the count, and
+    Newton's method continues from there, to far less than the remaining error of half a count
+    (`resolution`).  Outside the range the result is clamped to its ends.
     """
     voltage = (word + 0.5) / sensors.counts * sensors.supply
     low, high = span.shortest, span.longest
@@ -172,7 +172,7 @@ def slope(sensors: HallSensors, compression: float) -> float:
 
 
 def resolution(sensors: HallSensors, compression: float) -> float:
-    """Change of arm length that changes the converter's word by one [m]; plain Python.
+    """Change of arm length per count of the converter [m]; plain Python.
 
     Args:
         sensors: The sensors.
@@ -188,16 +188,18 @@ def resolution(sensors: HallSensors, compression: float) -> float:
 def arms_read(
     device: Any, tick: float, truth: Truth, noise: tuple[float, ...], memory: Any
 ) -> ArmsRead:
-    """What the arm-length sensors say at a tick.
+    """Arm lengths measured at a tick.
 
     Args:
         device: `HallSensors` or `PerfectArmLengths`.
         tick: Number of the tick, from 0.
         truth: The motion over the last tick.
         noise: Independent standard normal numbers, one for each arm.
-        memory: Of the device.
+        memory: Memory of the device.
     """
-    raise TypeError(f"{type(device).__name__} measures no arms; register arms_read for it")
+    raise TypeError(
+        f"{type(device).__name__} is not an arm-length sensor; register arms_read for it"
+    )
 
 
 @arms_read.register(PerfectArmLengths)
@@ -214,20 +216,20 @@ def _perfect(
 
 @kernel
 def _sensed(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> ArmMemory:
-    """One arm, its output for the length that it has."""
+    """One arm with the voltage for its present length."""
     return ArmMemory(m.line, m.word, m.length, length, output(sensors, span.free - length))
 
 
 @kernel
 def _entered(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
-    """One arm, with the converter's word for its output on the way."""
+    """One arm with the converter's output for that voltage in transit."""
     word = counted(sensors, m.output + sensors.noise * normal)
     return ArmMemory(entered(m.line, word), m.word, m.length, m.sampled, m.output)
 
 
 @kernel
 def _moved(m: ArmMemory, length: float) -> float:
-    """1 where an arm has another length than at its last sample."""
+    """Flag, 1 if the length of an arm has changed since its last sample."""
     return select(m.sampled == length, 0.0, 1.0)
 
 
@@ -235,14 +237,14 @@ def _moved(m: ArmMemory, length: float) -> float:
 def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
     """One arm at a tick at which a sample arrives."""
     word = arriving(m.line, sensors.delay, sensors.every.ticks)
-    # Searching takes longer than all else here, and an arm at rest says the same word again.
+    # The search takes longer than all else here, and an arm at rest repeats its output.
     length = m.length if word == m.word else calibrated(sensors, span, word)
     return ArmMemory(m.line, word, length, m.sampled, m.output)
 
 
 @kernel
 def _renewed(m: ArmMemory, sensors: HallSensors) -> float:
-    """1 where another word arrives than stands."""
+    """Flag, 1 if the arriving sample differs from the last."""
     return select(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
 
 
@@ -282,20 +284,20 @@ def read_arms(
     once: int, tick: float,
     channels: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
-    """The arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`.
+    """Arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`.
 
     Args:
-        device: Like its settings.
-        shape: What lies in ``b``.
-        avionics: What lies in ``g``.
+        device: Layout of the settings.
+        shape: Layout of ``b``.
+        avionics: Layout of ``g``.
         b: Buffer of the motion.
-        g: Buffer of what is aboard.
-        w: Lanes.
+        g: Buffer of the on-board state.
+        w: Number of lanes.
         once: 1.
         tick: Number of the tick.
-        channels: Like the noise of the arms of one lane.
-        noise: Of all lanes.
-        first: Channel with which that of the arms begins.
+        channels: Layout of the noise of the arms of one lane.
+        noise: Noise of all lanes.
+        first: First noise channel of the arms.
     """
     _read_arms_one_by_one(device, shape, avionics, b, g, w, once, tick, channels, noise, first)
 
@@ -322,7 +324,7 @@ def _read_hall_sensors(
     once: int, tick: float,
     channels: TreeLayout, noise: Buffer, first: int,
 ) -> None:  # fmt: skip
-    """`arms_read`, step by step; the calibration is searched only where a word has changed."""
+    """Batch version of `arms_read`; the calibration is searched only where a sample has changed."""
     memory, seen = avionics.onboard.sensors.arm_length.tree.arms, avionics.onboard.measurement
     sampling, moved, delivering, renewed = 0, 0, 0, 0
     for i in range(w * once):
@@ -334,7 +336,7 @@ def _read_hall_sensors(
     for i in range(w * once if sampling > 0 else 0):
         arms, lengths = load(memory, g, w, i), motion_of(shape, b, w, i).arm_length
         moved += 1 if maximum(tree_map(_moved, (arms, lengths), ())) > 0.5 else 0
-    for i in range(w * once if moved > 0 else 0):  # its roots take long, and arms seldom move
+    for i in range(w * once if moved > 0 else 0):  # roots are expensive, and arms seldom move
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         lengths = motion_of(shape, b, w, i).arm_length
         now = tree_map(_sensed, (sensors.spans, arms, lengths), (sensors,))
@@ -370,7 +372,7 @@ def _(device: HallSensors, channels: int) -> tuple[Draw, ...]:
 
 @functools.singledispatch
 def arms_at_start(device: Any, start: State) -> Any:
-    """Memory of arm-length sensors before their first tick: they have long read the start's arms.
+    """Memory of arm-length sensors before their first tick, settled at the start's lengths.
 
     Plain Python.
 

@@ -1,8 +1,8 @@
-"""Accelerometer and gyroscope: what an inertial unit feels, and what comes out of its converter.
+"""Accelerometer and gyroscope: true quantities at the sensor, and the digital output.
 
-The order is that of the silicon: bias and noise are there before the converter, the converter
-clips, and the low-pass behind it smooths what was clipped.  A pulse of 60 g therefore never reads
-more than the range, and its clipped part is lost for good.
+The order is that of the chip: bias and noise enter before the converter, the converter clips, and
+the low-pass after it smooths the clipped signal.  A pulse of 60 g therefore never reads more than
+the range, and its clipped part is lost.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from springback.sensing.memory import Nothing
 from springback.simulation.onboard import Draw
 from springback.vehicle.state import State
 
-#: Ticks from one step of a wandering bias to the next (chosen): at 1 kHz the accelerometer of
-#: EuRoC has then gone 3e-4 m/s², a sixteenth of a count of 16 bits for ± 16 g.
+#: Ticks between steps of a random-walk bias (chosen): at 1 kHz the accelerometer of EuRoC has then
+#: moved 3e-4 m/s², a sixteenth of a count of 16 bits for ± 16 g.
 WALK_EVERY = 10.0
 _WALK = paced(WALK_EVERY)
 
@@ -36,10 +36,10 @@ class Channel(NamedTuple):
     """Three axes of one kind, [m/s²] or [rad/s]."""
 
     noise: float  # standard deviation at each tick, see `per_tick`
-    bias: Vec  # constant over a flight, drawn when it is switched on
+    bias: Vec  # constant over a flight, drawn at turn-on
     drift: float  # standard deviation of a step of the bias, see `per_tick`
-    full_scale: float  # it reads from −full_scale to full_scale − step
-    smoothing: float  # share of the way that the low-pass goes in a tick, see `per_tick`
+    full_scale: float  # the output is from −full_scale to full_scale − step
+    smoothing: float  # coefficient of the low-pass per tick, see `per_tick`
     step: float  # quantisation
 
 
@@ -47,13 +47,13 @@ class InertialUnit(NamedTuple):
     """An accelerometer and a gyroscope."""
 
     offset: Vec  # r, from the main body's centre of mass to the sensor, body axes [m]
-    every: Pace  # of its output; it converts and filters at every tick
+    every: Pace  # of its output; conversion and filter run at every tick
     accelerometer: Channel
     gyroscope: Channel
 
 
 class InertialNoise(NamedTuple):
-    """Standard normal numbers for one tick; those of the drift count where a bias takes a step."""
+    """Standard normal numbers for one tick; those of the drift apply where a bias takes a step."""
 
     acceleration: Vec
     rotation: Vec
@@ -62,14 +62,14 @@ class InertialNoise(NamedTuple):
 
 
 class ChannelMemory(NamedTuple):
-    """Where the low-pass and the wandering bias are."""
+    """State of the low-pass and of the random-walk bias."""
 
     smooth: Vec
     drift: Vec
 
 
 class InertialMemory(NamedTuple):
-    """What goes on inside, and what was said last."""
+    """State of both channels, and the last output."""
 
     accelerometer: ChannelMemory
     gyroscope: ChannelMemory
@@ -77,19 +77,19 @@ class InertialMemory(NamedTuple):
     angular_velocity: Vec  # [rad/s]
 
 
-class Felt(NamedTuple):
-    """A sample, and what the device remembers."""
+class InertialSample(NamedTuple):
+    """A sample, and the memory of the device."""
 
     inertial: Inertial
     memory: Any
 
 
-# -- what it feels --------------------------------------------------------------------------------
+# -- true motion --------------------------------------------------------------------------------
 
 
 @kernel
 def middle_attitude(a: Quat, b: Quat) -> Quat:
-    """Half way between two attitudes: their normalised mean, exact for one steady turn."""
+    """Midpoint of two attitudes: their normalised mean, exact for a steady rotation."""
     half = 0.5 if a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 else -0.5
     w, x, y, z = 0.5 * a.w, 0.5 * a.x, 0.5 * a.y, 0.5 * a.z
     return renormalised(Quat(w + half * b.w, x + half * b.x, y + half * b.y, z + half * b.z))
@@ -103,11 +103,11 @@ def mean_angular_velocity(truth: Truth) -> Vec:
 
 @kernel
 def mean_specific_force(truth: Truth, offset: Vec) -> Vec:
-    """Mean specific force over the last tick at a place fixed to the main body [m/s²].
+    """Mean specific force over the last tick at a point fixed to the main body [m/s²].
 
-    f = Rᵀ(Δv/Δt + g e_Z) + α × r + ω × (ω × r), α = Δω/Δt: rigid-body kinematics (any textbook).
-    R is the attitude half way and ω the mean.  Forces within the tick enter by their mean, an
-    impact too.
+    f = Rᵀ(Δv/Δt + g e_Z) + α × r + ω × (ω × r), α = Δω/Δt: rigid-body kinematics (any textbook).  R
+    is the midpoint attitude and ω the mean.  Forces within the tick, impacts included, contribute
+    by their mean.
 
     Args:
         truth: The motion over the last tick; its duration is above zero.
@@ -121,7 +121,7 @@ def mean_specific_force(truth: Truth, offset: Vec) -> Vec:
     return acceleration @ r + (alpha ^ offset) + (omega ^ (omega ^ offset))
 
 
-# -- what comes out -------------------------------------------------------------------------------
+# -- output ---------------------------------------------------------------------------------------
 
 
 class PerTick(NamedTuple):
@@ -133,13 +133,13 @@ class PerTick(NamedTuple):
 
 
 def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> PerTick:
-    """Continuous-time numbers of a channel, made ready for ticks; plain Python.
+    """Parameters of a channel per tick, from those in continuous time; plain Python.
 
-    White noise of one-sided density N, sampled at the rate f, has σ = N √(f/2): its power spreads
-    evenly up to f/2.  The low-pass then keeps the density N at low frequencies.  A random walk of
-    density K goes a step of σ = K √(n Δt) every n = 10 ticks (`WALK_EVERY`).  A first-order
-    low-pass with corner f_c goes the share 1 − exp(−2π f_c Δt) of its way in a tick, exactly so for
-    a constant input.
+    White noise of one-sided density N, sampled at the rate f, has σ = N √(f/2): its power is spread
+    evenly up to f/2.  The low-pass then preserves the density N at low frequencies.  A random walk
+    of density K takes a step of σ = K √(n Δt) every n = 10 ticks (`WALK_EVERY`).  A first-order
+    low-pass with corner f_c covers a fraction 1 − exp(−2π f_c Δt) of its response in a tick, which
+    is exact for a constant input.
 
     Args:
         density: N, of the white noise, one-sided [unit/√Hz].
@@ -155,7 +155,7 @@ def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> 
 
 @kernel
 def clipped(x: float, channel: Channel) -> float:
-    """A component within the range."""
+    """Clamp a component to the range."""
     top = channel.full_scale - channel.step
     low = x if x > -channel.full_scale else -channel.full_scale
     return low if low < top else top
@@ -163,7 +163,7 @@ def clipped(x: float, channel: Channel) -> float:
 
 @kernel
 def quantised(x: float, step: float) -> float:
-    """The multiple of ``step`` nearest to a component."""
+    """Multiple of ``step`` nearest to a component."""
     return step * rounded(x * (1.0 / step))
 
 
@@ -174,11 +174,11 @@ def converted(
     """One conversion: bias, noise, clipping, low-pass.
 
     Args:
-        channel: Of accelerometer or gyroscope.
-        true: What it feels.
+        channel: Accelerometer or gyroscope.
+        true: True value at the sensor.
         white: Standard normal numbers of the noise.
         walk: Standard normal numbers of the bias.
-        memory: Of the channel.
+        memory: Memory of the channel.
     """
     drift = memory.drift + channel.drift * walk
     raw = true + channel.bias + drift + channel.noise * white
@@ -188,39 +188,43 @@ def converted(
 
 @kernel
 def digital_word(channel: Channel, memory: ChannelMemory) -> Vec:
-    """The digital word of each axis, in its unit."""
+    """Digital output of each axis, in its unit."""
     v, step = memory.smooth, channel.step
     return Vec(quantised(v.x, step), quantised(v.y, step), quantised(v.z, step))
 
 
 @generic
-def felt(device: Any, tick: float, truth: Truth, noise: InertialNoise, memory: Any) -> Felt:
-    """What an inertial unit says at a tick.
+def inertial_sample(
+    device: Any, tick: float, truth: Truth, noise: InertialNoise, memory: Any
+) -> InertialSample:
+    """Sample of an inertial unit at a tick.
 
     Args:
         device: `InertialUnit` or `PerfectInertial`.
         tick: Number of the tick, from 0.
         truth: The motion over the last tick.
         noise: Independent standard normal numbers.
-        memory: Of the device.
+        memory: Memory of the device.
     """
-    raise TypeError(f"{type(device).__name__} is no inertial unit; register felt for it")
+    raise TypeError(
+        f"{type(device).__name__} is not an inertial unit; register inertial_sample for it"
+    )
 
 
-@felt.register(PerfectInertial)
+@inertial_sample.register(PerfectInertial)
 @kernel
 def _perfect(
     device: PerfectInertial, tick: float, truth: Truth, noise: InertialNoise, memory: Nothing
-) -> Felt:
+) -> InertialSample:
     force = mean_specific_force(truth, device.offset)
-    return Felt(Inertial(force, truth.now.angular_velocity, 1.0), memory)
+    return InertialSample(Inertial(force, truth.now.angular_velocity, 1.0), memory)
 
 
-@felt.register(InertialUnit)
+@inertial_sample.register(InertialUnit)
 @kernel
-def _felt(
+def _converted_sample(
     device: InertialUnit, tick: float, truth: Truth, noise: InertialNoise, memory: InertialMemory
-) -> Felt:
+) -> InertialSample:
     force, omega = mean_specific_force(truth, device.offset), mean_angular_velocity(truth)
     a, g = device.accelerometer, device.gyroscope
     steps = 1.0 if due(tick, _WALK) else 0.0
@@ -232,7 +236,9 @@ def _felt(
     said_a = digital_word(a, inner_a) if speaks else memory.specific_force
     said_g = digital_word(g, inner_g) if speaks else memory.angular_velocity
     flag = 1.0 if speaks else 0.0
-    return Felt(Inertial(said_a, said_g, flag), InertialMemory(inner_a, inner_g, said_a, said_g))
+    return InertialSample(
+        Inertial(said_a, said_g, flag), InertialMemory(inner_a, inner_g, said_a, said_g)
+    )
 
 
 @draws.register
@@ -263,9 +269,9 @@ def inertial_at_start(device: Any, start: State, gravity: float) -> Any:
 @inertial_at_start.register
 def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
     omega = start.angular_velocity
-    force = gravity * rotation(start.attitude).z  # of standing still, Rᵀ g e_Z ...
+    force = gravity * rotation(start.attitude).z  # at rest, Rᵀ g e_Z ...
     if any(omega):
-        force = force + (omega ^ (omega ^ device.offset))  # ... and of spinning steadily
+        force = force + (omega ^ (omega ^ device.offset))  # ... and in steady rotation
     a, g = _settled(device.accelerometer, force), _settled(device.gyroscope, omega)
     return InertialMemory(
         a, g, digital_word(device.accelerometer, a), digital_word(device.gyroscope, g)
@@ -273,7 +279,7 @@ def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
 
 
 def _settled(channel: Channel, true: Vec) -> ChannelMemory:
-    """A channel that has long felt the same, without noise."""
+    """Memory of a channel that has settled at a constant input, without noise."""
     raw = true + channel.bias
     inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
     return ChannelMemory(inside, ZERO)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from springback.sensing.estimation import EstimatorSettings, KalmanSettings
 
-#: PX4's EKF2 as it is configured before anybody changes a parameter.  It believes external poses
-#: far less than a camera system deserves, and so leans on the accelerometer through an impact.
+#: PX4's EKF2 in its default configuration.  It trusts external poses far less than a camera system
+#: deserves, and so relies on the accelerometer through an impact.
 PX4_EKF2 = EstimatorSettings(
     type="kalman",
     kalman=KalmanSettings(
@@ -25,7 +25,7 @@ SOURCES = {
         "kalman.inflation": "derived: EKF2_ACC_NOISE, 0.35 m/s^2 at a step of 10 ms, is 24 times "
         "the data sheet's density if both are read as two-sided, 34 times if the data sheet's is "
         "one-sided; EKF2_GYR_NOISE, 0.015 rad/s, 14 or 20 times (docs/decisions/0018)",
-        "kalman.distrust_clipped": "given: earlier versions of EKF2 do not know of clipping; later "
+        "kalman.distrust_clipped": "given: earlier versions of EKF2 do not model clipping; later "
         "ones assume 4.9 m/s^2 while a sample is clipped (docs/decisions/0018)",
     }
 }

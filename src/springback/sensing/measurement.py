@@ -1,7 +1,7 @@
-"""What sensors tell a pilot, and what an estimator makes of it.
+"""Measurements for a pilot, and estimates from them.
 
-Everything lives on a clock of equal ticks.  Devices that run slower than the clock say in `fresh`
-whether they have spoken at this tick; in between their last word stands.
+All devices run on a clock of equal ticks.  Those that are slower than the clock flag a new sample
+by `fresh`; in between their last sample is repeated.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from springback.simulation.onboard import sensed as sensed
 
 
 class Inertial(NamedTuple):
-    """One sample of accelerometer and gyroscope, body axes, at the place of the sensor."""
+    """One sample of accelerometer and gyroscope, body axes, at the position of the sensor."""
 
     specific_force: Vec  # [m/s²]; a robot at rest reads +g along body z
     angular_velocity: Vec  # [rad/s]
@@ -31,11 +31,11 @@ class Pose(NamedTuple):
     position: Vec  # of the main body, world [m]
     attitude: Quat  # body to world
     fresh: float  # 1 at the tick at which it arrives, else 0
-    age: float  # time since the pose was that of the robot [s]
+    age: float  # time since the exposure [s]
 
 
 class Estimate(NamedTuple):
-    """What a pilot believes about its own motion."""
+    """A pilot's estimate of its own motion."""
 
     position: Vec  # world [m]
     attitude: Quat  # body to world
@@ -44,32 +44,32 @@ class Estimate(NamedTuple):
 
 
 class Measurement(NamedTuple):
-    """All that a pilot is given at one tick."""
+    """Input of a pilot at one tick."""
 
     inertial: Inertial
     pose: Pose
     arm_length: tuple[float, ...]  # [m]
     arm_length_fresh: float
-    exact: Estimate  # the truth where sensors are asked to reveal it, else zeros
+    exact: Estimate  # the exact state if sensors reveal it, else zeros
 
 
 class Pace(NamedTuple):
-    """How often something is done on the clock."""
+    """Period of a periodic task, in ticks of the clock."""
 
-    ticks: float  # from one time to the next, a whole number
-    share: float  # of all ticks, 1/ticks: kept, since dividing takes longer than the rest of `due`
+    ticks: float  # period, a whole number
+    share: float  # 1/ticks, stored: a division would take longer than the rest of `due`
 
 
 def paced(ticks: float) -> Pace:
-    """The pace of what is done every so many ticks."""
+    """Pace of a task with a period in ticks."""
     return Pace(ticks, 1.0 / ticks)
 
 
 @kernel
 def due(tick: float, pace: Pace) -> bool:
-    """Whether something is done at a tick, a whole number: it is at tick 0.
+    """True if a task is due at a tick, a whole number; tick 0 is due.
 
-    Half a tick past it, so that rounding decides nothing, less than 1/ticks of a round is over.
+    Half a tick is added, so that rounding cannot matter: less than 1/ticks of a period has passed.
     """
     rounds = (tick + 0.5) * pace.share
     return rounds - rounded_down(rounds) < pace.share
@@ -77,12 +77,12 @@ def due(tick: float, pace: Pace) -> bool:
 
 @kernel
 def how_many_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> int:
-    """In how many lanes a device speaks at a tick.
+    """Number of lanes in which a device is due at a tick.
 
     Args:
-        pace: Where its `Pace` lies.
-        g: Buffer of what is aboard.
-        w: Lanes.
+        pace: Layout of its `Pace`.
+        g: Buffer of the on-board state.
+        w: Number of lanes.
         once: As for `springback.simulation.ticks.look`.
         tick: Number of the tick.
     """
@@ -94,12 +94,12 @@ def how_many_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) ->
 
 @kernel
 def any_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> bool:
-    """Whether a device of any lane speaks at a tick; arguments as for `how_many_due`."""
+    """True if a device of any lane is due at a tick; arguments as for `how_many_due`."""
     return how_many_due(pace, g, w, once, tick) > 0
 
 
 class EstimatorStep(NamedTuple):
-    """An estimate, and what the estimator remembers."""
+    """An estimate, and the memory of the estimator."""
 
     estimate: Estimate
     memory: Any
@@ -107,15 +107,15 @@ class EstimatorStep(NamedTuple):
 
 @generic
 def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
-    """What an estimator makes of a measurement.
+    """Estimate from a measurement.
 
     Args:
         estimator: Settings of the estimator, a NamedTuple.
         tick: Number of the tick, from 0; a whole number.
-        seen: What the sensors say.
-        memory: What the estimator remembers; returned anew, never changed in place.
+        seen: The measurement.
+        memory: Memory of the estimator; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(estimator).__name__} is no estimator; register estimated for it")
+    raise TypeError(f"{type(estimator).__name__} is not an estimator; register estimated for it")
 
 
 @generic
@@ -124,16 +124,16 @@ def believe(
     ticks: TreeLayout, g: Buffer, w: int,
     once: int,
 ) -> None:  # fmt: skip
-    """The estimators of all lanes make what they can of a measurement.
+    """Run the estimators of all lanes on their measurements.
 
     Args:
-        estimator: Like its settings, by whose type it is chosen.
-        seen: Where the measurement lies.
-        memory: Where the estimator's memory lies; changed.
-        estimate: Where the estimate goes.
-        ticks: Where the number of the tick lies.
-        g: Buffer of what is aboard.
-        w: Lanes.
+        estimator: Layout of the settings, on whose type it dispatches.
+        seen: Layout of the measurement.
+        memory: Layout of the estimator's memory; changed.
+        estimate: Layout of the estimate; written.
+        ticks: Layout of the number of the tick.
+        g: Buffer of the on-board state.
+        w: Number of lanes.
         once: As for `springback.simulation.ticks.look`.
     """
     for i in range(w):

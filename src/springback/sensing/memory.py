@@ -1,4 +1,4 @@
-"""What devices remember: nothing, or their last samples on the way to whoever reads them."""
+"""Memory of devices: none, or a delay line of their last samples."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from springback.kernels.angles import rounded_down
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import select
 
-#: A sample can be under way for this many sampling periods.
+#: Longest delay of a sample, in sampling periods.
 MOST_PERIODS = 4
 
 
@@ -19,7 +19,7 @@ class Nothing(NamedTuple):
 
 
 class Line(NamedTuple):
-    """The last five samples of a device, trees of one shape, newest first."""
+    """Delay line: the last five samples of a device, trees of one shape, newest first."""
 
     newest: Any
     second: Any
@@ -29,19 +29,19 @@ class Line(NamedTuple):
 
 
 def filled(sample: Any) -> Line:
-    """A line in which every sample is the same."""
+    """A line in which all samples are equal."""
     return Line(sample, sample, sample, sample, sample)
 
 
 @kernel
 def entered(line: Line, sample: Any) -> Line:
-    """The line with a new sample in front; the oldest is forgotten."""
+    """The line with a new sample in front; the oldest is dropped."""
     return Line(sample, line.newest, line.second, line.third, line.fourth)
 
 
 @kernel
 def arriving(line: Line, delay: float, every: float) -> Any:
-    """The sample that was taken a delay ago, at a tick at which one arrives.
+    """Sample taken a delay ago, at a tick at which one arrives.
 
     Args:
         line: Samples, the one of this tick included.

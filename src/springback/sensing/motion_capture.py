@@ -1,4 +1,4 @@
-"""Motion capture: poses at a fixed rate, late, a little wrong, and at times not at all."""
+"""Motion capture: poses at a fixed rate, with delay, noise and gaps."""
 
 from __future__ import annotations
 
@@ -24,11 +24,12 @@ class PerfectMotionCapture(NamedTuple):
 
 
 class MotionCapture(NamedTuple):
-    """Cameras that see markers on the main body.
+    """Cameras that track markers on the main body.
 
     Samples are lost in gaps (Gilbert's two-state channel, Bell System Technical Journal 39, 1960):
-    in sight, the next sample is lost with a probability p; lost, the next is back with a
-    probability r.  Both are kept as quantiles of the normal law: z < Φ⁻¹(p) has probability p.
+    in sight, the next sample is lost with probability p; in a gap, the next is back with
+    probability r.  Both are stored as quantiles of the normal distribution: z < Φ⁻¹(p) has
+    probability p.
     """
 
     every: Pace  # of its samples
@@ -48,15 +49,15 @@ class MotionCaptureNoise(NamedTuple):
 
 
 class Exposure(NamedTuple):
-    """One sample as the cameras took it."""
+    """One sample at its exposure."""
 
     position: Vec  # [m]
     attitude: Quat
-    seen: float  # 1, or 0 where the markers were not in sight
+    seen: float  # 1, or 0 if the markers were out of sight
 
 
 class MotionCaptureMemory(NamedTuple):
-    """Samples under way, and the last that arrived."""
+    """Samples in transit, and the last that arrived."""
 
     line: Line  # of Exposure
     lost: float  # 1 while the markers are out of sight
@@ -65,7 +66,7 @@ class MotionCaptureMemory(NamedTuple):
 
 
 class Captured(NamedTuple):
-    """A pose, and what the device remembers."""
+    """A pose, and the memory of the device."""
 
     pose: Pose
     memory: Any
@@ -75,16 +76,16 @@ class Captured(NamedTuple):
 def captured(
     device: Any, tick: float, truth: Truth, noise: MotionCaptureNoise, memory: Any
 ) -> Captured:
-    """What motion capture says at a tick.
+    """Output of motion capture at a tick.
 
     Args:
         device: `MotionCapture` or `PerfectMotionCapture`.
         tick: Number of the tick, from 0.
         truth: The motion over the last tick.
         noise: Independent standard normal numbers.
-        memory: Of the device.
+        memory: Memory of the device.
     """
-    raise TypeError(f"{type(device).__name__} is no motion capture; register captured for it")
+    raise TypeError(f"{type(device).__name__} is not motion capture; register captured for it")
 
 
 @captured.register(PerfectMotionCapture)
@@ -101,9 +102,9 @@ def _perfect(
 
 @kernel
 def turned(attitude: Quat, angles: Vec) -> Quat:
-    """An attitude turned by a small rotation vector in body axes [rad].
+    """Attitude rotated by a small rotation vector in body axes [rad].
 
-    q + ½ q ⊗ (0, θ), normalised, is a turn by 2 atan(|θ|/2), short of |θ| by |θ|³/12.
+    q + ½ q ⊗ (0, θ), normalised, is a rotation by 2 atan(|θ|/2), less than |θ| by |θ|³/12.
     """
     rate = quaternion_rate(attitude, angles)
     w, x, y, z = attitude.w + rate.w, attitude.x + rate.x, attitude.y + rate.y, attitude.z + rate.z
@@ -112,7 +113,7 @@ def turned(attitude: Quat, angles: Vec) -> Quat:
 
 @kernel
 def _lost(device: MotionCapture, lost: float, normal: float) -> float:
-    """Whether the next sample is lost, 1 or 0, after whether the last one was."""
+    """Loss of the next sample, 1 or 0, given that of the last."""
     stays = 0.0 if normal < device.recovery else 1.0
     begins = 1.0 if normal < device.loss else 0.0
     return stays if lost > 0.5 else begins
@@ -122,7 +123,7 @@ def _lost(device: MotionCapture, lost: float, normal: float) -> float:
 def _exposed(
     device: MotionCapture, state: State, noise: MotionCaptureNoise, lost: float
 ) -> Exposure:
-    """The cameras take a sample; ``lost`` says whether they lost the last one."""
+    """Exposure at a state; ``lost`` is 1 if the last sample was lost."""
     position = state.position + device.position_noise * noise.position
     attitude = turned(state.attitude, device.attitude_noise * noise.attitude)
     return Exposure(position, attitude, 1.0 - _lost(device, lost, noise.loss))
@@ -143,7 +144,7 @@ def _delivering(device: MotionCapture, tick: float) -> bool:
 def _delivered(
     device: MotionCapture, tick: float, period: float, m: MotionCaptureMemory
 ) -> Captured:
-    """The pose at a tick, after its exposure: perhaps one arrives."""
+    """Pose at a tick, after its exposure, with a sample that may arrive."""
     arrived = arriving(m.line, device.delay, device.every.ticks)
     fresh = select(_delivering(device, tick), arrived.seen, 0.0)
     last = select(fresh > 0.5, arrived, m.last)
@@ -183,7 +184,7 @@ def capture(
 
 @kernel
 def noise_of(drawn: tuple[float, ...]) -> MotionCaptureNoise:
-    """The numbers that are motion capture's, the first of all."""
+    """Noise of motion capture, from its channels."""
     n = drawn
     return MotionCaptureNoise(Vec(n[0], n[1], n[2]), Vec(n[3], n[4], n[5]), n[6])
 
@@ -209,7 +210,7 @@ def _capture_at_times(
     once: int, tick: float,
     channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
-    """`captured`, step by step; between exposures and arrivals the last pose but grows older."""
+    """Batch version of `captured`; between exposures and arrivals the last pose only ages."""
     memory, pose = avionics.onboard.sensors.motion_capture.tree, avionics.onboard.measurement.pose
     exposing, delivering, line = 0, 0, memory.line
     for i in range(w * once):
@@ -250,7 +251,7 @@ def _(device: MotionCapture, channels: int) -> tuple[Draw, ...]:
 
 @functools.singledispatch
 def motion_capture_at_start(device: Any, start: State) -> Any:
-    """Memory of a motion capture before its first tick; until a pose arrives, the start's stands.
+    """Memory of motion capture before its first tick; the start's pose holds until one arrives.
 
     Plain Python.
 

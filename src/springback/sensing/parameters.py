@@ -1,4 +1,4 @@
-"""Sensors as a user writes them down, checked against the clock, and turned into numbers."""
+"""Sensors: validated user input, checked against the clock, converted to numbers."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ from springback.vehicle.parameters import Vehicle
 
 #: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
 STANDARD_GRAVITY = 9.80665
-#: Quantile of a probability of zero or one, in place of infinity: chance 1e-350.
+#: Quantile for a probability of zero or one, instead of infinity: probability 1e-350.
 IMPOSSIBLE = -40.0
-#: Normal numbers by which a flight's sensors are biased: three axes of accelerometer and gyroscope.
+#: Normal numbers for a flight's sensor biases: three axes of accelerometer and gyroscope.
 BIASES = 6
 
 Rate = Annotated[float, Unit("Hz", above=0.0)]
@@ -40,7 +40,7 @@ Delay = Annotated[float, Unit("s", least=0.0)]
 
 
 def _quantile(probability: float) -> float:
-    """Φ⁻¹ of a probability, finite."""
+    """Finite quantile Φ⁻¹ of a probability."""
     if not 0.0 < probability < 1.0:
         return IMPOSSIBLE if probability <= 0.0 else -IMPOSSIBLE
     return min(max(NormalDist().inv_cdf(probability), IMPOSSIBLE), -IMPOSSIBLE)
@@ -62,12 +62,12 @@ class MotionCaptureSettings(Settings):
     attitude_noise: Annotated[float, Unit("rad", least=0.0)] = math.radians(0.1)
     """Standard deviation of each component of a small rotation vector."""
     loss_probability: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.0
-    """That a gap starts at the next sample."""
+    """Probability that a gap starts at the next sample."""
     loss_length: Annotated[float, Unit("", least=1.0)] = 10.0
-    """Mean length of a gap in samples; lengths are distributed geometrically."""
+    """Mean length of a gap in samples; the distribution is geometric."""
 
     def device(self, tick: float) -> MotionCapture | PerfectMotionCapture:
-        """The numbers, for a tick of some duration [s].
+        """Settings of the device, for a tick of given duration [s].
 
         Raises:
             The problem, if the rate or the delay does not fit the clock.
@@ -103,7 +103,7 @@ class ChannelSettings(Settings):
     bits: Annotated[int, Field(ge=2, le=32, strict=True)] = 16
 
     def channel(self, tick: float, normal: Vec) -> Channel:
-        """The numbers.
+        """Settings of the channel.
 
         Args:
             tick: Duration of a tick [s].
@@ -124,8 +124,9 @@ class AccelerometerSettings(ChannelSettings):
     """Accelerometer of the ICM-20689 in the flight controller that the paper names.
 
     Data sheet TDK DS-000143: range, 150 µg/√Hz, 16 bits, 218.1 Hz the widest filter at 1 kHz.  The
-    bias that calibration leaves is chosen.  The data sheet prints no random walk: it is that of the
-    unit in the EuRoC data set (Burri et al., International Journal of Robotics Research, 2016).
+    bias that remains after calibration is chosen.  The data sheet gives no random walk: it is that
+    of the unit in the EuRoC data set (Burri et al., International Journal of Robotics Research,
+    2016).
     """
 
     full_scale: Annotated[float, Unit("m/s^2", above=0.0)] = 16.0 * STANDARD_GRAVITY
@@ -154,14 +155,14 @@ class InertialSettings(Settings):
     perfect: bool = False
     """No noise, bias, range or filter; only the offset below is then used."""
     rate: Rate = 1000.0
-    """Of its output; it converts and filters at every tick of the clock."""
+    """Rate of its output; conversion and filter run at every tick of the clock."""
     offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """From the main body's centre of mass to the sensor, body axes."""
+    """Position of the sensor from the main body's centre of mass, body axes."""
     accelerometer: AccelerometerSettings = AccelerometerSettings()
     gyroscope: GyroscopeSettings = GyroscopeSettings()
 
     def device(self, tick: float, normals: tuple[Vec, Vec]) -> InertialUnit | PerfectInertial:
-        """The numbers.
+        """Settings of the device.
 
         Args:
             tick: Duration of a tick [s].
@@ -188,12 +189,13 @@ class HallSettings(Settings):
 
     The paper names the sensor, Allegro A1302, and the converter, Arduino Nano.  Data sheet A1301-DS
     at 5 V: 1.3 mV/G, 2.5 V without a field, outputs from 0.2 V to 4.7 V, 150 µV noise up to 10 kHz.
-    Converter: 10 bits of the supply (ATmega328P).  The paper prints neither magnet nor distances
-    nor rates: they are chosen, a neodymium disc (grade N42) of 15 mm by 8 mm, 11 g, as close as the
-    sensor stays out of saturation; samples at 200 Hz, one period late through a serial link.
+    Converter: 10 bits of the supply (ATmega328P).  The paper gives neither magnet nor distances nor
+    rates: they are chosen, a neodymium disc (grade N42) of 15 mm by 8 mm, 11 g, as close as the
+    sensor allows without saturation; samples at 200 Hz, one period late through a serial link.
 
     One count of the converter is then 0.018 mm at the free length, 0.12 mm at 10 mm of compression,
-    0.49 mm at 20 mm and 6.5 mm at the end of a stroke of 50 mm; a length is at most half a count
+    0.49 mm at 20 mm and 6.5 mm at the end of a stroke of 50 mm; the error of a length is at most
+    half a count.
     wrong.
     """
 
@@ -205,9 +207,9 @@ class HallSettings(Settings):
     magnet_radius: Length = 7.5e-3
     magnet_thickness: Length = 8e-3
     distance: Length = 8e-3
-    """From the magnet's face to the sensor while the arm is at its free length."""
+    """Distance from the magnet's face to the sensor at the arm's free length."""
     overrun: Annotated[float, Unit("m", least=0.0)] = 2e-3
-    """The calibration reaches this far beyond both ends of the stroke; chosen."""
+    """Extension of the calibration beyond both ends of the stroke; chosen."""
     sensitivity: Annotated[float, Unit("V/T", above=0.0)] = 13.0
     supply: Annotated[float, Unit("V", above=0.0)] = 5.0
     quiescent: Annotated[float, Unit("V", above=0.0)] = 2.5
@@ -228,17 +230,17 @@ class HallSettings(Settings):
         if not strongest < self.highest:
             raise problem(
                 f"of {self.distance:g} m saturates the sensor: {strongest:.3g} V at the free "
-                f"length, and it ends at {self.highest:g} V; farther away is better",
+                f"length, above its limit of {self.highest:g} V; increase the distance",
                 "distance",
             )
         return self
 
     def magnet(self) -> Magnet:
-        """The magnet's numbers."""
+        """Settings of the magnet."""
         return Magnet(self.remanence, self.magnet_radius, self.magnet_thickness)
 
     def device(self, tick: float, vehicle: Vehicle) -> HallSensors | PerfectArmLengths:
-        """The numbers, for a tick of some duration [s] and the arms of a vehicle.
+        """Settings of the device, for a tick of given duration [s] and the arms of a vehicle.
 
         Raises:
             The problem, if the rate or the delay does not fit the clock.
@@ -271,8 +273,8 @@ class HallSettings(Settings):
             if not slope(sensors, span.free - span.shortest) < 0.0:
                 raise problem(
                     f"leaves an output that does not change with the length of arm {j} where it is "
-                    f"shortest, {span.shortest:g} m, so that it cannot be calibrated; mind the "
-                    f"magnet and the stroke, too (got {self.distance:g} m)",
+                    f"shortest, {span.shortest:g} m, so that it cannot be calibrated; check the "
+                    f"magnet and the stroke as well (got {self.distance:g} m)",
                     "distance",
                 )
         return sensors
@@ -285,17 +287,17 @@ class SensorSettings(Settings):
     imu: InertialSettings = InertialSettings()
     hall: HallSettings = HallSettings()
     reveal: bool = False
-    """Tell the exact state besides, for estimators that are to be perfect."""
+    """Add the exact state to the measurement, for perfect estimators."""
 
     def sensors(self, tick: float, vehicle: Vehicle, generator: np.random.Generator) -> Sensors:
-        """The numbers of one flight.
+        """Settings of one flight.
 
-        Six numbers are drawn from the generator whatever the settings.
+        Six numbers are drawn from the generator regardless of the settings.
 
         Args:
             tick: Duration of a tick of the clock [s].
-            vehicle: Whose arms are measured.
-            generator: Of this flight's biases.
+            vehicle: The vehicle with its arms.
+            generator: Generator of this flight's biases.
 
         Raises:
             The problem, if a rate or a delay does not fit the clock.
@@ -304,7 +306,7 @@ class SensorSettings(Settings):
         return self.switched_on(self.devices(tick, vehicle), normals)
 
     def devices(self, tick: float, vehicle: Vehicle) -> Sensors:
-        """The numbers that are the same in every flight: biases are zero; see `sensors`."""
+        """Settings common to all flights, with zero biases; see `sensors`."""
         still = Vec(0.0, 0.0, 0.0)
         with inside("motion_capture"):
             motion_capture: Any = self.motion_capture.device(tick)
@@ -315,7 +317,7 @@ class SensorSettings(Settings):
         return Sensors(motion_capture, inertial, arm_length, 1.0 if self.reveal else 0.0)
 
     def switched_on(self, devices: Sensors, normals: Sequence[float]) -> Sensors:
-        """The devices with the biases of one flight, by standard normal numbers for each axis."""
+        """The devices with the biases of one flight, from standard normal numbers for each axis."""
         if self.imu.perfect:
             return devices
         a, unit, imu = normals, devices.inertial, self.imu

@@ -1,4 +1,4 @@
-"""An estimator that is told the truth."""
+"""An estimator that knows the exact state."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from springback.sensing.measurement import EstimatorStep, Measurement, estimated
 
 
 class PerfectState(NamedTuple):
-    """Believes what sensors reveal of the truth; they must be asked to (`Measurement.exact`)."""
+    """Estimator that uses the exact state, which the sensors must reveal (`Measurement.exact`)."""
 
     unused: float
 
 
 class PerfectMemory(NamedTuple):
-    """Nothing to remember."""
+    """Empty memory."""
 
     unused: float
 

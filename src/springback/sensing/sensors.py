@@ -10,35 +10,35 @@ from springback.kernels.memo import Build, uncached
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
-from springback.sensing.inertial import InertialNoise, felt, inertial_at_start
+from springback.sensing.inertial import InertialNoise, inertial_at_start, inertial_sample
 from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
 from springback.sensing.motion_capture import capture, captured, motion_capture_at_start, noise_of
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import look, motion_of, truth_of
 from springback.vehicle.state import State
 
-#: Standard normal numbers of motion capture: 0-2 position, 3-5 attitude, 6 its gaps ...
+#: Channels of standard normal numbers of motion capture: 0-2 position, 3-5 attitude, 6 gaps ...
 MOTION_CAPTURE_NOISE = 7
 #: ... and of the inertial unit: 7-9 accelerometer, 10-12 gyroscope, 13-15 and 16-18 their biases.
 INERTIAL_NOISE = 12
-#: Numbers at each tick, beside one for each arm, from here on.
+#: Channels at each tick, before one for each arm.
 NOISE = MOTION_CAPTURE_NOISE + INERTIAL_NOISE
 
 
 class Sensors(NamedTuple):
     """Settings of a set of sensors.
 
-    Every choice is a type, so that one which is not made costs nothing.
+    Every choice is a type, so that the others cost nothing.
     """
 
     motion_capture: Any  # MotionCapture, PerfectMotionCapture, or a type registered with captured
-    inertial: Any  # InertialUnit, PerfectInertial, or a type registered with felt
+    inertial: Any  # InertialUnit, PerfectInertial, or a type registered with inertial_sample
     arm_length: Any  # HallSensors, PerfectArmLengths, or a type registered with arms_read
-    reveal: float  # 1: the exact state is told besides; 0: it is zeros
+    reveal: float  # 1: the exact state is added; 0: it is zeros
 
 
 class SensorsMemory(NamedTuple):
-    """What each device remembers."""
+    """Memory of each device."""
 
     motion_capture: Any
     inertial: Any
@@ -46,17 +46,17 @@ class SensorsMemory(NamedTuple):
 
 
 def noise_count(arm_count: int) -> int:
-    """Number of standard normal numbers that `sensed` takes at each tick.
+    """Number of standard normal numbers that `sensed` uses at each tick.
 
-    It does not depend on which devices are chosen.
+    It does not depend on the chosen devices.
     """
     return NOISE + arm_count
 
 
 def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
-    """When which of the numbers are drawn; plain Python.
+    """Schedule of the noise of all devices; plain Python.
 
-    Every device has its own luck: so two sets of sensors can be compared on the same noise.
+    Every device has its own noise, so that two sets of sensors can be compared on the same noise.
     """
     return (
         *draws(sensors.motion_capture, MOTION_CAPTURE_NOISE),
@@ -74,7 +74,7 @@ def sensors_at_start(
         sensors: Settings.
         start: State at tick 0.
         gravity: g along −Z [m/s²].
-        build: How parts are made.
+        build: Builder of the parts.
     """
     return SensorsMemory(
         motion_capture_at_start(sensors.motion_capture, start),
@@ -84,14 +84,14 @@ def sensors_at_start(
 
 
 def _arms_at_start(device: Any, lengths: tuple[float, ...]) -> Any:
-    """Memory of arm-length sensors, which see nothing but the lengths [m]."""
+    """Memory of arm-length sensors, which depend on the lengths [m] only."""
     zero, level = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
     return arms_at_start(device, State(zero, level, zero, zero, lengths, (0.0,) * len(lengths)))
 
 
 @kernel
 def revealed(state: State, reveal: float) -> Estimate:
-    """The exact motion, or zeros where ``reveal`` is 0."""
+    """Exact motion, or zeros if ``reveal`` is 0."""
     q, s = state.attitude, reveal
     attitude = Quat(s * q.w, s * q.x, s * q.y, s * q.z)
     return Estimate(s * state.position, attitude, s * state.velocity, s * state.angular_velocity)
@@ -111,12 +111,12 @@ def _sensed(
     sensors: Sensors, tick: float, truth: Truth, noise: tuple[float, ...], memory: SensorsMemory
 ) -> Sensed:
     posed = captured(sensors.motion_capture, tick, truth, noise_of(noise), memory.motion_capture)
-    moved = felt(sensors.inertial, tick, truth, _inertial_noise(noise), memory.inertial)
+    moved = inertial_sample(sensors.inertial, tick, truth, _inertial_noise(noise), memory.inertial)
     arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
 
     exact = revealed(truth.now, sensors.reveal)
-    told = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
-    return Sensed(told, SensorsMemory(posed.memory, moved.memory, arms.memory))
+    measurement = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
+    return Sensed(measurement, SensorsMemory(posed.memory, moved.memory, arms.memory))
 
 
 @look.register(Sensors)
@@ -126,17 +126,19 @@ def _look(
     once: int, tick: float,
     channels: TreeLayout, noise: Buffer,
 ) -> None:  # fmt: skip
-    """`sensed`, one device after the other over all lanes."""
+    """Batch version of `sensed`, one device after the other for all lanes."""
     capture(sensors.motion_capture, shape, avionics, b, g, w, once, tick, channels, noise)
     memory, seen, revealing = avionics.onboard.sensors.inertial, avionics.onboard.measurement, 0
     for i in range(w * once):
         truth = truth_of(shape, avionics, b, g, w, i)
         drawn = _inertial_noise(load(channels, noise, w, i))
-        moved = felt(load(sensors.inertial, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        moved = inertial_sample(
+            load(sensors.inertial, g, w, i), tick, truth, drawn, load(memory, g, w, i)
+        )
         store(moved.inertial, seen.inertial, g, w, i)
         store(moved.memory, memory, g, w, i)
         revealing += 1 if load(sensors.reveal, g, w, i) > 0.0 else 0
-    for i in range(w * once if revealing > 0 else 0):  # else zeros stand there
+    for i in range(w * once if revealing > 0 else 0):  # otherwise zeros are there
         state, reveal = motion_of(shape, b, w, i), load(sensors.reveal, g, w, i)
         store(revealed(state, reveal), seen.exact, g, w, i)
     arms = seen.arm_length

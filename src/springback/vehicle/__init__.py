@@ -1,1 +1,1 @@
-"""What flies: parameters, state, and the vehicles of the literature."""
+"""Vehicles: parameters, state, and the vehicles of the literature."""

@@ -1,9 +1,9 @@
-"""How long a vehicle hovers and how much it lifts.
+"""Hover time and payload of a vehicle.
 
 Momentum theory of the hovering rotor (J. G. Leishman, Principles of Helicopter Aerodynamics,
-chapter 2): the ideal power of one disk is T^1.5/√(2ρA), and the figure of merit is the share of it
-in what the battery gives.  The battery gives constant power until its usable energy is spent; its
-falling voltage and the loss in its resistance are left out.
+chapter 2): the ideal power of one disk is T^1.5/√(2ρA), and the figure of merit is the ratio of
+ideal power to battery power.  The battery delivers constant power until its usable energy is spent;
+its voltage drop and the loss in its internal resistance are neglected.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def induced_power(thrust: float, disk_radius: float, air_density: float) -> floa
 
     Args:
         thrust: T [N].
-        disk_radius: Of the propeller; A = π r² [m].
+        disk_radius: Radius of the propeller; A = π r² [m].
         air_density: ρ [kg/m³].
     """
     area = math.pi * disk_radius**2
@@ -36,7 +36,7 @@ def induced_power(thrust: float, disk_radius: float, air_density: float) -> floa
 
 
 def _known(vehicle: Vehicle, name: str) -> float:
-    """A number of the propulsion."""
+    """A number of the propulsion, or an error naming it."""
     if vehicle.propulsion is None:
         raise InputError(f"vehicle {vehicle.name} has no propulsion; give it one")
     value = getattr(vehicle.propulsion, name)
@@ -60,7 +60,7 @@ def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
 
 
 def _ideal_power(vehicle: Vehicle, payload: float) -> float:
-    """Of all rotors [W]."""
+    """Ideal power of all rotors [W]."""
     thrust = _hover_thrust(vehicle, payload)
     radius, density = _known(vehicle, "disk_radius"), _known(vehicle, "air_density")
     return vehicle.arm_count * induced_power(thrust, radius, density)
@@ -71,7 +71,7 @@ def hover_power(vehicle: Vehicle, payload: float = 0.0) -> float:
 
     Args:
         vehicle: With propulsion.
-        payload: Carried besides [kg].
+        payload: Additional mass [kg].
 
     Raises:
         InputError: If a number of the propulsion is missing, or the payload cannot be lifted.
@@ -81,11 +81,11 @@ def hover_power(vehicle: Vehicle, payload: float = 0.0) -> float:
 
 
 def hover_time(vehicle: Vehicle, payload: float = 0.0) -> float:
-    """Time until the usable energy of the full battery is spent in hover [s].
+    """Time in hover until the usable energy of the full battery is spent [s].
 
     Args:
         vehicle: With propulsion.
-        payload: Carried besides [kg].
+        payload: Additional mass [kg].
 
     Raises:
         InputError: If a number of the propulsion is missing, or the payload cannot be lifted.
@@ -94,17 +94,17 @@ def hover_time(vehicle: Vehicle, payload: float = 0.0) -> float:
 
 
 def _usable_energy(vehicle: Vehicle) -> float:
-    """[J]."""
+    """Usable energy of the battery [J]."""
     return _known(vehicle, "usable_share") * _known(vehicle, "battery_energy")
 
 
 def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
-    """Mass that can be carried besides the vehicle's own, m_p = n T_most/(k g) − m [kg].
+    """Largest additional mass that can be carried, m_p = n T_max/(k g) − m [kg].
 
     Args:
         vehicle: With propulsion.
-        thrust_to_weight: k, most thrust over weight that must remain with the payload; 1 leaves
-            nothing to steer with.
+        thrust_to_weight: k, ratio of maximum thrust to weight required with the payload; 1 leaves
+            no thrust for control.
 
     Raises:
         InputError: If the vehicle has no propulsion, or cannot even lift itself.
@@ -133,14 +133,14 @@ def endurance_curve(
 
 
 def figure_of_merit_for(vehicle: Vehicle, time: float, payload: float = 0.0) -> float:
-    """The figure of merit that makes a measured hover time come out.
+    """Figure of merit that reproduces a measured hover time.
 
     FM = P_ideal/(E/t − P_e); the vehicle's own figure of merit is not read.
 
     Args:
         vehicle: With propulsion.
-        time: Measured, t [s].
-        payload: Carried at that [kg].
+        time: Measured hover time t [s].
+        payload: Payload in that measurement [kg].
 
     Raises:
         InputError: If another number is missing, the payload cannot be lifted, or the electronics

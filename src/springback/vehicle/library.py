@@ -1,7 +1,7 @@
 """Vehicles of the literature, each number with its table and row.
 
-``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is ours where the
-source is silent; what ``fitted`` numbers were fitted to stands beside them.
+``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is our choice where
+the source gives none; ``fitted`` numbers name what they were fitted to.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from springback.vehicle.endurance import GRAVITY
 from springback.vehicle.parameters import Arms, Body, Hull, Vehicle
 from springback.vehicle.rotors import Propulsion
 
-#: Directions of the X layout of the paper: front left, front right, rear right, rear left.
+#: Directions of the X layout in the paper's order: front left, front right, rear right, rear left.
 X_LAYOUT = (pi / 4, -pi / 4, -3 * pi / 4, 3 * pi / 4)
 LENGTH, CAGE_RADIUS = 0.19, 0.11
 BATTERY = 0.37  # [kg] from the printed hover times, docs/paper/errata.md
@@ -51,9 +51,9 @@ def _principal(xx: float, yy: float, zz: float) -> tuple[tuple[float, ...], ...]
     return ((xx, 0.0, 0.0), (0.0, yy, 0.0), (0.0, 0.0, zz))
 
 
-#: Of both robots: a sphere about their electronics, between the cages, which leave 80 mm.
+#: For both robots: a sphere around the electronics, between the cages, which leave 80 mm.
 HULL = Hull(radius=0.06)
-#: Of both robots: Table I gives them different masses, not different motors.
+#: For both robots: Table I gives them different masses, not different motors.
 PROPULSION = Propulsion(
     max_thrust=(0.844 + BATTERY + PAYLOAD) * GRAVITY / 4.0,
     figure_of_merit=FIGURE_OF_MERIT,

@@ -1,4 +1,4 @@
-"""A vehicle as its designer writes it down, checked once, turned into numbers to compute with."""
+"""Parameters of a vehicle: validated user input, converted to the numbers of the equations."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm, Sphere
 
-#: More arms are a slip of the pen (chosen): a flight is compiled for each number of them.
+#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
-#: Relative error that rounding may leave in moments and distances (chosen).
+#: Relative rounding error allowed in moments and distances (chosen).
 ROUNDING = 1e-9
 
 
 def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
-    """Three principal moments or a full matrix [kg m²], checked to be an inertia."""
+    """Three principal moments or a full matrix [kg m²], validated as an inertia."""
     unit = "kg m^2"
     if not isinstance(value, list | tuple) or len(value) != 3:
         raise problem(
@@ -46,10 +46,10 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
 
 
 def check_moments(principal: Any) -> None:
-    """Refuse principal moments of inertia that no distribution of mass has.
+    """Reject principal moments of inertia that no mass distribution has.
 
-    Each is a sum of two second moments of mass, so none is larger than the sum of the others; of a
-    plate it is as large.
+    Each is a sum of two second moments of mass, so none exceeds the sum of the other two; for a
+    plate they are equal.
 
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
@@ -63,7 +63,7 @@ def check_moments(principal: Any) -> None:
 
 
 def _flags(value: Any) -> bool | tuple[bool, ...]:
-    """One yes or no, or one for each arm."""
+    """One boolean, or one for each arm."""
     if isinstance(value, bool):
         return value
     if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
@@ -74,7 +74,7 @@ def _flags(value: Any) -> bool | tuple[bool, ...]:
 
 
 def _signs(value: Any) -> tuple[int, ...] | None:
-    """Minus or plus one for each rotor."""
+    """A sign, −1 or +1, for each rotor."""
     if value is None:
         return None
     if isinstance(value, list | tuple) and all(entry in (-1, 1) for entry in value):
@@ -91,7 +91,7 @@ class Body(Settings):
 
 
 class Arms(Settings):
-    """The arms.  Each number is one for all arms, or a list with one for each.
+    """Parameters of the arms.  Each is one number for all arms, or a list with one for each.
 
     An arm is a point mass at the end of a slide in the body plane, with its cage and rotor.
     """
@@ -103,18 +103,18 @@ class Arms(Settings):
     mass: Annotated[PerArm, Unit("kg", least=0.0)]
     cage_radius: Annotated[PerArm, Unit("m", above=0.0)]
     compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
-    """True: the arm slides against its spring.  False: it is fixed, and the vehicle rigid there."""
+    """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
     stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
     damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
     stroke: Annotated[PerArm, Unit("m", above=0.0)] = 0.05
-    """How far an arm can be pressed in before it bottoms out."""
+    """Largest compression of an arm, at which it bottoms out."""
     end_stops: bool = True
-    """Stops at the free length and at the end of the stroke; without them the slide is endless."""
+    """Stops at the free length and at the end of the stroke; without them travel is unlimited."""
     stop_stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 2e5
     stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
-    """d of the stops' force k δ (1 + d δ̇)."""
+    """Coefficient d of the stops' force k δ (1 + d δ̇)."""
     torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
-    """c_τ, rotor torque per thrust."""
+    """c_τ, rotor torque per unit thrust."""
     spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
     """Sign of each rotor's torque about body z; alternating −, + by default, as in eq. (2)."""
 
@@ -146,11 +146,11 @@ class Arms(Settings):
         return self
 
     def _check_apart(self, first: int, second: int) -> None:
-        """Refuse two arms that point the same way, and cages that meet.
+        """Reject two arms that point the same way, and cages that overlap.
 
-        Unpressed cages must be apart, and stay so while either arm is pressed in to the end of its
-        stroke.  Two arms pressed in at once are not looked at: those of the paper's own robot would
-        meet 34 mm in, which its springs do not come to.
+        Uncompressed cages must not overlap, nor may they while either arm is compressed to the end
+        of its stroke.  Two arms compressed at once are not checked: those of the paper's own robot
+        would touch at 34 mm, which its springs do not reach.
         """
         names = f"arms {first + 1} and {second + 1}"
         cosine = math.cos(self.directions[first] - self.directions[second])
@@ -195,19 +195,19 @@ class Arms(Settings):
 
 
 class Hull(Settings):
-    """What the main body touches with: a sphere that is fixed to it, and adds no mass.
+    """Contact geometry of the main body: a sphere that is fixed to it, and adds no mass.
 
-    It meets the surfaces that cages meet, by the same laws.
+    It touches the same surfaces as the cages, by the same laws.
     """
 
     radius: Annotated[float, Unit("m", above=0.0)]
-    """Of the sphere."""
+    """Radius of the sphere."""
     offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """Of its centre from the centre of the main body, body axes."""
+    """Position of its centre from the centre of the main body, body axes."""
 
 
 def _hull(value: Any) -> Any:
-    """False takes away the hull of a preset."""
+    """Validate a hull; False removes that of a preset."""
     return None if value is False else value
 
 
@@ -217,10 +217,10 @@ class Vehicle(Settings):
     name: Name = "vehicle"
     body: Body
     hull: Annotated[Hull | None, BeforeValidator(_hull)] = None
-    """Without one, or with false in place of a preset's, the main body touches nothing."""
+    """Without one, or with false in place of a preset's, the main body has no contact."""
     arms: Arms
     propulsion: Propulsion | None = None
-    """Rotors and battery; without, thrusts are given from outside and know no bounds."""
+    """Rotors and battery; without it, thrusts are given from outside and have no bounds."""
 
     @model_validator(mode="after")
     def _hull_is_near(self) -> Vehicle:
@@ -247,7 +247,7 @@ class Vehicle(Settings):
 
     @property
     def is_compliant(self) -> bool:
-        """Whether any arm slides."""
+        """True if any arm slides."""
         return any(self.arms.at("compliant", j) for j in range(self.arm_count))
 
     def inertia(
@@ -255,7 +255,7 @@ class Vehicle(Settings):
     ) -> np.ndarray[Any, np.dtype[np.float64]]:
         """Inertia about the main body's centre of mass for given arm lengths [kg m²], shape (3, 3).
 
-        The arms count as point masses; the free lengths are the default.
+        The arms count as point masses; the default is their free lengths.
         """
         matrix = np.array(self.body.inertia)
         for j, angle in enumerate(self.arms.directions):
@@ -265,7 +265,7 @@ class Vehicle(Settings):
         return matrix
 
     def fastest_arm_rate(self) -> float:
-        """Fastest rate of a free arm, its damper and stops [1/s]: what steps must resolve."""
+        """Fastest rate of a free arm, its damper and stops [1/s], which steps must resolve."""
         rates = [0.0]
         for j in range(self.arm_count):
             if self.arms.at("compliant", j):
@@ -278,7 +278,7 @@ class Vehicle(Settings):
         return max(rates)
 
     def airframe(self) -> Airframe:
-        """The numbers for the equations of motion."""
+        """Numbers for the equations of motion."""
         arms = self.arms
         built = []
         for j, angle in enumerate(arms.directions):
@@ -313,12 +313,12 @@ class Vehicle(Settings):
 
 
 def _distance(here: float, there: float, cosine: float) -> float:
-    """Distance of the ends of two arms of some lengths [m], from the cosine between them."""
+    """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
     return math.sqrt(max(here**2 + there**2 - 2.0 * here * there * cosine, 0.0))
 
 
 def _exact(x: float) -> float:
-    """Cosines of right angles come out as 6e-17; they mean zero."""
+    """Round to zero the cosines of right angles, which come out as 6e-17."""
     return 0.0 if abs(x) < 1e-15 else x
 
 

@@ -1,7 +1,7 @@
-"""What drives a vehicle: rotors that lag and saturate, and the battery behind them.
+"""Propulsion of a vehicle: rotors with lag and saturation, and the battery behind them.
 
-One law for every rotor: its thrust follows the command, kept between its bounds, with one time
-constant τ.  Between two ticks the command stands still, so the response is known exactly.
+One law for every rotor: its thrust follows the command, limited to its bounds, with one time
+constant τ.  Between two ticks the command is constant, so the response is known exactly.
 """
 
 from __future__ import annotations
@@ -16,36 +16,36 @@ from springback.kernels.trees import field_of, select, tree_map
 from springback.quantities import Length, Unit
 from springback.settings import Settings, problem
 
-#: [s] Chosen: time constants below it count as zero, and h/τ stays finite for every duration h.
+#: [s] Chosen: shorter time constants count as zero, so that h/τ stays finite for every duration h.
 INSTANT = 1e-9
-#: Chosen: below this h/τ the mean's share is summed as a series, exact there to 1e-14.
+#: Chosen: for smaller h/τ the mean's share is summed as a series, exact there to 1e-14.
 SHORT = 1e-3
 
 
 class Rotors(NamedTuple):
-    """Constants of the rotors of a vehicle, all alike."""
+    """Constants of the rotors of a vehicle, which are identical."""
 
     least: float  # thrust of one rotor [N]
     most: float  # thrust of one rotor [N]
-    time_constant: float  # τ [s]; 0 follows at once
+    time_constant: float  # τ [s]; 0 follows immediately
 
 
 class Lagged(NamedTuple):
-    """Thrust of one rotor after a time under a constant command."""
+    """Thrust of one rotor after some time under a constant command."""
 
-    thrust: float  # at the end [N]; give it back as the memory
-    mean: float  # over the time [N]; this goes into the equations of motion
+    thrust: float  # at the end [N]; pass it back as the memory
+    mean: float  # over the time [N]; the equations of motion use it
 
 
 class Thrusts(NamedTuple):
-    """`Lagged` of all rotors, in the order of the arms."""
+    """Result of `lagged` for all rotors, in the order of the arms."""
 
-    thrust: tuple[float, ...]  # at the end [N]; give it back as the memory
-    mean: tuple[float, ...]  # over the time [N]; this goes into the equations of motion
+    thrust: tuple[float, ...]  # at the end [N]; pass it back as the memory
+    mean: tuple[float, ...]  # over the time [N]; the equations of motion use it
 
 
 class Lag(NamedTuple):
-    """How much of the start is left after a time; the same at every tick, so it is found once."""
+    """Fractions of the initial value left after a time; equal for all ticks, computed once."""
 
     end: float  # e^(−x), x = h/τ
     mean: float  # (1 − e^(−x))/x
@@ -53,18 +53,18 @@ class Lag(NamedTuple):
 
 @kernel
 def limited(rotors: Rotors, command: float) -> float:
-    """The command [N] kept between the least and the most thrust of one rotor."""
+    """Command [N], limited to the minimum and maximum thrust of one rotor."""
     above = select(command > rotors.least, command, rotors.least)
     return select(above < rotors.most, above, rotors.most)
 
 
 @kernel
 def lag_over(time_constant: float, duration: float) -> Lag:
-    """Shares of the start in the end and in the mean of a first-order lag.
+    """Weights of the initial value in the final value and in the mean of a first-order lag.
 
     Args:
         time_constant: τ [s].
-        duration: h [s]; 0 leaves the start as it is, if τ is not 0.
+        duration: h [s]; 0 leaves the initial value unchanged, if τ is not 0.
     """
     instant = time_constant < INSTANT
     x = duration / select(instant, 1.0, time_constant)
@@ -79,12 +79,13 @@ def lagged(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
     """Exact response of one rotor to a constant command u: τ Ṫ = u − T.
 
     T(h) = u + (T_0 − u) e^(−h/τ), and its mean over h is u + (T_0 − u) (1 − e^(−h/τ)) τ/h.  The
-    rotor's torque about body z is ``Arm.torque_ratio`` times the thrust, so its mean follows too.
+    rotor's torque about body z is ``Arm.torque_ratio`` times the thrust, so its mean follows as
+    well.
 
     Args:
         thrust: T_0, at the start [N].
-        command: Asked for [N]; kept between the bounds.
-        rotors: Bounds.
+        command: Commanded thrust u [N]; limited to the bounds.
+        rotors: Their bounds.
         lag: `lag_over` τ and h.
     """
     u = limited(rotors, command)
@@ -98,36 +99,37 @@ def all_lagged(
     commands: tuple[float, ...],
     lag: Lag,
 ) -> Thrusts:
-    """`lagged` for every rotor, in the order of the arms [N]."""
+    """Apply `lagged` to every rotor, in the order of the arms [N]."""
     results = tree_map(lagged, (thrusts, commands), (rotors, lag))
     return Thrusts(field_of(results, "thrust"), field_of(results, "mean"))
 
 
 class Propulsion(Settings):
-    """Rotors, one at the end of each arm, all alike, and the battery they share.
+    """Rotors, one at the end of each arm, identical, and the battery they share.
 
-    The battery is needed only where hover power or time is asked for.
+    The battery is needed only for hover power and hover time.
     """
 
     max_thrust: Annotated[float, Unit("N", above=0.0)]
-    """Of one rotor."""
+    """Maximum thrust of one rotor."""
     min_thrust: Annotated[float, Unit("N", least=0.0)] = 0.0
-    """Of one rotor; 0: rotors stop but do not turn backwards."""
+    """Minimum thrust of one rotor; 0: rotors stop but do not turn backwards."""
     time_constant: Annotated[float, Unit("s", least=0.0)] = 0.025
     """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
-    aerial_robot assumes 90 ms.  With 40 ms ARQ does not always survive (`springback study why`)."""
+    aerial_robot assumes 90 ms.  At 40 ms ARQ does not always survive (`springback study why`).
+    """
     figure_of_merit: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
-    """Ideal induced power over power from the battery: propeller, motor and controller together."""
+    """Ratio of ideal induced power to battery power: propeller, motor and controller together."""
     disk_radius: Length | None = None
-    """Of one propeller."""
+    """Radius of one propeller."""
     battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
-    """Full, such as ``"52 Wh"``."""
+    """Energy of the full battery, such as ``"52 Wh"``."""
     usable_share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.8
-    """Of the battery's energy; the rest is reserve.  Chosen: the usual rule for lithium polymer."""
+    """Usable fraction of the energy; the rest is reserve.  Chosen: usual for lithium polymer."""
     electronics_power: Annotated[float, Unit("W", least=0.0)] = 0.0
-    """Of everything but the rotors."""
+    """Power of everything but the rotors."""
     air_density: Annotated[float, Unit("kg/m^3", above=0.0)] = 1.225
-    """ρ, of the International Standard Atmosphere at sea level (ISO 2533)."""
+    """ρ of the International Standard Atmosphere at sea level (ISO 2533)."""
 
     @model_validator(mode="after")
     def _consistent(self) -> Propulsion:
@@ -139,5 +141,5 @@ class Propulsion(Settings):
         return self
 
     def rotors(self) -> Rotors:
-        """The numbers for the equations of motion."""
+        """Numbers for the equations of motion."""
         return Rotors(self.min_thrust, self.max_thrust, self.time_constant)

@@ -17,7 +17,7 @@ class Arm(NamedTuple):
     """Constants of one arm: a point mass that slides along a straight line in the body plane.
 
     The cage and the rotor sit at the arm's end.  `compliance` is 1 for a sliding arm and 0 for a
-    fixed one: rigid and compliant vehicles differ in this number only.
+    locked one: rigid and compliant vehicles differ in this number only.
     """
 
     cosine: float  # e_j = (cosine, sine, 0), unit vector in body axes
@@ -30,7 +30,7 @@ class Arm(NamedTuple):
     shortest: float  # length at which the arm bottoms out [m]
     stop_stiffness: float  # of both end stops [N/m]; 0 switches them off
     stop_dissipation: float  # d of the end stops, force k δ (1 + d δ̇) [s/m]
-    compliance: float  # 1 slides, 0 fixed
+    compliance: float  # 1 slides, 0 is locked
     cage_radius: float  # r_0 [m]
     torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
 
@@ -49,7 +49,7 @@ class Airframe(NamedTuple):
     inverse_mass: float  # 1/m [1/kg]
     inertia: Mat3  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
-    hull: tuple[Sphere, ...]  # of the main body; none: it touches nothing
+    hull: tuple[Sphere, ...]  # of the main body; empty: it has no contact
 
 
 @kernel
@@ -72,7 +72,7 @@ def reach(airframe: Airframe) -> float:
 
 
 class State(NamedTuple):
-    """Where a vehicle is and how it moves; also, field by field, the rate of change of a state."""
+    """Position, attitude and velocities of a vehicle; or, field by field, their rates."""
 
     position: Vec  # p, world [m]
     attitude: Quat  # q, body to world
@@ -84,7 +84,7 @@ class State(NamedTuple):
 
 @kernel
 def fastest_point(airframe: Airframe, velocity: Vec, angular_velocity: Vec) -> float:
-    """No point of the vehicle is faster [m/s]; arms standing still."""
+    """Upper bound on the speed of any point of the vehicle [m/s], with the arms locked."""
     return norm(velocity) + reach(airframe) * norm(angular_velocity)
 
 
@@ -95,28 +95,28 @@ def _speed(rate: float) -> float:
 
 @kernel
 def fastest_cage(airframe: Airframe, state: State) -> float:
-    """No point of the vehicle is faster [m/s]; arms sliding."""
+    """Upper bound on the speed of any point of the vehicle [m/s], with sliding arms."""
     fastest = fastest_point(airframe, state.velocity, state.angular_velocity)
     return fastest + maximum(tree_map(_speed, (state.arm_rate,), ()))
 
 
 class ArmPose(NamedTuple):
-    """An arm seen from the main body, in body axes."""
+    """Kinematics of an arm relative to the main body, in body axes."""
 
     direction: Vec  # e_j
     lever: Vec  # r_j = l_j e_j, from the main body to the arm's end [m]
-    sliding: Vec  # Rᵀ v + l̇_j e_j: velocity of the arm's end less the part due to rotation [m/s]
+    sliding: Vec  # Rᵀ v + l̇_j e_j: velocity of the arm's end without that of rotation [m/s]
 
 
 @kernel
 def arm_direction(arm: Arm) -> Vec:
-    """e_j in body axes."""
+    """Unit vector e_j in body axes."""
     return Vec(arm.cosine, arm.sine, 0.0)
 
 
 @kernel
 def arm_pose(arm: Arm, length: float, rate: float, velocity: Vec) -> ArmPose:
-    """Eq. (5), Rᵀ (p_j − p) = l_j e_j and Rᵀ v_j = Rᵀ v + l̇_j e_j + ω × l_j e_j, in body axes.
+    """Kinematics of an arm, eq. (5), in body axes.
 
     Args:
         arm: Constants of the arm.
@@ -134,7 +134,7 @@ def arms_inertia(second: Vec) -> Mat3:
 
     Args:
         second: Σ m_j l_j² (e_x², e_y², e_x e_y) of arms in the body plane; or its rate, for the
-        rate.
+            rate.
     """
     return Mat3(
         Vec(second.y, -second.z, 0.0),

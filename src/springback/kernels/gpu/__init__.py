@@ -1,1 +1,1 @@
-"""The same kernels on NVIDIA's GPUs."""
+"""The same kernels on NVIDIA GPUs."""

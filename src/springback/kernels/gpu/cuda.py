@@ -12,12 +12,12 @@ import numpy as np
 from springback.errors import InputError
 from springback.kernels.gpu.ptx import Kernel
 
-#: Threads that are scheduled together (measured on an H100: 32 to 128 are alike, more are slower).
+#: Threads per block (measured on an H100: 32 to 128 are equally fast, more are slower).
 BLOCK = 64
 
 
 class GpuError(RuntimeError):
-    """What the driver says, in one line."""
+    """An error from the driver, in one line."""
 
 
 @functools.cache
@@ -54,7 +54,7 @@ class Device(NamedTuple):
 
     name: str
     memory: int
-    """In all [bytes]."""
+    """Total memory [bytes]."""
     processors: int
     context: Any
 
@@ -64,7 +64,7 @@ def device() -> Device:
     """The first GPU.
 
     Raises:
-        InputError: If there is none, or no driver for it.
+        InputError: If there is no GPU, or no driver for it.
     """
     try:
         _asked("cuInit", 0)
@@ -85,7 +85,7 @@ def device() -> Device:
 
 
 def _enter() -> None:
-    """Contexts belong to threads of the processor."""
+    """Make the context current: contexts belong to threads of the processor."""
     _asked("cuCtxSetCurrent", device().context)
 
 
@@ -93,7 +93,7 @@ class Memory:
     """A copy of an array on the GPU, freed with this object."""
 
     def __init__(self, array: np.ndarray[Any, Any]) -> None:
-        """Copy an array there."""
+        """Copy an array to the GPU."""
         _enter()
         self.shape, self.dtype, self.nbytes = array.shape, array.dtype, array.nbytes
         self.pointer = _asked("cuMemAlloc", max(array.nbytes, 8))
@@ -101,7 +101,7 @@ class Memory:
         self.fill(array)
 
     def fill(self, array: np.ndarray[Any, Any]) -> None:
-        """Copy an array of the same size there."""
+        """Copy an array of the same size to the GPU."""
         _enter()
         solid = np.ascontiguousarray(array)
         if solid.nbytes:
@@ -119,18 +119,18 @@ def _free(pointer: int) -> None:
         _enter()
         _asked("cuMemFree", pointer)
     except (GpuError, InputError):
-        pass  # at the end of the process the driver may have gone
+        pass  # the driver may be gone when the process ends
 
 
 class Loaded:
-    """A kernel, loaded."""
+    """A kernel loaded on the GPU."""
 
     def __init__(self, kernel: Kernel, *, registers: int | None = None) -> None:
-        """Have the driver assemble it.
+        """Assemble it with the driver.
 
         Args:
-            kernel: As PTX.
-            registers: At most so many of a thread; the driver's choice by default.
+            kernel: The kernel as PTX.
+            registers: Maximum per thread; by default the driver's choice.
         """
         _enter()
         driver = _driver()
@@ -144,13 +144,13 @@ class Loaded:
         self._function = _asked("cuModuleGetFunction", self._module, kernel.name.encode())
 
     def attribute(self, name: str) -> int:
-        """Of the assembled kernel: ``NUM_REGS``, ``LOCAL_SIZE_BYTES``, ..."""
+        """An attribute of the assembled kernel: ``NUM_REGS``, ``LOCAL_SIZE_BYTES``, ..."""
         _enter()
         which = getattr(_driver().CUfunction_attribute, f"CU_FUNC_ATTRIBUTE_{name}")
         return int(_asked("cuFuncGetAttribute", which, self._function))
 
     def launch(self, threads: int, *arguments: Memory | int | float, block: int = BLOCK) -> None:
-        """Run the kernel in so many threads or some more, and wait for its end."""
+        """Run the kernel in at least this many threads, and wait until it ends."""
         _enter()
         values = tuple(a.pointer if isinstance(a, Memory) else a for a in arguments)
         kinds = tuple(_kind(a) for a in arguments)
@@ -161,5 +161,5 @@ class Loaded:
 
 def _kind(argument: Any) -> Any:
     if isinstance(argument, Memory):
-        return None  # the bindings know their own pointers
+        return None  # the bindings recognise their own pointers
     return ctypes.c_int64 if isinstance(argument, int) else ctypes.c_double

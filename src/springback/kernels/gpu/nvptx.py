@@ -1,7 +1,7 @@
-"""Numba's target for NVIDIA's GPUs, and LLVM's back end for them.
+"""Numba target for NVIDIA GPUs, and LLVM's back end for them.
 
 Whatever numba can lower for the processor it lowers for this target with the same flags on every
-operation; LLVM comes with llvmlite and writes PTX.
+operation; LLVM, which comes with llvmlite, writes PTX.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from numba.core.compiler_lock import global_compiler_lock
 from springback.kernels.compiler import STRICT, rebound
 from springback.kernels.gpu.private_memory import MEMORY
 
-#: Parts of numba whose stubs know only some of them, or that have none.
+#: Parts of numba with incomplete type stubs, or none.
 _AOTLibrary: Any = codegen.AOTCodeLibrary
 _AOTCodegen: Any = codegen.AOTCPUCodegen
 _CPUContext: Any = cpu.CPUContext
@@ -40,23 +40,23 @@ _fastmath: Any = fastmathpass
 _override: Any = target_extension.target_override
 
 _TRIPLE = "nvptx64-nvidia-cuda"
-#: Architectures are compatible upwards: what is written for this one runs on all later ones.
+#: Architectures are upward compatible: PTX for this one runs on all later ones.
 ARCHITECTURE = "sm_70"
 _NAME = "ptx"
 
 
 class _Ptx(_CPU):  # type: ignore[misc]
-    """Whatever numba knows to lower for a processor, it lowers for this target, too."""
+    """Target that lowers whatever numba can lower for a processor."""
 
 
 class _Library(_AOTLibrary):  # type: ignore[misc]
-    """Lowered functions that wait for LLVM's back end."""
+    """Lowered functions for LLVM's back end."""
 
     def _optimize_functions(self, ll_module: Any) -> None:
         ll_module.data_layout = self._codegen._data_layout
 
     def _optimize_final_module(self) -> None:
-        """Inline what is to be inlined; all else is done once, with everything at hand."""
+        """Inline what is to be inlined; the other passes run once, on the complete module."""
         manager, builder = self._codegen._module_pass_manager(
             loop_vectorize=False, slp_vectorize=False, opt=1, cost="cheap"
         )
@@ -80,7 +80,7 @@ class _Codegen(_AOTCodegen):  # type: ignore[misc]
 
 
 class _Context(_CPUContext):  # type: ignore[misc]
-    allow_dynamic_globals = True  # addresses of functions, which nothing reads
+    allow_dynamic_globals = True  # addresses of functions, which are never read
 
     @global_compiler_lock  # type: ignore[untyped-decorator]
     def init(self) -> None:
@@ -94,12 +94,12 @@ class _Context(_CPUContext):  # type: ignore[misc]
         super().load_additional_registries()
 
     def post_lowering(self, module: Any, library: Any) -> None:
-        """The flags of the arithmetic; but nothing counts references here."""
+        """Set the arithmetic flags, without reference counting."""
         if self.fastmath:
             _fastmath.rewrite_module(module, self.fastmath)
 
     def get_executable(self, library: Any, fndesc: Any, env: Any) -> Any:
-        return object()  # a name for what was lowered, which this process cannot call
+        return object()  # a placeholder for lowered code, which this process cannot call
 
 
 class _Target(_Descriptor):  # type: ignore[misc]
@@ -127,7 +127,7 @@ class _Dispatcher(_AnyDispatcher):  # type: ignore[misc]
 
 
 def _decorated(function: Any = None, **options: Any) -> Any:
-    """What stands for `numba.njit` while code for a GPU is compiled."""
+    """Substitute for `numba.njit` while code for a GPU is compiled."""
     if function is None:
         return lambda function: _decorated(function, **options)
     for name in ("pipeline_class", "nopython", "cache", "nogil"):
@@ -142,7 +142,7 @@ target_extension.jit_registry[_Ptx] = _decorated
 
 
 def machine(architecture: str) -> Any:
-    """LLVM's back end for NVIDIA's GPUs."""
+    """LLVM's back end for NVIDIA GPUs."""
     binding.initialize_all_targets()
     binding.initialize_all_asmprinters()
     target = binding.Target.from_triple(_TRIPLE)
@@ -150,18 +150,18 @@ def machine(architecture: str) -> Any:
 
 
 def device_function(function: Callable[..., Any], **others: Any) -> Any:
-    """A function for entry points to call on a GPU; ``others`` replace globals of these names."""
+    """A function that entry points call on a GPU; ``others`` replace globals of these names."""
     plain = getattr(function, "py_func", function)
     return _decorated(rebound(plain, **MEMORY, **others), forceinline=True, **STRICT)
 
 
 def target_context() -> Any:
-    """What numba lowers in for this target."""
+    """Numba's context for lowering to this target."""
     return _Dispatcher.targetdescr.target_context
 
 
 def lowered(function: Any, arguments: tuple[Any, ...]) -> Any:
-    """A device function, typed and lowered for arguments of some types."""
+    """A device function, typed and lowered for the given argument types."""
     with _override(_NAME):
         result = function._compiler.compile(arguments, None)
     result.library._ensure_finalized()

@@ -1,6 +1,6 @@
-"""Memory of one thread of a GPU, and arrays over the memory that all threads share.
+"""Memory private to one thread of a GPU, and arrays over the memory that all threads share.
 
-In Python these are arrays; compiled for a GPU, `MEMORY` stands in their place.
+In Python these are arrays; when compiled for a GPU, `MEMORY` replaces them.
 """
 
 from __future__ import annotations
@@ -18,23 +18,23 @@ from numba.np import arrayobj
 from springback.kernels.layout import rows
 from springback.kernels.trees import leaf_count
 
-#: Parts of numba whose stubs know only some of them, or that have none.
+#: Parts of numba with incomplete type stubs, or none.
 _intrinsic: Any = numba.extending.intrinsic
 _arrays: Any = arrayobj
 
 
 def private(like: Any) -> Any:
-    """Memory of one thread for a tree, shape (1, leaves); what lies there is not known."""
+    """Uninitialised memory of one thread for a tree, shape (1, leaves)."""
     return np.full((1, rows(like)), np.nan)
 
 
 def private_words(first: int, second: int) -> Any:
-    """Unsigned whole numbers of one thread, shape (first, second), constants of the source."""
+    """Unsigned integers of one thread, shape (first, second), constants of the source."""
     return np.zeros((first, second), dtype=np.uint64)
 
 
 def private_counters(first: int, second: int) -> Any:
-    """Whole numbers of one thread, shape (first, second), constants of the source."""
+    """Integers of one thread, shape (first, second), constants of the source."""
     return np.zeros((first, second), dtype=np.int64)
 
 
@@ -44,21 +44,21 @@ def private_floats(first: int, second: int) -> Any:
 
 
 def reached_over(pointer: Any, first: int, second: int) -> Any:
-    """The array that begins at a pointer, shape (first, second); an array is its own pointer."""
+    """Array that begins at a pointer, shape (first, second); an array is its own pointer."""
     return pointer.reshape(-1)[: first * second].reshape(first, second)
 
 
 def remembered(buffer: Any) -> Any:
-    """The same array of `private` memory, of which nothing is known any more.
+    """The same array of `private` memory, with its contents hidden from the optimiser.
 
-    Else the compiler would keep all of it in registers, which are too few, from one turn of a loop
-    to the next.
+    Otherwise the compiler would keep all of it in registers, which are too few, from one iteration
+    of a loop to the next.
     """
     return buffer
 
 
 def _array(context: Any, builder: Any, kind: Any, data: Any, shape: Sequence[Any]) -> Any:
-    """An array over memory that nobody owns."""
+    """An array over memory that it does not own."""
     array = context.make_array(kind)(context, builder)
     strides = [size := ir.Constant(ir.IntType(64), 8)]
     for count in reversed(shape[1:]):
@@ -75,7 +75,7 @@ def _array(context: Any, builder: Any, kind: Any, data: Any, shape: Sequence[Any
 
 
 def _allocation(element: Any, *counts: int) -> Any:
-    """How to lower memory of one thread."""
+    """Rule that lowers to memory of one thread."""
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         of = context.get_data_type(element)
@@ -88,7 +88,7 @@ def _allocation(element: Any, *counts: int) -> Any:
 
 
 def _for_tree(*before: int) -> Any:
-    """Memory of one thread for a tree: an array whose last dimension are its leaves."""
+    """Memory of one thread for a tree: an array with the leaves as its last dimension."""
 
     def typed(typing_context: Any, like: Any) -> Any:
         counts = *before, leaf_count(like.tree)
@@ -99,7 +99,7 @@ def _for_tree(*before: int) -> Any:
 
 
 def _of_constants(element: Any) -> Any:
-    """Memory of one thread, its shape written in the source."""
+    """Memory of one thread with its shape written in the source."""
 
     def typed(typing_context: Any, first: Any, second: Any) -> Any:
         counts = first.literal_value, second.literal_value
@@ -118,7 +118,7 @@ def _reached_over(typing_context: Any, pointer: Any, first: Any, second: Any) ->
     return array(pointer, types.int64, types.int64), lower
 
 
-#: Of LLVM: the memory of a thread alone.
+#: LLVM's address space of the memory private to a thread.
 _LOCAL = 5
 
 
@@ -138,7 +138,7 @@ def _remembered(typing_context: Any, buffer: Any) -> Any:
     return buffer(buffer), lower
 
 
-#: What these functions are on a GPU.
+#: Implementations of these functions on a GPU.
 MEMORY = {
     "private": _for_tree(1),
     "private_words": _of_constants(types.uint64),

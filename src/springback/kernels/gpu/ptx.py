@@ -1,9 +1,9 @@
 """The same kernels as PTX, the assembly language of NVIDIA's GPUs.
 
-Numba lowers an entry point to LLVM's language exactly as it does for the processor, with the same
-flags on every operation; LLVM's own back end for NVIDIA then writes PTX instead of machine code.
-Nothing is contracted, reassociated or approximated, so a GPU returns the bits that the processor
-returns (docs/decisions/0025).  No GPU and no driver is needed to get this far.
+Numba lowers an entry point to LLVM IR exactly as it does for the processor, with the same flags on
+every operation; LLVM's back end for NVIDIA then writes PTX instead of machine code.  Nothing is
+contracted, reassociated or approximated, so a GPU returns the same bits as the processor
+(docs/decisions/0025).  Neither a GPU nor a driver is needed for this.
 """
 
 from __future__ import annotations
@@ -38,21 +38,21 @@ _Pointer: Any = types.CPointer
 
 
 class PtxError(RuntimeError):
-    """A kernel needs what a GPU does not have."""
+    """A kernel needs something that a GPU does not have."""
 
 
-#: Registers that tell a thread its place.
+#: Registers that give a thread its index.
 _PLACES = ("ctaid", "ntid", "tid")
 
 
 #: Functions of the C library that are one exact instruction.
 _BUILT_IN = ("ceil", "fabs", "floor", "sqrt")
-#: Functions that LLVM knows by name, and leaves to the C library.
+#: Functions that LLVM knows as intrinsics, and leaves to the C library.
 _OF_A_LIBRARY = {
     "acos", "asin", "atan", "atan2", "cos", "cosh", "exp", "exp10", "exp2", "frexp", "ldexp", "log",
     "log10", "log2", "modf", "pow", "powi", "sin", "sincos", "sinh", "tan", "tanh",
 }  # fmt: skip
-#: What an entry point is called within its kernel.
+#: Name of an entry point within its kernel.
 _INNER = "flight_of_thread"
 
 
@@ -64,15 +64,15 @@ class Kernel(NamedTuple):
 
 
 class Constants(NamedTuple):
-    """A tree that does not change during a flight, as an argument of an entry point.
+    """A tree that is constant during a flight, as an argument of an entry point.
 
-    What is the same for all flights is an argument of the launch, which costs an instruction
-    nothing; only the rest is read out of their buffers.
+    Leaves that are the same for all flights are arguments of the launch, which cost no instruction;
+    only the others are read from the flights' buffers.
     """
 
     like: TreeLayout
     varies: tuple[bool, ...]
-    """Of each leaf: whether it differs from flight to flight."""
+    """For each leaf: True if it differs from flight to flight."""
 
 
 def parameter(value: Any) -> Any:
@@ -91,12 +91,12 @@ def parameter(value: Any) -> Any:
 
 
 class Program(NamedTuple):
-    """An entry point, lowered for some types: from here on a kernel takes seconds."""
+    """An entry point, lowered for some types; from here a kernel takes only seconds."""
 
     name: str
     bitcode: bytes
     digest: str | None
-    """Of all that it depends on; None for what is not to be kept."""
+    """Digest of everything it depends on; None if it must not be cached."""
 
 
 def program(
@@ -105,14 +105,14 @@ def program(
     parts: Callable[[], dict[str, Any]],
     sources: Origin | None = Origin((), (), ""),  # noqa: B008
 ) -> Program:
-    """Lower an entry point, or take what is kept of it.
+    """Lower an entry point, or load it from the cache.
 
     Args:
         entry: Called in every thread with the arguments of the launch and, last, the number of the
             thread.
-        parameters: Of all arguments but the last, see `parameter`.
-        parts: Gives what stands for globals of the entry, see `device_function`.
-        sources: Where a user's code among the types comes from; None keeps nothing.
+        parameters: Types of all arguments but the last, see `parameter`.
+        parts: Returns replacements for globals of the entry, see `device_function`.
+        sources: Origin of a user's code among the types; None disables caching.
     """
     kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
     versions = [numba.__version__, str(binding.llvm_version_info), ARCHITECTURE]
@@ -135,9 +135,9 @@ def _folder() -> Path:
 
 @contextlib.contextmanager
 def one_at_a_time() -> Iterator[None]:
-    """A lock among all processes: what one of them compiles the others then find."""
+    """Lock shared by all processes: one of them compiles, the others then read the cache."""
     with contextlib.ExitStack() as held:
-        with contextlib.suppress(OSError, NotImplementedError):  # nothing is kept, or no locks
+        with contextlib.suppress(OSError, NotImplementedError):  # no writable cache, or no locks
             _folder().mkdir(parents=True, exist_ok=True)
             held.enter_context(filelock.FileLock(_folder() / "lock"))
         yield
@@ -145,7 +145,7 @@ def one_at_a_time() -> Iterator[None]:
 
 @global_compiler_lock  # type: ignore[untyped-decorator]
 def _lowered(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any]) -> bytes:
-    """Bitcode of an entry point and all that it calls, under the name of the entry point."""
+    """Bitcode of an entry point and its callees, under the name of the entry point."""
     result = lowered(device_function(entry, **parts), (*kinds, types.int64))
     module = binding.parse_assembly(str(result.library._final_module))
     _define_built_in(module)
@@ -162,18 +162,18 @@ def _lowered(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, A
 
 @global_compiler_lock  # type: ignore[untyped-decorator]
 def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
-    """A program as PTX, for what varies from flight to flight.
+    """PTX of a program, given which values vary from flight to flight.
 
     A launch takes, in the order of the parameters: for `Constants` the leaves that do not vary,
     the memory of those that do, shape (varying leaves, flights), and the number of flights; for
     arrays their memory; for numbers themselves; for a `TreeLayout` nothing.
 
     Args:
-        program: Of `program`.
-        parameters: The same as there.
+        program: From `program`.
+        parameters: The same as for `program`.
 
     Raises:
-        PtxError: If it calls what is not there on a GPU.
+        PtxError: If it calls a function that a GPU does not have.
     """
     masks = repr([p.varies for p in parameters if isinstance(p, Constants)])
     mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
@@ -193,7 +193,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
 
 
 def _check_calls(module: Any) -> None:
-    """LLVM ends the process where its back end meets what it cannot write."""
+    """Refuse calls that LLVM's back end cannot write: it would end the process."""
     for function in module.functions:
         first, _, rest = function.name.partition(".")
         name = rest.partition(".")[0] if first == "llvm" else function.name
@@ -202,7 +202,7 @@ def _check_calls(module: Any) -> None:
 
 
 def _define_built_in(module: Any) -> None:
-    """Give functions of the C library the GPU's instructions, which round as they do."""
+    """Implement functions of the C library by GPU instructions, which round identically."""
     declared = {function.name for function in module.functions if function.is_declaration}
     for name in declared.intersection(_BUILT_IN):
         text = (
@@ -214,7 +214,7 @@ def _define_built_in(module: Any) -> None:
 
 
 def _arguments_of(context: Any, p: Any) -> list[Any]:
-    """What a launch passes for a parameter."""
+    """Arguments of a launch for one parameter."""
     if isinstance(p, TreeLayoutType):
         return []
     if isinstance(p, Constants):
@@ -225,7 +225,7 @@ def _arguments_of(context: Any, p: Any) -> list[Any]:
 
 
 def _entry_text(name: str, parameters: Sequence[Any]) -> str:
-    """A kernel that calls a lowered entry point once in every thread."""
+    """Text of a kernel that calls a lowered entry point once in every thread."""
     context = target_context()
     module = context.codegen()._create_empty_module("entry")
     passed = [_arguments_of(context, p) for p in parameters]
@@ -260,7 +260,7 @@ def _entry_text(name: str, parameters: Sequence[Any]) -> str:
 
 
 def _constants(builder: Any, p: Constants, given: Sequence[Any], thread: Any) -> list[Any]:
-    """All leaves of settings, in order: arguments, or read for the flight of a thread."""
+    """All leaves of the settings, in order: arguments, or read for the flight of a thread."""
     *fixed, pointer, count = given
     inside = builder.icmp_signed("<", thread, count)
     lane = builder.select(inside, thread, builder.sub(count, ir.Constant(ir.IntType(64), 1)))
@@ -276,7 +276,7 @@ def _constants(builder: Any, p: Constants, given: Sequence[Any], thread: Any) ->
 
 
 def _tree(context: Any, builder: Any, kind: Any, values: list[Any]) -> Any:
-    """A tree of a type from its leaves, which are taken in order."""
+    """A tree of a type from its leaves, consumed in order."""
     if not isinstance(kind, types.BaseTuple):
         return values.pop(0)
     tree = ir.Constant(context.get_value_type(kind), ir.Undefined)
@@ -286,7 +286,7 @@ def _tree(context: Any, builder: Any, kind: Any, values: list[Any]) -> Any:
 
 
 def _optimise(module: Any) -> None:
-    """What LLVM does at its third level, for a GPU."""
+    """Run LLVM's optimisation level 3 for a GPU."""
     back_end = machine(ARCHITECTURE)
     options = binding.create_pipeline_tuning_options(speed_level=3)
     options.loop_vectorization = options.slp_vectorization = False

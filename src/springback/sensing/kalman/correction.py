@@ -1,4 +1,4 @@
-"""How the Kalman filter takes up a pose from motion capture that was taken some time ago."""
+"""Correction of the Kalman filter by a pose from motion capture taken some time ago."""
 
 from __future__ import annotations
 
@@ -48,45 +48,45 @@ from springback.sensing.measurement import Pose
 
 
 @kernel
-def _weighted(kept: StoredPose, weight: float) -> StoredPose:
-    """A kept pose times a weight."""
-    q = kept.attitude
+def _weighted(stored: StoredPose, weight: float) -> StoredPose:
+    """A saved pose times a weight."""
+    q = stored.attitude
     return StoredPose(
-        weight * kept.position, Quat(weight * q.w, weight * q.x, weight * q.y, weight * q.z)
+        weight * stored.position, Quat(weight * q.w, weight * q.x, weight * q.y, weight * q.z)
     )
 
 
 @kernel
-def _share(kept: StoredPose, delay: float, lag: float, interval: float) -> StoredPose:
-    """A kept pose times its weight in linear interpolation at a lag."""
-    return _weighted(kept, positive_part(1.0 - abs(lag - delay) / interval))
+def _share(stored: StoredPose, delay: float, lag: float, interval: float) -> StoredPose:
+    """A saved pose times its weight in linear interpolation at a lag."""
+    return _weighted(stored, positive_part(1.0 - abs(lag - delay) / interval))
 
 
 @kernel
 def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> StoredPose:
-    """What the filter now believes its pose was, some time before the last sample.
+    """Present estimate of the pose at some time before the last sample.
 
-    At an exposure this is the pose kept there.  Elsewhere, as where motion capture is faster than
-    the inertial samples, it is interpolated linearly.
+    At an exposure this is the pose saved there.  Elsewhere, such as where motion capture is faster
+    than the inertial samples, it is interpolated linearly.
 
     Args:
         kalman: Settings of the filter.
-        track: Of the filter.
-        since: Time from the newest kept pose to the last sample [s].
-        lag: Before the last sample, not beyond the oldest kept pose [s].
+        track: Track of the filter.
+        since: Time from the newest saved pose to the last sample [s].
+        lag: Time before the last sample, not beyond the oldest saved pose [s].
     """
-    kept = tree_map(_share, (track.kept, kalman.delays), (lag - since, kalman.pose_interval))
-    pose = tree_sum(kept)
+    stored = tree_map(_share, (track.stored, kalman.delays), (lag - since, kalman.pose_interval))
+    pose = tree_sum(stored)
     if lag < since:
         n, share = track.nominal, lag / since
         now = _weighted(StoredPose(n.position, n.attitude), 1.0 - share)
-        pose = tree_sum((now, _weighted(track.kept[0], share)))
+        pose = tree_sum((now, _weighted(track.stored[0], share)))
     return StoredPose(pose.position, normalised(pose.attitude))
 
 
 @kernel
 def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
-    """Section 6.2: the estimate takes up the correction δx = K z."""
+    """Add the correction δx = K z to the estimate (section 6.2)."""
     d = correction(seen, weighed)
     return Nominal(
         n.position + d.p,
@@ -99,19 +99,20 @@ def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
 
 @kernel
 def _moved(
-    kept: StoredPose, delay: float, since: float, before: Nominal, after: Nominal
+    stored: StoredPose, delay: float, since: float, before: Nominal, after: Nominal
 ) -> StoredPose:
-    """A kept pose after a correction of the last sample's: at its time, δp − t δv, and the turn.
+    """Correct a saved pose as the last sample: at its time, δp − t δv, and the rotation.
 
-    Its time t before the last sample is its delay behind the newest kept pose, and since that one.
+    Its time t before the last sample is its delay relative to the newest saved pose, plus the age
+    of that one.
     """
     shift = after.position - before.position - (since + delay) * (after.velocity - before.velocity)
     turn = quaternion_product(after.attitude, conjugate(before.attitude))
-    return StoredPose(kept.position + shift, quaternion_product(turn, kept.attitude))
+    return StoredPose(stored.position + shift, quaternion_product(turn, stored.attitude))
 
 
 class _Corrected(NamedTuple):
-    """A filter that has taken up a measurement."""
+    """A filter after a correction."""
 
     nominal: Nominal
     covariance: Covariance
@@ -122,7 +123,7 @@ class _Corrected(NamedTuple):
 def _with_position(
     kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
 ) -> _Corrected:
-    """The position of the main body as it was some time ago.
+    """Correct by the position of the main body some time ago.
 
     z = p_m − (p_s − R r) at that time, and its error is δp − t δv + R [r]× δθ there.
     """
@@ -140,9 +141,9 @@ def _with_position(
 def _with_attitude(
     kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
 ) -> _Corrected:
-    """The attitude as it was some time ago.
+    """Correct by the attitude some time ago.
 
-    z = log(q⁻¹ ⊗ q_m) at that time, turned to the present body axes; its error is δθ + t δw.
+    z = log(q⁻¹ ⊗ q_m) at that time, rotated to the present body axes; its error is δθ + t δw.
     """
     turn = rotation_vector(quaternion_product(conjugate(then.attitude), pose.attitude))
     z = (rotation(then.attitude) @ turn) @ rotation(n.attitude)
@@ -153,7 +154,7 @@ def _with_attitude(
 
 @kernel
 def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corrected:
-    """Section 6.1: a measurement with innovation z of covariance S, and P Hᵀ."""
+    """Correct by an innovation z with covariance S, given P Hᵀ (section 6.1)."""
     inverse = inverse_symmetric(s)
     weighed = inverse @ z
     return _Corrected(_injected(n, seen, weighed), corrected(c, seen, inverse), z @ weighed)
@@ -161,13 +162,13 @@ def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corr
 
 @kernel
 def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
-    """The filter after a pose: first its position, then its attitude.
+    """Memory of the filter after a pose: first its position, then its attitude.
 
     Args:
         kalman: Settings of the filter.
         tick: Number of the tick.
         pose: The pose.
-        track: Of the filter, its window empty.
+        track: Track of the filter, its window empty.
         c: Covariance, at the last inertial sample.
     """
     before = track.nominal
@@ -184,7 +185,7 @@ def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covarianc
         angular_velocity=track.angular_velocity + before.gyroscope_bias - after.gyroscope_bias,
         acceleration=track.acceleration,
         window=empty_window(after.attitude),
-        kept=tree_map(_moved, (track.kept, kalman.delays), (since, before, after)),
+        stored=tree_map(_moved, (track.stored, kalman.delays), (since, before, after)),
         waiting=track.waiting,
     )
     known = Known(second.covariance, Surprise(first.surprise, second.surprise))

@@ -1,8 +1,8 @@
-"""Covariance of fifteen errors in blocks of three: what a Kalman filter does to it.
+"""Covariance of fifteen errors in blocks of three, and its propagation and correction.
 
 The errors are, in this order, those of position p and velocity v (world axes), a small rotation θ
 (body axes; truth = estimate ⊗ exp θ), the accelerometer's bias a and the gyroscope's bias w (body
-axes).  Only the upper triangle is kept: 15 of the 25 blocks.
+axes).  Only the upper triangle is stored: 15 of the 25 blocks.
 
 Source of the filter: J. Solà, Quaternion kinematics for the error-state Kalman filter, arXiv
 1711.02508, sections 5.4 (transition) and 6.1 (correction).
@@ -23,7 +23,7 @@ from springback.kernels.vectors import (
 
 
 class Covariance(NamedTuple):
-    """P, its upper triangle: ``pv`` is the covariance of position and velocity errors, and so on.
+    """Covariance P, its upper triangle: ``pv`` is that of position and velocity errors, and so on.
 
     Units are products of those of the errors: m, m/s, rad, m/s², rad/s.
     """
@@ -46,7 +46,7 @@ class Covariance(NamedTuple):
 
 
 class Column(NamedTuple):
-    """A column of five blocks: the covariance of all errors with some three numbers."""
+    """A column of five blocks: the covariance of all errors with three numbers."""
 
     p: Mat3
     v: Mat3
@@ -56,9 +56,9 @@ class Column(NamedTuple):
 
 
 class Transition(NamedTuple):
-    """F over a time T: δp += T δv, δv += F_vt δθ + F_va δa, δθ ← F_tt δθ − T δw.
+    """Transition F over a time T: δp += T δv, δv += F_vt δθ + F_va δa, δθ ← F_tt δθ − T δw.
 
-    Section 5.4.3 of the source, with the rotation and the gain of velocity of the whole time T.
+    Section 5.4.3 of the source, with the rotation and the velocity gain over the whole time T.
     """
 
     duration: float  # T [s]
@@ -68,7 +68,7 @@ class Transition(NamedTuple):
 
 
 class Noise(NamedTuple):
-    """Variances gained over a time, the same along all axes."""
+    """Variances added over some time, equal along all axes."""
 
     velocity: float  # [m²/s²]
     rotation: float  # [rad²]
@@ -77,7 +77,7 @@ class Noise(NamedTuple):
 
 
 def uncorrelated(p: float, v: float, t: float, a: float, w: float) -> Covariance:
-    """The covariance of independent errors with given standard deviations."""
+    """Covariance of independent errors with given standard deviations."""
     o = isotropic(0.0)
     return Covariance(
         *(isotropic(p * p), o, o, o, o),
@@ -114,13 +114,13 @@ def with_gyroscope_bias(c: Covariance) -> Column:
 
 @kernel
 def _across(p: Mat3, v: Mat3, t: Mat3, a: Mat3, w: Mat3) -> Column:
-    """A row of blocks, laid down as a column."""
+    """A row of blocks, as a column."""
     return Column(transposed(p), transposed(v), transposed(t), transposed(a), transposed(w))
 
 
 @kernel
 def _moved(f: Transition, c: Column) -> Column:
-    """F times a column."""
+    """Product of F and a column."""
     return Column(
         c.p + f.duration * c.v,
         c.v + f.vt @ c.t + f.va @ c.a,
@@ -132,7 +132,7 @@ def _moved(f: Transition, c: Column) -> Column:
 
 @kernel
 def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
-    """P ← F P Fᵀ + Q: first F P column by column, then F (F P)ᵀ."""
+    """Propagation P ← F P Fᵀ + Q: first F P column by column, then F (F P)ᵀ."""
     p, v, t = with_position(c), with_velocity(c), with_rotation(c)
     a = Column(c.pa, c.va, c.ta, c.aa, transposed(c.aw))
     w = with_gyroscope_bias(c)
@@ -161,12 +161,12 @@ def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
 
 @kernel
 def times(c: Column, m: Mat3) -> Column:
-    """Every block of a column times a matrix."""
+    """Product of every block of a column and a matrix."""
     return Column(c.p @ m, c.v @ m, c.t @ m, c.a @ m, c.w @ m)
 
 
 class Correction(NamedTuple):
-    """δx = K z, block by block."""
+    """Correction δx = K z, block by block."""
 
     p: Vec
     v: Vec
@@ -177,10 +177,10 @@ class Correction(NamedTuple):
 
 @kernel
 def correction(seen: Column, weighed: Vec) -> Correction:
-    """K z = P Hᵀ (S⁻¹ z).
+    """Correction K z = P Hᵀ (S⁻¹ z).
 
     Args:
-        seen: P Hᵀ, the covariance of all errors with what is measured.
+        seen: P Hᵀ, the covariance of all errors with the measured quantity.
         weighed: S⁻¹ z of the innovation z and its covariance S.
     """
     return Correction(
@@ -190,7 +190,7 @@ def correction(seen: Column, weighed: Vec) -> Correction:
 
 @kernel
 def corrected(c: Covariance, seen: Column, inverse: Mat3) -> Covariance:
-    """P ← P − K S Kᵀ = P − (P Hᵀ) S⁻¹ (P Hᵀ)ᵀ.
+    """Covariance after a correction, P ← P − K S Kᵀ = P − (P Hᵀ) S⁻¹ (P Hᵀ)ᵀ.
 
     Args:
         c: P.

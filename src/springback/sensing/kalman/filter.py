@@ -1,12 +1,12 @@
 """Inertial navigation corrected by motion capture: an error-state Kalman filter.
 
-The filter follows the place of the inertial sensor, where the measured specific force is exactly
-that of the motion, and speaks for the main body: with the offset r of the sensor from it,
-p = p_s − R r and v = v_s − R (ω × r).  So no angular acceleration needs to be made from rates.
+The filter estimates the motion of the inertial sensor, whose measured specific force applies
+exactly there, and reports that of the main body: with the offset r of the sensor from it, p = p_s −
+R r and v = v_s − R (ω × r).  So no angular acceleration needs to be derived from rates.
 
-A pose from motion capture arrives late.  The filter keeps what it believed at each instant at which
-the cameras expose, until their pose arrives, and compares there; corrections move the kept poses
-too.  So a delay causes no bias, not even while the robot is accelerated by an impact.
+A pose from motion capture arrives late.  The filter saves its estimate at each exposure of the
+cameras until the pose arrives, and compares there; corrections apply to the saved poses as well.
+A delay thus causes no bias, not even during the acceleration of an impact.
 
 Source: J. Solà, Quaternion kinematics for the error-state Kalman filter, arXiv 1711.02508, with
 rotation errors in body axes: sections 5.4 (prediction), 6.1 (correction), 6.2 (injection). The
@@ -48,7 +48,7 @@ from springback.sensing.measurement import Estimate, EstimatorStep, Inertial, Me
 
 __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 
-#: A reading above this share of its range may stand for more (chosen: a low-pass behind the
+#: A reading above this fraction of its range may be clipped (chosen: a low-pass behind the
 #: converter rounds the top of a clipped peak).
 AT_RANGE = 0.9
 
@@ -72,7 +72,7 @@ def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory
 
 @kernel
 def _spoken(kalman: Kalman, track: Track) -> Estimate:
-    """The main body's motion, now: on from the last sample, late as it is, at steady rates."""
+    """Present motion of the main body: the last, delayed sample extrapolated at constant rates."""
     n, omega, a = track.nominal, track.angular_velocity, track.acceleration
     ahead = track.waiting + kalman.inertial_lag
     q = quaternion_product(n.attitude, turned_by(ahead * omega))
@@ -84,63 +84,63 @@ def _spoken(kalman: Kalman, track: Track) -> Estimate:
 
 @kernel
 def _waited(kalman: Kalman, track: Track) -> Track:
-    """A tick without an inertial sample."""
+    """Track after a tick without an inertial sample."""
     return Track(
         track.nominal,
         track.angular_velocity,
         track.acceleration,
         track.window,
-        track.kept,
+        track.stored,
         track.waiting + kalman.tick,
     )
 
 
 @kernel
 def _begun(track: Track) -> Track:
-    """A new window begins."""
+    """Track with a new, empty window."""
     return Track(
         track.nominal,
         track.angular_velocity,
         track.acceleration,
         empty_window(track.nominal.attitude),
-        track.kept,
+        track.stored,
         track.waiting,
     )
 
 
 @kernel
 def _at_range(reading: Vec, limit: float) -> bool:
-    """Whether a reading stands at its range."""
+    """True if a reading is at its range."""
     return maximum((abs(reading.x), abs(reading.y), abs(reading.z))) > AT_RANGE * limit
 
 
 @kernel
-def _kept(
+def _stored_poses(
     kalman: Kalman,
     tick: float,
     n: Nominal,
     omega: Vec,
     acceleration: Vec,
-    kept: tuple[StoredPose, ...],
+    stored: tuple[StoredPose, ...],
 ) -> tuple[StoredPose, ...]:
-    """The kept poses after a sample, with a new one if the cameras exposed during it.
+    """Saved poses after a sample, with a new one if the cameras exposed during it.
 
-    The way back to the exposure is the way that the sample has come, at steady rate and
+    The pose at the exposure is extrapolated back from the sample, at constant rate and
     acceleration.
     """
     since = exposed_before(kalman, tick)
     if since < (1.0 - ROUNDING) * kalman.interval:
         position = n.position - since * n.velocity + (0.5 * since * since) * acceleration
         attitude = quaternion_product(n.attitude, turned_by(-since * omega))
-        return (StoredPose(position, attitude), *kept[:-1])
-    return kept
+        return (StoredPose(position, attitude), *stored[:-1])
+    return stored
 
 
 @kernel
 def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> Track:
-    """Section 5.4.1, with the force turned by the attitude in the middle of the sample.
+    """Track after an inertial sample (section 5.4.1), with the force rotated at its midpoint.
 
-    A sample stands for the mean over the interval that ends with it.
+    A sample is the mean over the interval that ends with it.
     """
     n, window, dt = track.nominal, track.window, kalman.interval
     omega = inertial.angular_velocity - n.gyroscope_bias
@@ -165,14 +165,14 @@ def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> 
             window.clipped + clipped,
             window.spun + spun,
         ),
-        kept=_kept(kalman, tick, after, omega, acceleration, track.kept),
+        stored=_stored_poses(kalman, tick, after, omega, acceleration, track.stored),
         waiting=0.0,
     )
 
 
 @kernel
 def _transition(window: Window, attitude: Quat) -> Transition:
-    """F over a window that ends with an attitude."""
+    """Transition F over a window that ends with an attitude."""
     before, after = rotation(window.attitude), rotation(attitude)
     return Transition(
         duration=window.duration,
@@ -184,12 +184,12 @@ def _transition(window: Window, attitude: Quat) -> Transition:
 
 @kernel
 def _noise(kalman: Kalman, window: Window) -> Noise:
-    """Q over a window: a one-sided density N, as in data sheets, leaves the variance ½ N² T.
+    """Noise Q over a window: a one-sided density N, as in data sheets, adds a variance ½ N² T.
 
-    (Its power N² f/2 per sample at the rate f, times f T samples of 1/f² each.)  A bias that
-    wanders with density K leaves K² T.
+    (Its power N² f/2 per sample at the rate f, times f T samples of 1/f² each.)  A bias with a
+    random walk of density K adds K² T.
 
-    While a reading stands at its range the truth may lie anywhere beyond.  Then the variance grows
+    While a reading is at its range the true value may be anywhere beyond.  The variance then grows
     by range² τ per time: as if the range itself were missing, over a clipping that lasts τ.
     """
     a, w, duration = kalman.accelerometer_noise, kalman.gyroscope_noise, window.duration
@@ -205,7 +205,7 @@ def _noise(kalman: Kalman, window: Window) -> Noise:
 
 @kernel
 def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
-    """The covariance brought up to the last sample, and a new window."""
+    """Memory with the covariance propagated to the last sample, and a new window."""
     track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)
     covariance = carried(known.covariance, transition, _noise(kalman, track.window))

@@ -1,4 +1,4 @@
-"""What the Kalman filter is told, and what it remembers."""
+"""Settings and memory of the Kalman filter."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from springback.kernels.vectors import ZERO, Quat, Vec, rotation
 from springback.sensing.kalman.covariance import Covariance, uncorrelated
 from springback.sensing.measurement import Estimate
 
-#: Instants this near, as a share of the time between two of a kind, are one: rounding.
+#: Instants closer than this, as a fraction of a period, are the same: rounding.
 ROUNDING = 1e-6
 
 
@@ -21,11 +21,11 @@ class Kalman(NamedTuple):
 
     tick: float  # [s]
     interval: float  # between inertial samples [s]
-    inertial_lag: float  # by which inertial samples are late [s]
-    every: float  # inertial samples to one prediction of the covariance
+    inertial_lag: float  # delay of inertial samples [s]
+    every: float  # inertial samples per prediction of the covariance
     pose_interval: float  # between exposures of motion capture [s]
     pose_phase: float  # of one exposure, since tick 0 [s]
-    delays: tuple[float, ...]  # of the kept poses, behind the newest: 0, 1, 2, … pose intervals [s]
+    delays: tuple[float, ...]  # of stored poses, after the newest: 0, 1, … pose intervals [s]
     gravity: float  # g along −Z [m/s²]
     offset: Vec  # r, of the inertial sensor from the main body, body axes [m]
     accelerometer_noise: float  # one-sided density [m/s²/√Hz]
@@ -34,25 +34,25 @@ class Kalman(NamedTuple):
     gyroscope_walk: float  # of the bias [rad/s²/√Hz]
     accelerometer_range: float  # [m/s²]
     gyroscope_range: float  # [rad/s]
-    distrust: float  # time over which clipping loses as much as the range [s]; 0 trusts
+    distrust: float  # duration of clipping that loses as much as the range [s]; 0 ignores it
     position_noise: float  # of motion capture, standard deviation [m]
     attitude_noise: float  # of motion capture, standard deviation about each axis [rad]
 
 
 @kernel
 def exposed_before(kalman: Kalman, tick: float) -> float:
-    """How long before what an inertial sample tells of motion capture last exposed [s].
+    """Time from the last exposure of motion capture to the instant of an inertial sample [s].
 
     Args:
         kalman: Settings of the filter.
-        tick: At which the sample arrives.
+        tick: Tick at which the sample arrives.
     """
     time = tick * kalman.tick - kalman.inertial_lag - kalman.pose_phase
     return time - kalman.pose_interval * math.floor(time / kalman.pose_interval + ROUNDING)
 
 
 class Nominal(NamedTuple):
-    """What the filter believes, of the place of the inertial sensor."""
+    """Nominal state of the filter, for the inertial sensor."""
 
     position: Vec  # world [m]
     velocity: Vec  # world [m/s]
@@ -78,7 +78,7 @@ def empty_window(attitude: Quat) -> Window:
 
 
 class StoredPose(NamedTuple):
-    """A pose of the inertial sensor at an exposure, or a weighted sum of such."""
+    """A pose of the inertial sensor at an exposure, or a weighted sum of poses."""
 
     position: Vec  # world [m]
     attitude: Quat
@@ -92,25 +92,25 @@ class Surprise(NamedTuple):
 
 
 class Track(NamedTuple):
-    """Where the filter is and how it came there."""
+    """Nominal state of the filter, and its recent history."""
 
     nominal: Nominal
-    angular_velocity: Vec  # body, bias taken off [rad/s]
+    angular_velocity: Vec  # body, bias subtracted [rad/s]
     acceleration: Vec  # world [m/s²]
     window: Window
-    kept: tuple[StoredPose, ...]  # of the last exposures, newest first
+    stored: tuple[StoredPose, ...]  # of the last exposures, newest first
     waiting: float  # time since the last inertial sample [s]
 
 
 class Known(NamedTuple):
-    """How well the filter knows where it is."""
+    """Uncertainty of the filter."""
 
     covariance: Covariance
     surprise: Surprise
 
 
 class KalmanMemory(NamedTuple):
-    """What the filter remembers."""
+    """Memory of the filter."""
 
     track: Track
     known: Rarely  # Known; it changes with poses only
@@ -127,7 +127,7 @@ class Deviations(NamedTuple):
 
 
 def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) -> KalmanMemory:
-    """What a filter remembers that has stood for a while in a known state, biases unknown."""
+    """Memory of a filter that has been at rest in a known state, with unknown biases."""
     r, since = rotation(estimate.attitude), exposed_before(kalman, 0.0)
     position = estimate.position + r @ kalman.offset
     velocity = estimate.velocity + r @ (estimate.angular_velocity ^ kalman.offset)
@@ -136,7 +136,7 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
         angular_velocity=estimate.angular_velocity,
         acceleration=ZERO,
         window=empty_window(estimate.attitude),
-        kept=tuple(
+        stored=tuple(
             StoredPose(position - (since + d) * velocity, estimate.attitude) for d in kalman.delays
         ),
         waiting=0.0,
