@@ -36,7 +36,7 @@ RECOVERY_MEASURES = {
     "nose_up": ("rad", "largest pitch nose up after touch, as a negative pitch"),
     "nose_down": ("rad", "largest pitch nose down after touch"),
     "position_error": ("m", "error of p_c, the main body at the last alarm"),
-    "direction_error": ("rad", "angle between the f_c0 in use and the obstacle's normal, horizontal"),
+    "direction_error": ("rad", "horizontal angle from the obstacle's normal to the f_c0 in use"),
     "arms_direction_error": ("rad", "the same, f_c0 from the arms"),
     "acceleration_direction_error": ("rad", "the same, f_c0 from the accelerometer"),
     "wrench_direction_error": ("rad", "the same, f_c0 from the external wrench"),
