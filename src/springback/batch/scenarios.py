@@ -44,7 +44,7 @@ BLOCK = 4096
 GPU_BLOCK = 33_792
 
 Device = Literal["cpu", "gpu"]
-"""Where flights fly: in lanes of the processor, or one in each thread of an NVIDIA GPU."""
+"""Device for flights: lanes of the processor, or one flight per thread of an NVIDIA GPU."""
 #: Number of recent groups with which a flight is compared (chosen).
 MOST_TRIED = 8
 #: Tables by which flights are sorted, so that those that share much are adjacent.

@@ -238,7 +238,7 @@ def _trees(ready: ReadyFlight) -> tuple[Any, Any]:
 
 
 def pace_of(ready: ReadyFlight) -> tuple[Any, ...]:
-    """Properties common to a batch beside its types; without pilots, none."""
+    """Properties common to a batch besides its types; without pilots, none."""
     if ready.built_avionics is None:
         return ()
     return (

@@ -58,7 +58,7 @@ class _Walk:
     def __init__(self) -> None:
         self.digest = hashlib.sha256()
         self._seen: dict[int, Any] = {}
-        """By identity; held, lest an identity be used again."""
+        """Visited values by identity; holding them prevents reuse of an id."""
 
     def value(self, value: Any) -> None:
         """Add a value."""
