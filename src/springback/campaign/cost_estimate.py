@@ -19,7 +19,6 @@ from springback.campaign.running import in_time
 from springback.campaign.store import write_rows
 from springback.errors import InputError
 from springback.kernels.layout import structure
-from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 
 #: Flights that are flown to see how long they take (chosen).
@@ -103,10 +102,9 @@ def kinds_of(tables: Sequence[dict[str, Any]]) -> int:
     for given in tables:
         with contextlib.suppress(InputError):
             scenario = scenario_from(given, False)
-            model, start = scenario.flight_model(), scenario.start_state()
-            pilot = scenario.reference is not None
-            avionics = build_avionics(scenario, model, start).avionics if pilot else ()
-            kinds.add((structure((*model, avionics)), model.timing.until, scenario.clock))
+            model, avionics = scenario.build().model, scenario.build().built_avionics
+            parts = (*model, avionics.avionics if avionics else ())
+            kinds.add((structure(parts), model.timing.until, scenario.clock))
     return len(kinds)
 
 
