@@ -33,7 +33,7 @@ _STATE = (
 
 #: Rows of C's Model and State, by the names of our leaves.
 INPUT = [
-    "airframe.mass",
+    "airframe.mass", "airframe.inverse_mass",
     *(f"airframe.inertia.{i}.{k}" for i in "xyz" for k in "xyz"),
     *(f"airframe.arms.{j}.{name}" for j in _ARMS for name in _ARM),
     *(f"{_OBSTACLE}.shape.normal.{k}" for k in "xyz"),

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import functools
 import importlib
-import inspect
 import re
 import subprocess
 import sys
@@ -12,13 +10,14 @@ from collections.abc import Iterator
 from html.parser import HTMLParser
 from itertools import chain
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 import pytest
 
 import springback
 from builders.cases import nonempty
+from springback.scenario.fields import TableField, fields_of
 from springback.settings import Settings
 
 ROOT = Path(__file__).parents[1]
@@ -178,33 +177,13 @@ def glossary() -> Iterator[tuple[str, list[str], str, list[str]]]:
         yield symbol, re.findall(r"`(.*?)`", keys), code, units.split(", ")
 
 
-def tables_of(annotation: Any) -> list[type[Settings]]:
-    if isinstance(annotation, type) and issubclass(annotation, Settings):
-        return [annotation]
-    return [inner for part in get_args(annotation) for inner in tables_of(part)]
-
-
-def fields(cls: type[Settings], path: str) -> list[Any]:
+def fields(cls: type[Settings], path: str) -> list[TableField]:
     """The fields of that dotted path, in whichever of several tables has it."""
     first, _, rest = path.partition(".")
-    field = cls.model_fields.get(first)
-    if field is None:
-        return []
-    if not rest:
-        return [field]
-    inner = [*tables_of(field.annotation), *(t for m in field.metadata for t in tables_of(m))]
-    return [found for table in inner for found in fields(table, rest)]
-
-
-def unit_of(field: Any) -> str | None:
-    """The unit of a settings field, where it has one (`springback.quantities`)."""
-    given = [*field.metadata, *(m for part in get_args(field.annotation) for m in get_args(part))]
-    for validator in (getattr(part, "func", None) for part in given):
-        if isinstance(validator, functools.partial):
-            return str(validator.keywords.get("unit"))
-        if getattr(validator, "__module__", "") == "springback.quantities":
-            return str(inspect.getclosurevars(validator).nonlocals["unit"])
-    return None
+    field = fields_of(cls).get(first)
+    if field is None or not rest:
+        return [field] if field else []
+    return [found for table in field.tables for found in fields(table, rest)]
 
 
 def test_glossary_leads_to_code_and_to_scenarios() -> None:
@@ -216,7 +195,7 @@ def test_glossary_leads_to_code_and_to_scenarios() -> None:
         for key in keys:
             found = fields(springback.Scenario, key)
             assert found, f"{symbol}: no scenario has {key}"
-            known = {unit_of(field) for field in found} - {None}
+            known = {field.unit.unit for field in found if field.unit}
             wanted = {unit.translate(plain) if unit != "–" else "" for unit in units}
             # A surface's stiffness has a unit that depends on its exponent, so none in the code.
             assert known <= wanted or units == ["N/mⁿ"], (symbol, key, known, wanted)

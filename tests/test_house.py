@@ -70,3 +70,12 @@ def test_pages_that_the_source_points_to_exist() -> None:
     for path, number in nonempty(found_in_source(r"docs/decisions/(\d{4})")):
         pages = (ROOT / "docs/decisions").glob(f"{number}-*.md")
         assert list(pages), f"{path}: decision {number}"
+
+
+def test_random_numbers_have_one_owner() -> None:
+    """Generators are made in one module (docs/decisions/0010)."""
+    makers = re.compile(
+        r"\b(?:default_rng|SeedSequence|RandomState|PCG64|SFC64|Philox)\(|import random"
+    )
+    found = {path.stem for path in SOURCE if makers.search(path.read_text())}
+    assert found == {"noise"}

@@ -1,22 +1,21 @@
 """Tables of settings as tables of the documentation: key, unit and range, default, meaning."""
 
 import ast
-import functools
 import inspect
 import itertools
 import math
 import textwrap
 from collections.abc import Iterator
-from typing import Any, Literal, get_args, get_origin
+from typing import Any, Literal, get_origin
 
 from docstrings import escaped, found
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
-from pydantic import BeforeValidator
 from sphinx.application import Sphinx
 
-from springback.quantities import checked
+from springback.quantities import PerArm, Triple
+from springback.scenario.fields import TableField, fields_of
 from springback.settings import Settings
 
 #: Keys whose names say nearly all; the source has no words for them.
@@ -100,57 +99,36 @@ def _statements(cls: type) -> Iterator[tuple[ast.stmt, ast.stmt]]:
     return itertools.pairwise(ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0].body)
 
 
-def _bounds(validator: Any) -> tuple[str, dict[str, float], str] | None:
-    """Unit, bounds and kind of a number that `springback.quantities` made, else None."""
-    if isinstance(validator, functools.partial) and validator.func is checked:
-        named = dict(validator.keywords)
-        return named.pop("unit"), named, ""
-    if getattr(validator, "__module__", "") != "springback.quantities":
-        return None
-    free = inspect.getclosurevars(validator).nonlocals
-    kind = ", or one for each arm" if "bounds" in free else ", three"
-    return free.get("unit", ""), free.get("bounds", {}), kind
-
-
 def _number(value: float) -> str:
     """A number, briefly."""
     return f"{value:.6g}"
 
 
-def allowed(annotation: Any, metadata: list[Any]) -> str:
+def allowed(field: TableField) -> str:
     """Unit and range, or the words to choose from."""
-    if get_origin(annotation) is Literal:
-        return ", ".join(f"``{word}``" for word in get_args(annotation))
-    for part in metadata:
-        known = _bounds(part.func) if isinstance(part, BeforeValidator) else None
-        if known:
-            unit, bounds, kind = known
-            signs = {"above": ">", "least": "≥", "most": "≤"}
-            limits = ", ".join(f"{signs[n]} {_number(b)}" for n, b in bounds.items())
-            unit = unit.replace("^0.5", "^½").translate(POWERS).replace("^", "")
-            return (unit or "plain") + kind + (f"; {limits}" if limits else "")
-    for part in get_args(annotation):
-        if part is not type(None) and hasattr(part, "__metadata__"):
-            return allowed(get_args(part)[0], list(part.__metadata__))
-    inner = _settings_in(annotation)
-    if inner:
-        return " or ".join(f":py:obj:`~{cls.__module__}.{cls.__qualname__}`" for cls in inner)
+    if get_origin(field.annotation) is Literal:
+        return ", ".join(f"``{word}``" for word in field.words)
+    if unit := field.unit:
+        signs = {"above": ">", "least": "≥", "most": "≤"}
+        bounds = {sign: getattr(unit, name) for name, sign in signs.items()}
+        limits = ", ".join(f"{s} {_number(b)}" for s, b in bounds.items() if b is not None)
+        text = unit.unit.replace("^0.5", "^½").translate(POWERS).replace("^", "")
+        kind = {Triple: ", three", PerArm: ", or one for each arm"}.get(field.shape, "")
+        return (text or "plain") + kind + (f"; {limits}" if limits else "")
+    if field.tables:
+        return " or ".join(
+            f":py:obj:`~{cls.__module__}.{cls.__qualname__}`" for cls in field.tables
+        )
     plain = {bool: "true, false", int: "whole number", str: "text"}
-    return plain.get(annotation, plain.get(next(iter(get_args(annotation)), None), ""))
+    kind, _ = field.entries[0]
+    return plain.get(kind, "")
 
 
-def _settings_in(annotation: Any) -> list[type]:
-    """Tables that a field holds."""
-    if isinstance(annotation, type) and issubclass(annotation, Settings):
-        return [annotation]
-    return [cls for part in get_args(annotation) for cls in _settings_in(part)]
-
-
-def default(field: Any, unit: str) -> str:
+def default(field: TableField, unit: str) -> str:
     """What holds where nothing is given; angles in degrees, too."""
-    if field.is_required():
+    if field.required:
         return "*needed*"
-    value = field.get_default(call_default_factory=True)
+    value = field.default
     if value is None or isinstance(value, Settings) or value == ():
         return ""
     if isinstance(value, bool):
@@ -177,21 +155,18 @@ def table(cls: type[Settings]) -> list[str]:
             told |= meanings(base)
     lines = [".. list-table::", "   :header-rows: 1", "   :widths: 20 25 15 40", ""]
     lines += ["   * - key", "     - unit, range", "     - default", "     - meaning"]
-    for name, field in cls.model_fields.items():
-        key = field.alias or name
+    for name, field in fields_of(cls).items():
         words = " ".join(escaped(told.get(name) or said(name, field)).split())
-        unit = allowed(field.annotation, field.metadata)
-        cells = [f"``{key}``", unit, default(field, unit), words]
+        unit = allowed(field)
+        cells = [f"``{field.key}``", unit, default(field, unit), words]
         lines += [("   * - " if k == 0 else "     - ") + cell for k, cell in enumerate(cells)]
     return [*lines, ""]
 
 
-def said(name: str, field: Any) -> str:
+def said(name: str, field: TableField) -> str:
     """What a key without words of its own is: the first sentence of its table, or the obvious."""
-    inner = _settings_in(field.annotation)
-    inner += [cls for part in field.metadata for cls in _settings_in(part)]
-    if len(inner) == 1:
-        return (inspect.getdoc(inner[0]) or "").split("\n\n")[0]
+    if len(field.tables) == 1:
+        return (inspect.getdoc(field.tables[0]) or "").split("\n\n")[0]
     return PLAIN[name]
 
 
@@ -208,11 +183,8 @@ def choices(cls: type[Settings]) -> set[str]:
     """Keys of some settings and of the tables below them, and the words that these take."""
     words: set[str] = set()
     for inner in [cls, *(one for _, classes in walk(cls, "") for one in classes)]:
-        for key, field in inner.model_fields.items():
-            words.add(key)
-            for part in [field.annotation, *get_args(field.annotation)]:
-                if get_origin(part) is Literal:
-                    words |= {word for word in get_args(part) if isinstance(word, str)}
+        for key, field in fields_of(inner).items():
+            words |= {key, *field.words}
     return words
 
 
@@ -238,14 +210,12 @@ class Tables(Directive):
 def walk(cls: type[Settings], path: str) -> list[tuple[str, list[type]]]:
     """Every table below some settings, with its dotted path."""
     rows: list[tuple[str, list[type]]] = []
-    for name, field in cls.model_fields.items():
-        inner = _settings_in(field.annotation)
-        inner += [c for part in field.metadata for c in _settings_in(part)]
-        if not inner:
+    for name, field in fields_of(cls).items():
+        if not field.tables:
             continue
         here = f"{path}.{name}" if path else name
-        rows.append((here, inner))
-        for one in inner:
+        rows.append((here, field.tables))
+        for one in field.tables:
             rows += [row for row in walk(one, here) if row not in rows]
     return rows
 

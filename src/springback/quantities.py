@@ -2,18 +2,21 @@
 
 A user writes ``"5 N/mm"``, ``"0.19 m"``, ``"45 deg"``, or plain SI numbers.
 
-Inside the package everything is SI and radians.  A field declared with `quantity` takes a number
-(SI) or a string with a unit of the right kind, is finite, and keeps to its range; else its error
-says what was given, in which unit, and what is allowed.  Text is read by `springback.units`.
+Inside the package everything is SI and radians.  A field that is
+``Annotated[float, Unit("m", above=0.0)]`` takes a number (SI) or a string with a unit of the right
+kind, is finite, and keeps to its range; else its error says what was given, in which unit, and what
+is allowed.  Text is read by `springback.units`.
 """
 
 from __future__ import annotations
 
-import functools
 import math
-from typing import Annotated, Any
+from dataclasses import dataclass
+from typing import Annotated, Any, TypeAlias
 
-from pydantic import BeforeValidator
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema
+from pydantic_core.core_schema import no_info_before_validator_function
 
 from springback.errors import shown_value
 from springback.settings import problem
@@ -120,39 +123,52 @@ def _shown(number: float | None, unit: str) -> str:
     return "" if number is None else f"{number:g} {unit}".strip()
 
 
-def quantity(unit: str, **bounds: float) -> Any:
-    """Type of a settings field, a float in an SI unit; bounds ``above``, ``least``, ``most``."""
-    return Annotated[float, BeforeValidator(functools.partial(checked, unit=unit, **bounds))]
+@dataclass(frozen=True)
+class Unit:
+    """The SI unit and the range of a settings field, for `typing.Annotated`.
 
+    The field is one float, three along x, y, z (`Triple`), or one for each arm (`PerArm`).
+    """
 
-def spread(unit: str, **bounds: float) -> Any:
-    """Type of a pydantic field: one float, or one for each arm."""
+    unit: str
+    """Empty for a plain number."""
+    above: float | None = None
+    least: float | None = None
+    most: float | None = None
 
-    def validate(value: Any) -> float | tuple[float, ...]:
-        if isinstance(value, list | tuple):
-            return tuple(checked(entry, unit, **bounds) for entry in value)
-        return checked(value, unit, **bounds)
+    def read(self, value: Any) -> float:
+        """One number in SI.
 
-    return Annotated[float | tuple[float, ...], BeforeValidator(validate)]
+        Raises:
+            The problem, with what was given, its unit and the allowed range.
+        """
+        return checked(value, self.unit, above=self.above, least=self.least, most=self.most)
 
-
-def triple(unit: str) -> Any:
-    """Type of a pydantic field: three floats along x, y, z."""
-
-    def validate(value: Any) -> tuple[float, ...]:
+    def _three(self, value: Any) -> tuple[float, ...]:
         if not isinstance(value, list | tuple) or len(value) != 3:
-            raise problem(
-                f"must be three numbers in {unit or 'no unit'} (got {shown_value(value)})"
-            )
-        return tuple(checked(entry, unit) for entry in value)
+            numbers = f"three numbers in {self.unit or 'no unit'}"
+            raise problem(f"must be {numbers} (got {shown_value(value)})")
+        return tuple(map(self.read, value))
 
-    return Annotated[tuple[float, float, float], BeforeValidator(validate)]
+    def _one_or_each(self, value: Any) -> float | tuple[float, ...]:
+        return tuple(map(self.read, value)) if isinstance(value, list | tuple) else self.read(value)
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Numbers are read before pydantic sees them."""
+        readers = {Triple: self._three, PerArm: self._one_or_each}
+        read = readers.get(source, self.read)
+        return no_info_before_validator_function(read, handler(source))
 
 
-Mass = quantity("kg", above=0.0)
-Length = quantity("m", above=0.0)
-Position = quantity("m")
-Speed = quantity("m/s", above=0.0)
-Duration = quantity("s", above=0.0)
-Angle = quantity("rad")
-Factor = quantity("", least=0.0)
+Triple: TypeAlias = tuple[float, float, float]
+PerArm: TypeAlias = float | tuple[float, ...]
+
+Mass = Annotated[float, Unit("kg", above=0.0)]
+Length = Annotated[float, Unit("m", above=0.0)]
+Position = Annotated[float, Unit("m")]
+Speed = Annotated[float, Unit("m/s", above=0.0)]
+Duration = Annotated[float, Unit("s", above=0.0)]
+Angle = Annotated[float, Unit("rad")]
+Factor = Annotated[float, Unit("", least=0.0)]

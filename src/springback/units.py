@@ -39,14 +39,14 @@ class UnitError(ValueError):
     """Text that is no number with a unit, or one of the wrong kind; says what is wrong with it."""
 
 
-class Unit(NamedTuple):
+class UnitScale(NamedTuple):
     """A unit: its size in SI units and its dimension."""
 
     size: Fraction  # decimal or rational part
     degrees: Fraction  # power of the degree in it
     dimension: Dimension  # powers of kg, m, s, A and rad
 
-    def times(self, other: Unit, power: Fraction) -> Unit:
+    def times(self, other: UnitScale, power: Fraction) -> UnitScale:
         """This unit times a power of another."""
         size = other.size
         if power.denominator != 1:
@@ -56,16 +56,16 @@ class Unit(NamedTuple):
             size, whole = root, int(2 * power)
         else:
             whole = int(power)
-        return Unit(
+        return UnitScale(
             self.size * size**whole,
             self.degrees + power * other.degrees,
             tuple(a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)),
         )
 
 
-def _unit(size: str | int, *dimension: int, degrees: int = 0) -> Unit:
+def _unit(size: str | int, *dimension: int, degrees: int = 0) -> UnitScale:
     powers = (*dimension, *(0,) * (5 - len(dimension)))
-    return Unit(Fraction(size), Fraction(degrees), tuple(map(Fraction, powers)))
+    return UnitScale(Fraction(size), Fraction(degrees), tuple(map(Fraction, powers)))
 
 
 _ONE = _unit(1)
@@ -114,10 +114,10 @@ _NAMES = {
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "rev": "turn", "revolution": "turn",
 }  # fmt: skip
 #: Every symbol that is read, by what it stands for.
-SYMBOLS: dict[str, Unit] = {
+SYMBOLS: dict[str, UnitScale] = {
     **_PREFIXED,
     **{
-        prefix + symbol: Unit(Fraction(factor) * unit.size, unit.degrees, unit.dimension)
+        prefix + symbol: UnitScale(Fraction(factor) * unit.size, unit.degrees, unit.dimension)
         for symbol, unit in _PREFIXED.items()
         for prefix, factor in _PREFIXES.items()
     },
@@ -127,7 +127,7 @@ SYMBOLS |= {name: SYMBOLS[symbol] for name, symbol in _NAMES.items()}
 
 
 @functools.lru_cache(maxsize=256)
-def unit_of(text: str) -> Unit:
+def unit_of(text: str) -> UnitScale:
     """The unit of a text such as ``N/mm``, ``kg m^2``, ``1/s`` or ``N/(m s)``; empty is no unit.
 
     Raises:
@@ -150,7 +150,7 @@ def unit_of(text: str) -> Unit:
     return result
 
 
-def _term(term: str, over: int) -> tuple[Unit, Fraction]:
+def _term(term: str, over: int) -> tuple[UnitScale, Fraction]:
     """The unit and power of a term such as ``mm^2``."""
     found = _TERM.fullmatch(term)
     if found is None:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 from matplotlib.figure import Figure
 
 from builders.paper_results import fake_slider_flight, fake_slider_results
+from springback.campaign.analysis.envelope import Axis, Envelope, EnvelopeCell, Place
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.reproduction.figures import slider
-from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import Envelope, EnvelopeCell, Place
 
 
 def slider_figures() -> dict[str, Figure]:
@@ -29,16 +26,14 @@ def slider_figures() -> dict[str, Figure]:
 
 def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
     """share = 1.05 - 0.04 v - 0.002 θ, at most 1; the corner of fast and steep cannot be flown."""
-    x = Axis(Parameter("speed", ("reference", "speed"), "m/s"), (1.0, 2.0, 3.0, 4.0, 5.0))
-    y = Axis(Parameter("pitch", ("reference", "pitch"), "rad"), tuple(map(math.radians, (-45, -15, 15, 45))))  # fmt: skip
+    x = Axis("speed", "m/s", (1.0, 2.0, 3.0, 4.0, 5.0))
+    y = Axis("pitch", "deg", (-45.0, -15.0, 15.0, 45.0))
     cells = {}
     for robot in robots:
-        for j, pitch in enumerate(y.shown):
-            for i, speed in enumerate(x.shown):
+        for j, pitch in enumerate(y.values):
+            for i, speed in enumerate(x.values):
                 won = min(1000, round(1050 - 40 * speed - 2 * pitch))
                 ended = {"recovered": won, "hit_ground": 1000 - won}
                 corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = EnvelopeCell(
-                    Place(robot, i, j), {} if corner else ended
-                )
+                cells[Place(robot, i, j)] = EnvelopeCell({} if corner else ended)
     return Envelope(x, y, robots, 1000, 0, (), cells)

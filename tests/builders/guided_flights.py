@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.kernels.layout import Buffer
-from springback.kernels.trees import leaves
+from springback.kernels.layout import Buffer, rows
+from springback.kernels.trees import leaves, rebuilt
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.guided import GuidedFlown, noise_table, ticks_of
+from springback.simulation.flight import loaded, shape_of, unloaded
+from springback.simulation.guided import GuidedFlown, loaded_avionics, noise_table, ticks_of
+from springback.simulation.guided_batch import fly_groups
 from springback.simulation.onboard import Avionics, Draw
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -37,7 +39,7 @@ class Ready(NamedTuple):
 
 
 class Lane(NamedTuple):
-    """A flight for `fly_guided_many`, and the same for `fly_guided`."""
+    """A flight for `fly_in_lanes`, and the same for `fly_guided`."""
 
     alone: Ready
     draws: tuple[Draw, ...]
@@ -73,6 +75,31 @@ def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
         scenario.seed,
         flight,
     )
+
+
+def fly_in_lanes(flights: Sequence[Lane], **options: int) -> list[GuidedFlown]:
+    """Flights of equal shape and duration in lanes of groups.
+
+    Args:
+        flights: Of one kind.
+        **options: Of `fly_groups`.
+    """
+    width = options["width"]
+    alone, draws, seeds, numbers = (list(part) for part in zip(*flights, strict=True))
+    models, starts, avionics_list, _ = (list(part) for part in zip(*alone, strict=True))
+    shape, avionics = shape_of(models[0], starts[0]), avionics_list[0]
+    buffers = loaded(shape, models, starts, width)
+    onboard = loaded_avionics(avionics_list, width)
+    fly_groups(
+        models[0], starts[0], avionics, buffers, onboard, draws[0], seeds,
+        flights=numbers, **options,
+    )  # fmt: skip
+    after = rows(avionics.systems)
+    memories = onboard.reshape(len(buffers), -1, width)
+    return [
+        GuidedFlown(one, rebuilt(avionics.onboard, memories[k // width, after:, k % width]), None)
+        for k, one in enumerate(unloaded(shape, models, starts, buffers, width))
+    ]
 
 
 def same(a: GuidedFlown, b: GuidedFlown) -> bool:

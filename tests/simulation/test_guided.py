@@ -8,12 +8,22 @@ import pytest
 
 import springback
 from builders.cases import nonempty
-from builders.guided_flights import AT_WALL, GUSTY, HOLD, WALL, Lane, lane, ready, same, tables
+from builders.guided_flights import (
+    AT_WALL,
+    GUSTY,
+    HOLD,
+    WALL,
+    Lane,
+    fly_in_lanes,
+    lane,
+    ready,
+    same,
+    tables,
+)
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table
-from springback.simulation.guided_batch import fly_guided_many
 from springback.simulation.onboard import Draw
 
 VARIANTS: dict[str, dict[str, Any]] = {
@@ -72,21 +82,13 @@ def alone() -> list[GuidedFlown]:
     return [fly_guided(*flight.alone, trace=False) for flight in fleet()]
 
 
-def abreast(flights: list[Lane], **options: int) -> list[GuidedFlown]:
-    alone, draws, seeds, numbers = (list(part) for part in zip(*flights, strict=True))
-    models, starts, avionics_list, _ = (list(part) for part in zip(*alone, strict=True))
-    return fly_guided_many(
-        models, starts, avionics_list, draws[0], seeds, flights=numbers, **options
-    )
-
-
 @pytest.mark.parametrize("options", [{"width": 1}, {"width": 4, "threads": 1}, {"width": 4}])
 def test_a_flight_in_lanes_is_the_flight_alone(
     options: dict[str, int], alone: list[GuidedFlown]
 ) -> None:
     """Whatever flies beside it, on whatever thread, and with lanes to spare."""
     assert {flown.flown.record.contacts > 0.0 for flown in alone} == {True, False}
-    for one, other in zip(alone, abreast(fleet(), **options), strict=True):
+    for one, other in zip(alone, fly_in_lanes(fleet(), **options), strict=True):
         assert same(one, other)
 
 
@@ -94,15 +96,9 @@ def test_the_order_does_not_matter(alone: list[GuidedFlown]) -> None:
     order = [3, 5, 0, 4, 1, 2]
     flights = fleet()
     for k, flown in nonempty(
-        zip(order, abreast([flights[k] for k in order], width=4), strict=True)
+        zip(order, fly_in_lanes([flights[k] for k in order], width=4), strict=True)
     ):
         assert same(flown, alone[k])
-
-
-def test_flights_abreast_have_one_clock() -> None:
-    one, other = lane(tables(0.1)), lane(tables(0.2))
-    with pytest.raises(ValueError, match="one duration"):
-        abreast([one, other], width=4)
 
 
 # -- slices, logs and noise -----------------------------------------------------------------------

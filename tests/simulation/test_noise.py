@@ -9,10 +9,12 @@ import scipy.stats
 from builders.cases import nonempty
 from springback.simulation.noise import (
     Block,
+    Purpose,
     generate,
     noise_table,
     philox,
     plan_of,
+    stream,
     workplace,
 )
 from springback.simulation.onboard import Draw
@@ -66,3 +68,12 @@ def test_any_stretch_for_any_lanes_is_that_of_the_flight_alone() -> None:
         for lane, table in nonempty(enumerate(alone)):
             mine = out.reshape(stretch, 26, lanes)[:, :, lane]
             assert np.array_equal(mine, table[first : first + stretch])
+
+
+def test_streams_of_all_purposes_are_independent_and_repeat() -> None:
+    keys = [(seed, purpose, k) for seed in (3, 4) for purpose in Purpose for k in (0, 1)]
+    drawn = np.array([stream(*key).standard_normal(4000) for key in keys])
+    together = np.corrcoef(drawn) - np.eye(len(keys))
+    assert len(keys) == 4 * len(Purpose)
+    assert np.abs(together).max() < 5.0 / math.sqrt(4000)
+    assert np.array_equal(drawn, [stream(*key).standard_normal(4000) for key in keys])

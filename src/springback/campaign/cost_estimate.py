@@ -6,6 +6,7 @@ import contextlib
 import os
 import tempfile
 import time
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -91,12 +92,12 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
     return CostEstimate(
         design.flights, design.samples, design.plan.repeats, design.robots,
         sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
-        problems[0] if problems else "", _kinds(tables), rate, crew,
+        problems[0] if problems else "", kinds_of(tables), rate, crew,
         design.flights / (rate * crew), round(_bytes_each(rows, design) * design.flights),
     )  # fmt: skip
 
 
-def _kinds(tables: list[dict[str, Any]]) -> int:
+def kinds_of(tables: Sequence[dict[str, Any]]) -> int:
     """Number of kinds of flight: of equal types, duration and clock."""
     kinds = set()
     for given in tables:

@@ -29,10 +29,12 @@ def flown(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
     return ChunkRows(chunk, rows(design_of(text), chunk, device))
 
 
-def rows(design: Design, chunk: Chunk, device: Device = "cpu") -> dict[str, Any]:
+def rows(
+    design: Design, chunk: Chunk, device: Device = "cpu", *, threads: int = 1
+) -> dict[str, Any]:
     """Rows of a stretch of flights, column by column."""
     with no_collection():
         drawn = design.slice(*chunk)
-        ended = fly_scenarios(drawn.tables, threads=1, device=device)
+        ended = fly_scenarios(drawn.tables, threads=threads, device=device)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
     return {**drawn.columns, **tail, **ended.measures}

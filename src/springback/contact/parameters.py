@@ -22,7 +22,7 @@ from springback.contact.surfaces import (
 from springback.kernels.memo import Build, uncached
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
-from springback.quantities import Factor, Length, Speed, quantity, triple
+from springback.quantities import Factor, Length, Speed, Triple, Unit
 from springback.settings import Settings, problem
 
 Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
@@ -36,16 +36,16 @@ class SurfaceSettings(Settings):
     """
 
     law: Law = "hunt-crossley"
-    stiffness: quantity("", above=0.0) = 2e5  # type: ignore[valid-type]
+    stiffness: Annotated[float, Unit("", above=0.0)] = 2e5
     """k_c [N/mⁿ] of the whole front; see ``shared_by``."""
     shared_by: Annotated[int, Field(ge=1)] = 1
     """Number of cages that share the stiffness (2: a front of two cages, k_c/2 each)."""
-    exponent: quantity("", least=1.0, most=4.0) = 1.5  # type: ignore[valid-type]
-    dissipation: quantity("s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    exponent: Annotated[float, Unit("", least=1.0, most=4.0)] = 1.5
+    dissipation: Annotated[float, Unit("s/m", least=0.0)] | None = None
     """c_a of b_c = 1.5 c_a k_c."""
-    restitution: quantity("", least=0.0, most=1.0) | None = None  # type: ignore[valid-type]
+    restitution: Annotated[float, Unit("", least=0.0, most=1.0)] | None = None
     restitution_speed: Speed | None = None
-    viscosity: quantity("N s/m", least=0.0) = 0.0  # type: ignore[valid-type]
+    viscosity: Annotated[float, Unit("N s/m", least=0.0)] = 0.0
     """b of the Kelvin–Voigt law, of the whole front."""
     friction: Factor = 0.0
     friction_axes: Literal["both", "vertical"] = "both"
@@ -107,10 +107,10 @@ class SurfaceSettings(Settings):
 class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
-    distance: quantity("m") | None = None  # type: ignore[valid-type]
+    distance: Annotated[float, Unit("m")] | None = None
     """Short for a wall across the X axis at this distance from the origin, facing the origin."""
-    position: triple("m") | None = None  # type: ignore[valid-type]
-    normal: triple("") | None = None  # type: ignore[valid-type]
+    position: Annotated[Triple, Unit("m")] | None = None
+    normal: Annotated[Triple, Unit("")] | None = None
     """Direction out of the obstacle, towards the vehicle; of any length."""
     surface: SurfaceSettings
 
@@ -144,7 +144,7 @@ class Ground(Settings):
     """The ground, level at some height; touching it is an outcome."""
 
     type: Literal["ground"]
-    height: quantity("m") = 0.0  # type: ignore[valid-type]
+    height: Annotated[float, Unit("m")] = 0.0
     surface: SurfaceSettings
 
 

@@ -9,14 +9,14 @@ in Table IV.  Two stiffnesses are fitted to the steps of Quad, and those of ARQ 
 from __future__ import annotations
 
 import math
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from springback.control.attitude import FullQuaternion, LeeSO3, Reduced
 from springback.control.position import PositionLaw
 from springback.control.rate import RateLaw
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
-from springback.quantities import Duration, Factor, quantity
+from springback.quantities import Duration, Factor, Unit
 from springback.sensing.measurement import Pace, paced
 from springback.settings import Settings, problem
 
@@ -48,35 +48,37 @@ class Schedule(NamedTuple):
 class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
-    stiffness: quantity("N/m", least=0.0) = 9.25  # type: ignore[valid-type]
+    stiffness: Annotated[float, Unit("N/m", least=0.0)] = 9.25
     """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
-    vertical_stiffness: quantity("N/m", least=0.0) = 20.0  # type: ignore[valid-type]
+    vertical_stiffness: Annotated[float, Unit("N/m", least=0.0)] = 20.0
     """K_p, vertical. Fitted, as above."""
-    damping_ratio: quantity("", least=0.0) = BESSEL  # type: ignore[valid-type]
+    damping_ratio: Annotated[float, Unit("", least=0.0)] = BESSEL
     """ζ, from which K_v = 2 ζ √(K_p m) where none is given.  Chosen from the textbook's √½, √¾ and
     1: no other agrees with the steps of Table IV (studies/gains.py).
     """
-    damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
     """K_v, horizontal, instead of that of the damping ratio."""
-    vertical_damping: quantity("N s/m", least=0.0) | None = None  # type: ignore[valid-type]
+    vertical_damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
     """K_v, vertical, instead of that of the damping ratio."""
-    integral: quantity("N/(m s)", least=0.0) = 0.0  # type: ignore[valid-type]
+    integral: Annotated[float, Unit("N/(m s)", least=0.0)] = 0.0
     """K_i of all three axes; the paper's laws have none."""
-    integral_limit: quantity("N", least=0.0) = 2.0  # type: ignore[valid-type]
+    integral_limit: Annotated[float, Unit("N", least=0.0)] = 2.0
     """Largest force of the integral along each axis. Chosen: a sixth of the weight."""
-    feedback_acceleration: quantity("m/s^2", above=0.0) = 12.0  # type: ignore[valid-type]
+    feedback_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 12.0
     """Limit for position and velocity errors. Chosen: nearly the reserve of the rotors, 1.34 g;
     with the 9 of mavros_controllers (max_fb_acc) Quad's steps in z miss the MSE of Table IV
     (studies/gains.py).
     """
-    horizontal_margin: quantity("", least=0.0, most=1.0) = 0.3  # type: ignore[valid-type]
+    horizontal_margin: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.3
     """Fraction of a limited force that is reserved for the horizontal. PX4's MPC_THR_XY_MARG."""
     feed_forward: bool | None = None
     """Feed forward the angular velocity from jerk and yaw rate, and the tilt in advance by the
     known delays of the loops. By default for run-ups only; the paper's other references define no
     jerk.
     """
-    tilt_limit: quantity("rad", above=0.0, most=math.radians(89.0)) = math.radians(85.0)  # type: ignore[valid-type]
+    tilt_limit: Annotated[float, Unit("rad", above=0.0, most=math.radians(89.0))] = math.radians(
+        85.0
+    )
     """Largest commanded tilt. Chosen: beyond the 66 deg that the paper reports, below 90 deg."""
 
     attitude: Literal["reduced", "full", "lee"] = "reduced"
@@ -85,26 +87,26 @@ class ControlSettings(Settings):
     """τ of tilt errors, and of yaw in `full` and `lee`. PX4's MC_ROLL_P = MC_PITCH_P = 6.5 1/s."""
     yaw_time_constant: Duration = 1.0 / 2.8
     """τ of yaw errors in `reduced`. PX4's MC_YAW_P = 2.8 1/s."""
-    yaw_weight: quantity("", least=0.0, most=1.0) = 0.4  # type: ignore[valid-type]
+    yaw_weight: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.4
     """p of `reduced`. Brescianini et al. found 0.4 best; PX4's MC_YAW_WEIGHT."""
-    rate_limit: quantity("rad/s", above=0.0) = math.radians(220.0)  # type: ignore[valid-type]
+    rate_limit: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(220.0)
     """Limit for roll and pitch. PX4's MC_ROLLRATE_MAX = MC_PITCHRATE_MAX = 220 deg/s."""
-    yaw_rate_limit: quantity("rad/s", above=0.0) = math.radians(200.0)  # type: ignore[valid-type]
+    yaw_rate_limit: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(200.0)
     """PX4's MC_YAWRATE_MAX = 200 deg/s."""
 
-    rate_gain: quantity("1/s", above=0.0) = 40.0  # type: ignore[valid-type]
+    rate_gain: Annotated[float, Unit("1/s", above=0.0)] = 40.0
     """k_ω of all three axes. PX4's MC_ROLLRATE_P = MC_PITCHRATE_P = 0.15 of the full roll or pitch
     of its mixer, 4 T √½ L √½ with T = 7.0 N and L = 0.19 m, is 0.40 N m s: 43 and 37 1/s by Quad's
     moments of inertia about x and y."""
-    rate_integral: quantity("1/s^2", least=0.0) = 0.0  # type: ignore[valid-type]
+    rate_integral: Annotated[float, Unit("1/s^2", least=0.0)] = 0.0
     """Chosen: none; the modelled robots have no steady torque to compensate.  The 0.2/0.15 1/s of
     PX4's MC_PITCHRATE_I over MC_PITCHRATE_P would make it 53: run-ups then overshoot.
     """
-    rate_integral_limit: quantity("rad/s^2", least=0.0) = 80.0  # type: ignore[valid-type]
+    rate_integral_limit: Annotated[float, Unit("rad/s^2", least=0.0)] = 80.0
     """k_ω times PX4's MC_PR_INT_LIM/MC_PITCHRATE_P = 0.30/0.15 rad/s."""
     rate_derivative: Factor = 0.0
     """Gain on the filtered angular acceleration. Chosen: none."""
-    gyro_cutoff: quantity("1/s", least=0.0) = 30.0  # type: ignore[valid-type]
+    gyro_cutoff: Annotated[float, Unit("1/s", least=0.0)] = 30.0
     """Cut-off of the first-order gyroscope filter [Hz]; 0 disables it.
 
     PX4's IMU_GYRO_CUTOFF since 1.9 (pull request 11950).
@@ -112,18 +114,18 @@ class ControlSettings(Settings):
     gyroscopic: bool = True
     """Add ω × J ω. Brescianini et al. 2013, inner loop."""
 
-    lift_share: quantity("", least=0.0, most=1.0) = 0.12  # type: ignore[valid-type]
+    lift_share: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.12
     """Fraction of the maximum collective thrust to which roll and pitch may raise a smaller one; 1
     is PX4's airmode.  PX4's MPC_THR_MIN = 0.12 with its default MC_AIRMODE off.
     """
 
-    position_frequency: quantity("1/s", above=0.0) = 100.0  # type: ignore[valid-type]
+    position_frequency: Annotated[float, Unit("1/s", above=0.0)] = 100.0
     """[Hz] mavros_controllers, main loop."""
-    attitude_frequency: quantity("1/s", above=0.0) = 250.0  # type: ignore[valid-type]
+    attitude_frequency: Annotated[float, Unit("1/s", above=0.0)] = 250.0
     """[Hz] PX4."""
-    rate_frequency: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
+    rate_frequency: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
     """[Hz] PX4, driven by the gyroscope."""
-    offboard_delay: quantity("s", least=0.0) = 0.01  # type: ignore[valid-type]
+    offboard_delay: Annotated[float, Unit("s", least=0.0)] = 0.01
     """Delay from the position loop to the autopilot. Chosen: one period of the position loop."""
 
     def damping_for(self, mass: float) -> tuple[float, float]:

@@ -20,15 +20,15 @@ from springback.control.references import Circle, Hold, Polynomials, SetPoint, S
 from springback.control.runup import RunUp, run_up
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
-from springback.quantities import Angle, Duration, Length, Position, Speed, quantity, triple
+from springback.quantities import Angle, Duration, Length, Position, Speed, Triple, Unit
 from springback.settings import Settings, problem
 
 #: Distance of the foremost cage ahead of the main body [m] at a pitch [rad], as
 #: `springback.control.runup.reach` of a vehicle.
 Reach = Callable[[float], float]
 
-Moment = quantity("s", least=0.0)
-Place = triple("m")
+Moment = Annotated[float, Unit("s", least=0.0)]
+Place = Annotated[Triple, Unit("m")]
 
 #: The paper's start and return point, section Impact Resilience [m].
 HOME = (0.0, 0.0, 1.0)
@@ -42,7 +42,7 @@ class HoldSettings(Settings):
     """Stay at one position."""
 
     type: Literal["hold"]
-    position: Place = HOME  # type: ignore[valid-type]
+    position: Place = HOME
     yaw: Angle = 0.0
 
     def reference(self, limits: Limits, reach: Reach) -> Hold:
@@ -57,7 +57,7 @@ class StepsSettings(Settings):
     """
 
     type: Literal["steps"]
-    positions: tuple[Place, ...] = (HOME, (0.0, 0.0, 2.0), (1.0, 0.0, 2.0), (1.0, 1.0, 2.0))  # type: ignore[valid-type]
+    positions: tuple[Place, ...] = (HOME, (0.0, 0.0, 2.0), (1.0, 0.0, 2.0), (1.0, 1.0, 2.0))
     dwell: Duration = 5.0
     """Time at each set-point."""
     yaw: Angle = 0.0
@@ -85,16 +85,16 @@ class CircleSettings(Settings):
     """
 
     type: Literal["circle"]
-    centre: Place = HOME  # type: ignore[valid-type]
+    centre: Place = HOME
     radius: Length = 1.0
     period: Duration = 2.0 * math.pi
     phase: Angle = 0.0
     """Angle at which it starts, from world X towards Y."""
     clockwise: bool = False
     """Direction as seen from above."""
-    begins: Moment = 0.0  # type: ignore[valid-type]
+    begins: Moment = 0.0
     """Start time; until then the robot waits at the first point."""
-    ramp: Moment = 0.0  # type: ignore[valid-type]
+    ramp: Moment = 0.0
     """Time to full speed."""
     yaw: Angle = 0.0
 
@@ -113,12 +113,12 @@ class WaypointsSettings(Settings):
     """
 
     type: Literal["waypoints"]
-    positions: tuple[Place, ...]  # type: ignore[valid-type]
-    times: tuple[Moment, ...] | None = None  # type: ignore[valid-type]
+    positions: tuple[Place, ...]
+    times: tuple[Moment, ...] | None = None
     """Time at each position, the first being 0 s; by default distributed to minimise snap."""
     duration: Duration | None = None
     """Total duration, if no times are given."""
-    begins: Moment = 0.0  # type: ignore[valid-type]
+    begins: Moment = 0.0
     yaw: Angle = 0.0
 
     @model_validator(mode="after")
@@ -158,16 +158,16 @@ class RunUpSettings(Settings):
     type: Literal["run-up"]
     speed: Speed
     """Speed into the wall at contact."""
-    pitch: quantity("rad", least=-1.4, most=1.4) = 0.0  # type: ignore[valid-type]
+    pitch: Annotated[float, Unit("rad", least=-1.4, most=1.4)] = 0.0
     """Pitch at contact; positive is nose down, towards the wall."""
     wall_distance: Position = 2.75
     """Distance of the wall's face from the origin along X."""
-    start: Place = HOME  # type: ignore[valid-type]
-    steady: Moment = 0.1  # type: ignore[valid-type]
+    start: Place = HOME
+    steady: Moment = 0.1
     """Time before contact in which the pitch is constant (chosen)."""
-    beyond: Moment = 0.3  # type: ignore[valid-type]
+    beyond: Moment = 0.3
     """Time after contact for which the acceleration continues, the wall being unknown (chosen)."""
-    begins: Moment = 0.0  # type: ignore[valid-type]
+    begins: Moment = 0.0
 
     def run_up(self, limits: Limits, reach: Reach, advises: bool = True) -> RunUp:
         """The run-up and its demands on the vehicle; see `springback.control.runup.run_up`.

@@ -7,14 +7,14 @@ centre of mass.  The energy balance books −F·v as taken from the vehicle; win
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import model_validator
 
 from springback.dynamics.gusts import Dryden, NoGusts, dryden, low_altitude
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Mat3, Vec, norm
-from springback.quantities import Speed, quantity, triple
+from springback.quantities import Speed, Triple, Unit
 from springback.settings import Settings, problem
 
 
@@ -105,9 +105,9 @@ def _air_in_wind(air: Air, wind: Vec) -> Air:
 class GustSettings(Settings):
     """Dryden turbulence of MIL-F-8785C at low altitude."""
 
-    wind_at_6_m: quantity("m/s", least=0.0)  # type: ignore[valid-type]
+    wind_at_6_m: Annotated[float, Unit("m/s", least=0.0)]
     """W₂₀, mean wind 20 ft above the ground: 15, 30 and 45 knots are light, moderate and severe."""
-    altitude: quantity("m", least=3.048, most=304.8) = 6.096  # type: ignore[valid-type]
+    altitude: Annotated[float, Unit("m", least=3.048, most=304.8)] = 6.096
     """h above the ground, 10 to 1000 ft (the range of the formulas); the default is 20 ft."""
     airspeed: Speed | None = None
     """Speed V relative to the frozen field; by default the mean wind's, as in hover."""
@@ -116,14 +116,14 @@ class GustSettings(Settings):
 class AirSettings(Settings):
     """Wind and drag; none by default."""
 
-    wind: triple("m/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    wind: Annotated[Triple, Unit("m/s")] = (0.0, 0.0, 0.0)
     """Mean wind, world axes: the direction in which the air moves."""
     gusts: GustSettings | None = None
-    rotor_drag: triple("N s/m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    rotor_drag: Annotated[Triple, Unit("N s/m")] = (0.0, 0.0, 0.0)
     """Linear drag along body x, y, z."""
-    thrust_drag: triple("s/m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    thrust_drag: Annotated[Triple, Unit("s/m")] = (0.0, 0.0, 0.0)
     """Linear drag along body x, y, z for each newton of collective thrust."""
-    body_drag: quantity("kg/m", least=0.0) = 0.0  # type: ignore[valid-type]
+    body_drag: Annotated[float, Unit("kg/m", least=0.0)] = 0.0
     """½ ρ C_d A of the quadratic drag."""
 
     @model_validator(mode="after")

@@ -17,6 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.campaign.analysis.envelope import Envelope
+from springback.campaign.envelope import fly_envelope, plan_envelope
 from springback.paper.choices import EKF2, VERTICAL, ChoiceResults, ConditionOutcome, fly_choices
 from springback.paper.printed import (
     COLLISIONS_IN_A_ROW,
@@ -29,8 +31,6 @@ from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER
 from springback.results.flight import Flight, fly
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
-from springback.studies.envelope import Envelope
-from springback.studies.envelope_run import fly_envelope, plan_envelope
 from springback.studies.proportions import CONFIDENCE as CONFIDENCE
 from springback.studies.proportions import wilson as wilson
 from springback.studies.run_ups import CONDITIONS

@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from springback.kernels.vectors import Vec
-from springback.quantities import Duration, Length, Speed, quantity, triple
+from springback.quantities import Duration, Length, Speed, Triple, Unit
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection, Trigger
 from springback.recovery.evaluator import Evaluator
@@ -22,7 +22,7 @@ from springback.recovery.wrench import Observer
 from springback.settings import Settings, problem
 
 Samples = Annotated[int, Field(ge=1, le=1000, strict=True)]
-Bandwidth = quantity("1/s", above=0.0)
+Bandwidth = Annotated[float, Unit("1/s", above=0.0)]
 
 #: Part of its range within which a reading is taken at its word (chosen: the low-pass behind the
 #: converter rounds the top of a clipped peak, as for the Kalman filter).
@@ -39,10 +39,10 @@ class TriggerSettings(Settings):
     where none can, as on the paper's robots.  The others are watched all the same."""
     persistence: Samples = 1
     """Samples in a row above the threshold.  Chosen: McGill's flight code asks for one."""
-    refractory: quantity("s", least=0.0) = 1.0  # type: ignore[valid-type]
+    refractory: Annotated[float, Unit("s", least=0.0)] = 1.0
     """After an alarm nothing is noticed for so long.  Chosen, half of the 2 s of ASU's XPLORER: the
     recovery itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
-    cutoff: quantity("1/s", least=0.0) = 0.0  # type: ignore[valid-type]
+    cutoff: Annotated[float, Unit("1/s", least=0.0)] = 0.0
     """Of a first-order low-pass on the signal [Hz]; 0 is none."""
 
     def share(self, interval: float) -> float:
@@ -78,14 +78,14 @@ class HallTrigger(TriggerSettings):
 class AccelerationTrigger(TriggerSettings):
     """On the horizontal part of the specific force, world axes."""
 
-    threshold: quantity("m/s^2", above=0.0) = 20.0  # type: ignore[valid-type]
+    threshold: Annotated[float, Unit("m/s^2", above=0.0)] = 20.0
     """McGill-AML/Spiri_recovery, and Air Bumper: 20 m/s²."""
 
 
 class WrenchTrigger(TriggerSettings):
     """On the external force, less its steady part."""
 
-    threshold: quantity("N", above=0.0) = 8.0  # type: ignore[valid-type]
+    threshold: Annotated[float, Unit("N", above=0.0)] = 8.0
     """Chosen (`springback study detection`): three times the most of 1000 s of circles and steps in
     gusts, 2.7 N, and yet every hit from 0.25 m/s on is noticed; Tomić et al. print none."""
 
@@ -95,13 +95,13 @@ class ObserverSettings(Settings):
 
     basis: Literal["acceleration", "momentum"] = "acceleration"
     """Of the force: the accelerometer (their hybrid form), or the estimated momentum."""
-    force_bandwidth: Bandwidth = 100.0  # type: ignore[valid-type]
+    force_bandwidth: Bandwidth = 100.0
     """K_f [1/s]. Chosen: 10 ms, the order of the rise of a collision's force."""
-    moment_bandwidth: Bandwidth = 100.0  # type: ignore[valid-type]
+    moment_bandwidth: Bandwidth = 100.0
     """K_m [1/s]. Chosen, as above."""
-    steady_bandwidth: Bandwidth = 2.0  # type: ignore[valid-type]
+    steady_bandwidth: Bandwidth = 2.0
     """What changes slower than this counts as wind [1/s]. Chosen."""
-    fading: Bandwidth = 5.0  # type: ignore[valid-type]
+    fading: Bandwidth = 5.0
     """Of the impulses by which a collision is made out [1/s]. Chosen: contacts take 26 to 58 ms,
     and what a clipped accelerometer loses comes 10 to 30 ms late; both fade little in that time."""
 
@@ -121,13 +121,13 @@ class Looking(Settings):
     """Of the direction f_c⁰. Chosen (`springback study detection`): `arms` says only along which
     arm the robot was pressed, `acceleration` and `wrench` where the contact force came from, with
     its friction; `fused`, from force and moment, the obstacle's normal."""
-    window: quantity("s", least=0.0) = 0.012  # type: ignore[valid-type]
+    window: Annotated[float, Unit("s", least=0.0)] = 0.012
     """After the alarm. Chosen: direction errors of both robots are then below 5 degrees
     (`springback study detection`), and no trial of the paper's tests is lost by the wait."""
-    longer: quantity("s", least=0.0) = 0.0175  # type: ignore[valid-type]
+    longer: Annotated[float, Unit("s", least=0.0)] = 0.0175
     """After a clipped reading at least, where one rigid arm was hit. Chosen: motion capture, which
     tells what is lost, is 10 ms late and speaks every 5 ms."""
-    share: quantity("", above=0.0, most=1.0) = 0.1  # type: ignore[valid-type]
+    share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
     """An arm in front took part if it was pressed in by this share of the most pressed one.
     Chosen."""
     level: bool = True
@@ -141,28 +141,28 @@ class Answering(Settings):
     """`pre-impact`: quintic from the place of the alarm with the velocity before it, which gives
     the paper's pitch of −66° and +49°; `post-impact`: from where the robot is, as it moves;
     `set-point`: p_r at once; `time-optimal`: bounded acceleration; `staged`: McGill's."""
-    distance: quantity("m", least=0.0) = 0.1  # type: ignore[valid-type]
+    distance: Annotated[float, Unit("m", least=0.0)] = 0.1
     """δ = L_c. Paper, section Impact Resilience."""
-    pace: quantity("s^2/m", least=0.0) = 0.19  # type: ignore[valid-type]
+    pace: Annotated[float, Unit("s^2/m", least=0.0)] = 0.19
     """Duration of a quintic per speed before the collision: with it the pitch that a quintic from
     3.5 m/s asks for is −66° and +49.6°, as printed (inferred, not printed)."""
     shortest: Duration = 0.2
     """Of a quintic. Chosen: one time constant of the attitude loop, and some."""
-    acceleration: quantity("m/s^2", above=0.0) = 12.0  # type: ignore[valid-type]
+    acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 12.0
     """`time-optimal`, along X and along Y. Chosen: what feedback may ask for."""
-    vertical_acceleration: quantity("m/s^2", above=0.0) = 4.0  # type: ignore[valid-type]
+    vertical_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 4.0
     """`time-optimal`, along Z. Chosen: a third of the former, for thrust is short when tilted."""
-    away: quantity("m/s^2", above=0.0) = 0.75 * 9.81  # type: ignore[valid-type]
+    away: Annotated[float, Unit("m/s^2", above=0.0)] = 0.75 * 9.81
     """`staged`: 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
-    damping: quantity("1/s", least=0.0) = 5.0  # type: ignore[valid-type]
+    damping: Annotated[float, Unit("1/s", least=0.0)] = 5.0
     """`staged`: of the vertical speed."""
-    stage_tilt: quantity("rad", above=0.0) = 0.15  # type: ignore[valid-type]
+    stage_tilt: Annotated[float, Unit("rad", above=0.0)] = 0.15
     """`staged`: tilt error at which the first stage is over."""
-    stage_level: quantity("rad", above=0.0) = 0.2  # type: ignore[valid-type]
+    stage_level: Annotated[float, Unit("rad", above=0.0)] = 0.2
     """`staged`: tilt at which the second is over."""
-    stage_rate: quantity("rad/s", above=0.0) = 2.0  # type: ignore[valid-type]
+    stage_rate: Annotated[float, Unit("rad/s", above=0.0)] = 2.0
     """`staged`: angular rate below which either is over."""
-    stage_climb: quantity("m/s", above=0.0) = 0.5  # type: ignore[valid-type]
+    stage_climb: Annotated[float, Unit("m/s", above=0.0)] = 0.5
     """`staged`: vertical speed at which the third is over."""
 
     def response(self) -> Quintic | TimeOptimal | Staged:
@@ -216,7 +216,7 @@ class RecoverySettings(Settings):
     settling: Settling = Settling()
     returns: bool = True
     """Whether to fly home from p_r."""
-    home: triple("m") | None = None  # type: ignore[valid-type]
+    home: Annotated[Triple, Unit("m")] | None = None
     """Where to return to; by default the scenario's start."""
     home_speed: Speed = 1.0
     """Largest on the way home. Chosen."""

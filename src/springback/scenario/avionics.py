@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
-import numpy as np
 from pydantic_core import PydanticCustomError
 
 from springback.control.cascade import Cascade, cascade_memory
@@ -38,6 +37,7 @@ from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
 from springback.simulation.guided import NO_EVALUATION, avionics_at_start
+from springback.simulation.noise import Purpose, stream
 from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems, Relay
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
@@ -45,8 +45,6 @@ from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
-#: Streams of a flight's noise besides that of its ticks (`springback.simulation.guided`).
-TURN_ON = 2
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
 
@@ -219,11 +217,8 @@ def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
         seeds: One for each flight.
         flight: Number of the flight in a campaign.
     """
-    drawn = []
-    for seed in seeds:
-        noise_stream = np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(flight, TURN_ON)))
-        drawn.append(np.random.Generator(noise_stream).standard_normal(BIASES).tolist())
-    return drawn
+    streams = (stream(seed, Purpose.TURN_ON, flight) for seed in seeds)
+    return [one.standard_normal(BIASES).tolist() for one in streams]
 
 
 def _tick(clock: float) -> float:

@@ -10,7 +10,7 @@ from springback.contact.parameters import ObstacleSettings
 from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
-from springback.quantities import Angle, Duration, quantity, triple
+from springback.quantities import Angle, Duration, Triple, Unit
 from springback.recovery.parameters import RecoverySettings
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
@@ -24,7 +24,7 @@ MOST_OBSTACLES = 64
 class WorldSettings(Settings):
     """Obstacles and gravity."""
 
-    gravity: quantity("m/s^2", least=0.0) = 9.81  # type: ignore[valid-type]
+    gravity: Annotated[float, Unit("m/s^2", least=0.0)] = 9.81
     obstacles: tuple[ObstacleSettings, ...] = ()
 
     @model_validator(mode="after")
@@ -38,12 +38,12 @@ class WorldSettings(Settings):
 class Start(Settings):
     """State at time 0.  Euler angles are ZYX; positive pitch is nose down."""
 
-    position: triple("m") = (0.0, 0.0, 1.0)  # type: ignore[valid-type]
-    velocity: triple("m/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 1.0)
+    velocity: Annotated[Triple, Unit("m/s")] = (0.0, 0.0, 0.0)
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
-    angular_velocity: triple("rad/s") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
 
 
 class ModelSettings(Settings):
@@ -53,17 +53,17 @@ class ModelSettings(Settings):
     """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
     arms: Literal["hybrid", "always-free"] = "hybrid"
     """`hybrid`: one rigid body in free flight (assumption 5).  `always-free`: arms always slide."""
-    slider: triple("") | None = None  # type: ignore[valid-type]
+    slider: Annotated[Triple, Unit("")] | None = None
     """World axis of a slider that constrains the vehicle, as on the testbed; none: free flight."""
 
 
 class Payload(Settings):
     """True payload, unknown to the pilot."""
 
-    mass: quantity("kg", least=0.0) = 0.0  # type: ignore[valid-type]
-    inertia: triple("kg m^2") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    mass: Annotated[float, Unit("kg", least=0.0)] = 0.0
+    inertia: Annotated[Triple, Unit("kg m^2")] = (0.0, 0.0, 0.0)
     """Its own moments about its centre of mass, body axes; zero for a point mass."""
-    position: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Its centre of mass in body axes; only the main body's centre of mass is possible."""
 
     @model_validator(mode="after")
@@ -87,9 +87,9 @@ class Payload(Settings):
 class ModelError(Settings):
     """True over nominal numbers of the whole vehicle; `vehicle` is the nominal one."""
 
-    mass: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    mass: Annotated[float, Unit("", above=0.0)] = 1.0
     """Factor for the mass; the difference is in the main body, the arms are nominal."""
-    inertia: quantity("", above=0.0) = 1.0  # type: ignore[valid-type]
+    inertia: Annotated[float, Unit("", above=0.0)] = 1.0
     """Factor for the inertia about the main body with the arms at their free length."""
 
 
@@ -101,9 +101,9 @@ class SimulationSettings(Settings):
     impact_step: Duration = 1e-4
     settle_step: Duration | None = None
     """Step while arms settle without contact; by default as fine as their damping needs."""
-    arm_tolerance: quantity("m", above=0.0) = 1e-5  # type: ignore[valid-type]
+    arm_tolerance: Annotated[float, Unit("m", above=0.0)] = 1e-5
     """Distance from its free length within which an arm has settled ..."""
-    rate_tolerance: quantity("m/s", above=0.0) = 1e-3  # type: ignore[valid-type]
+    rate_tolerance: Annotated[float, Unit("m/s", above=0.0)] = 1e-3
     """... if it moves more slowly than this."""
     dwell: Duration = 0.02
     """Contacts closer together than this are one impact."""
@@ -131,7 +131,7 @@ class ScenarioTables(Settings):
     """Detection of collisions and the response to them; none: the pilot ignores them."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
-    clock: quantity("1/s", above=0.0) = 1000.0  # type: ignore[valid-type]
+    clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
     """Ticks per second of all on-board devices [Hz]."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
     """Seed of the noise."""

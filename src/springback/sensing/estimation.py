@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from springback.kernels.vectors import Vec
-from springback.quantities import Duration, Factor, Length, quantity, triple
+from springback.quantities import Duration, Factor, Length, Triple, Unit
 from springback.sensing.complementary import (
     Complementary,
     ComplementaryMemory,
@@ -34,7 +34,7 @@ class Rhythm(Settings):
     """Tick of the clock."""
     interval: Duration
     """Time between inertial samples."""
-    pose_age: quantity("s", least=0.0) = 0.0  # type: ignore[valid-type]
+    pose_age: Annotated[float, Unit("s", least=0.0)] = 0.0
     """Upper bound on the age of a pose when it arrives; older poses are treated as this old."""
     pose_interval: Duration | None = None
     """Time between exposures of motion capture, one of them at tick 0; None if unknown."""
@@ -46,9 +46,11 @@ class KalmanSettings(Settings):
     Densities are one-sided, as in data sheets.  Noise densities are multiplied by `inflation`.
     """
 
-    accelerometer_noise: quantity("m/s^2/Hz^0.5", above=0.0) = 150e-6 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    accelerometer_noise: Annotated[float, Unit("m/s^2/Hz^0.5", above=0.0)] = (
+        150e-6 * STANDARD_GRAVITY
+    )
     """Data sheet TDK DS-000143 (ICM-20689): 150 µg/√Hz."""
-    gyroscope_noise: quantity("rad/s/Hz^0.5", above=0.0) = math.radians(0.006)  # type: ignore[valid-type]
+    gyroscope_noise: Annotated[float, Unit("rad/s/Hz^0.5", above=0.0)] = math.radians(0.006)
     """The same data sheet: 0.006 °/s/√Hz."""
     inflation: Factor = 10.0
     """Ratio of assumed noise to that of a data sheet at rest: vibration, scale factors, filters.
@@ -56,13 +58,13 @@ class KalmanSettings(Settings):
     Chosen.  PX4's EKF2 assumes 0.35 m/s² and 0.015 rad/s for a step of about 10 ms, some 24 and 14
     times the data sheet.
     """
-    accelerometer_walk: quantity("m/s^3/Hz^0.5", least=0.0) = 3e-3  # type: ignore[valid-type]
+    accelerometer_walk: Annotated[float, Unit("m/s^3/Hz^0.5", least=0.0)] = 3e-3
     """Random walk of the bias; the unit of the EuRoC data set (Burri et al., IJRR 2016)."""
-    gyroscope_walk: quantity("rad/s^2/Hz^0.5", least=0.0) = 1.9393e-5  # type: ignore[valid-type]
+    gyroscope_walk: Annotated[float, Unit("rad/s^2/Hz^0.5", least=0.0)] = 1.9393e-5
     """Random walk of the bias; the same source."""
-    accelerometer_range: quantity("m/s^2", above=0.0) = 16.0 * STANDARD_GRAVITY  # type: ignore[valid-type]
+    accelerometer_range: Annotated[float, Unit("m/s^2", above=0.0)] = 16.0 * STANDARD_GRAVITY
     """ICM-20689: ±16 g."""
-    gyroscope_range: quantity("rad/s", above=0.0) = math.radians(2000.0)  # type: ignore[valid-type]
+    gyroscope_range: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(2000.0)
     """ICM-20689: ±2000 °/s."""
     distrust_clipped: bool = True
     """Assume more noise while a reading is at its range, so that poses soon correct the loss.
@@ -71,13 +73,13 @@ class KalmanSettings(Settings):
     """
     clipping: Duration = 0.01
     """Duration of clipping that loses as much as the range; chosen, the order of an impact."""
-    inertial_lag: quantity("s") = 5e-4  # type: ignore[valid-type]
+    inertial_lag: Annotated[float, Unit("s")] = 5e-4
     """Delay of inertial samples: (1 − s)/s ticks for a low-pass with coefficient s.
 
     176 Hz at 1 kHz (s = 0.67), the ICM-20689's gyroscope: 0.49 ms.  0 without a low-pass; minus
     half a sample if rates are those at the end of the sample.
     """
-    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Position of the inertial sensor from the main body's centre of mass, body axes."""
     every: Annotated[int, Field(ge=1, strict=True)] = 5
     """Inertial samples per prediction of the covariance: 200 Hz at 1 kHz, the rate of the poses;
@@ -85,14 +87,14 @@ class KalmanSettings(Settings):
     """
     position_noise: Length = 2e-4
     """Motion capture, standard deviation along each axis; chosen, a common camera system."""
-    attitude_noise: quantity("rad", above=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    attitude_noise: Annotated[float, Unit("rad", above=0.0)] = math.radians(0.1)
     """Motion capture, standard deviation about each axis; chosen likewise."""
-    initial_position: quantity("m", least=0.0) = 1e-3  # type: ignore[valid-type]
+    initial_position: Annotated[float, Unit("m", least=0.0)] = 1e-3
     """Standard deviation at the start; chosen, as are those below."""
-    initial_velocity: quantity("m/s", least=0.0) = 0.01  # type: ignore[valid-type]
-    initial_attitude: quantity("rad", least=0.0) = math.radians(0.5)  # type: ignore[valid-type]
-    initial_accelerometer_bias: quantity("m/s^2", least=0.0) = 0.05  # type: ignore[valid-type]
-    initial_gyroscope_bias: quantity("rad/s", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    initial_velocity: Annotated[float, Unit("m/s", least=0.0)] = 0.01
+    initial_attitude: Annotated[float, Unit("rad", least=0.0)] = math.radians(0.5)
+    initial_accelerometer_bias: Annotated[float, Unit("m/s^2", least=0.0)] = 0.05
+    initial_gyroscope_bias: Annotated[float, Unit("rad/s", least=0.0)] = math.radians(0.1)
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Kalman:
         """Settings of the filter; gravity is g along −Z [m/s²]."""
@@ -136,15 +138,15 @@ class KalmanSettings(Settings):
 class ComplementarySettings(Settings):
     """Weights of the complementary filter: the defaults of PX4's attitude_estimator_q."""
 
-    accelerometer_weight: quantity("1/s", least=0.0) = 0.2  # type: ignore[valid-type]
+    accelerometer_weight: Annotated[float, Unit("1/s", least=0.0)] = 0.2
     """ATT_W_ACC."""
-    heading_weight: quantity("1/s", least=0.0) = 0.1  # type: ignore[valid-type]
+    heading_weight: Annotated[float, Unit("1/s", least=0.0)] = 0.1
     """ATT_W_EXT_HDG, with the heading of motion capture."""
-    bias_weight: quantity("1/s", least=0.0) = 0.1  # type: ignore[valid-type]
+    bias_weight: Annotated[float, Unit("1/s", least=0.0)] = 0.1
     """ATT_W_GYRO_BIAS."""
-    largest_bias: quantity("rad/s", least=0.0) = 0.05  # type: ignore[valid-type]
+    largest_bias: Annotated[float, Unit("rad/s", least=0.0)] = 0.05
     """ATT_BIAS_MAX, of each axis."""
-    bandwidth: quantity("1/s", above=0.0) = 20.0  # type: ignore[valid-type]
+    bandwidth: Annotated[float, Unit("1/s", above=0.0)] = 20.0
     """Bandwidth of the corrections by motion capture; chosen: an error halves in about 50 ms."""
     attitude: Literal["pose", "heading"] = "pose"
     """Attitude from motion capture: all of it, with the same bandwidth, or as in PX4 the heading

@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from springback.kernels.vectors import Vec
-from springback.quantities import Length, quantity, triple
+from springback.quantities import Length, Triple, Unit
 from springback.sensing.clock import inside, lateness, period
 from springback.sensing.hall import (
     HallSensors,
@@ -35,8 +35,8 @@ IMPOSSIBLE = -40.0
 #: Normal numbers for a flight's sensor biases: three axes of accelerometer and gyroscope.
 BIASES = 6
 
-Rate = quantity("Hz", above=0.0)
-Delay = quantity("s", least=0.0)
+Rate = Annotated[float, Unit("Hz", above=0.0)]
+Delay = Annotated[float, Unit("s", least=0.0)]
 
 
 def _quantile(probability: float) -> float:
@@ -55,15 +55,15 @@ class MotionCaptureSettings(Settings):
 
     perfect: bool = False
     """Exact, at every tick, without delay; everything below is then unused."""
-    rate: Rate = 200.0  # type: ignore[valid-type]
-    delay: Delay = 0.01  # type: ignore[valid-type]
-    position_noise: quantity("m", least=0.0) = 2e-4  # type: ignore[valid-type]
+    rate: Rate = 200.0
+    delay: Delay = 0.01
+    position_noise: Annotated[float, Unit("m", least=0.0)] = 2e-4
     """Standard deviation of each axis."""
-    attitude_noise: quantity("rad", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
+    attitude_noise: Annotated[float, Unit("rad", least=0.0)] = math.radians(0.1)
     """Standard deviation of each component of a small rotation vector."""
-    loss_probability: quantity("", least=0.0, most=1.0) = 0.0  # type: ignore[valid-type]
+    loss_probability: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.0
     """Probability that a gap starts at the next sample."""
-    loss_length: quantity("", least=1.0) = 10.0  # type: ignore[valid-type]
+    loss_length: Annotated[float, Unit("", least=1.0)] = 10.0
     """Mean length of a gap in samples; the distribution is geometric."""
 
     def device(self, tick: float) -> MotionCapture | PerfectMotionCapture:
@@ -94,7 +94,7 @@ class ChannelSettings(Settings):
     full_scale: float
     noise: float
     """Density of the white noise, one-sided [unit/√Hz]."""
-    bandwidth: Rate  # type: ignore[valid-type]
+    bandwidth: Rate
     """3 dB corner of the low-pass, here of first order."""
     bias: float
     """Standard deviation of each axis from flight to flight."""
@@ -129,11 +129,11 @@ class AccelerometerSettings(ChannelSettings):
     2016).
     """
 
-    full_scale: quantity("m/s^2", above=0.0) = 16.0 * STANDARD_GRAVITY  # type: ignore[valid-type]
-    noise: quantity("m/s^2/Hz^0.5", least=0.0) = 150e-6 * STANDARD_GRAVITY  # type: ignore[valid-type]
-    bandwidth: Rate = 218.1  # type: ignore[valid-type]
-    bias: quantity("m/s^2", least=0.0) = 0.05  # type: ignore[valid-type]
-    walk: quantity("m/s^3/Hz^0.5", least=0.0) = 3e-3  # type: ignore[valid-type]
+    full_scale: Annotated[float, Unit("m/s^2", above=0.0)] = 16.0 * STANDARD_GRAVITY
+    noise: Annotated[float, Unit("m/s^2/Hz^0.5", least=0.0)] = 150e-6 * STANDARD_GRAVITY
+    bandwidth: Rate = 218.1
+    bias: Annotated[float, Unit("m/s^2", least=0.0)] = 0.05
+    walk: Annotated[float, Unit("m/s^3/Hz^0.5", least=0.0)] = 3e-3
 
 
 class GyroscopeSettings(ChannelSettings):
@@ -142,11 +142,11 @@ class GyroscopeSettings(ChannelSettings):
     Data sheet TDK DS-000143: range, 0.006 °/s/√Hz, 16 bits, 176 Hz at 1 kHz.
     """
 
-    full_scale: quantity("rad/s", above=0.0) = math.radians(2000.0)  # type: ignore[valid-type]
-    noise: quantity("rad/s/Hz^0.5", least=0.0) = math.radians(0.006)  # type: ignore[valid-type]
-    bandwidth: Rate = 176.0  # type: ignore[valid-type]
-    bias: quantity("rad/s", least=0.0) = math.radians(0.1)  # type: ignore[valid-type]
-    walk: quantity("rad/s^2/Hz^0.5", least=0.0) = 1.9393e-5  # type: ignore[valid-type]
+    full_scale: Annotated[float, Unit("rad/s", above=0.0)] = math.radians(2000.0)
+    noise: Annotated[float, Unit("rad/s/Hz^0.5", least=0.0)] = math.radians(0.006)
+    bandwidth: Rate = 176.0
+    bias: Annotated[float, Unit("rad/s", least=0.0)] = math.radians(0.1)
+    walk: Annotated[float, Unit("rad/s^2/Hz^0.5", least=0.0)] = 1.9393e-5
 
 
 class InertialSettings(Settings):
@@ -154,9 +154,9 @@ class InertialSettings(Settings):
 
     perfect: bool = False
     """No noise, bias, range or filter; only the offset below is then used."""
-    rate: Rate = 1000.0  # type: ignore[valid-type]
+    rate: Rate = 1000.0
     """Rate of its output; conversion and filter run at every tick of the clock."""
-    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Position of the sensor from the main body's centre of mass, body axes."""
     accelerometer: AccelerometerSettings = AccelerometerSettings()
     gyroscope: GyroscopeSettings = GyroscopeSettings()
@@ -201,21 +201,21 @@ class HallSettings(Settings):
 
     perfect: bool = False
     """Exact, at every tick, without delay; everything below is then unused."""
-    rate: Rate = 200.0  # type: ignore[valid-type]
-    delay: Delay = 0.005  # type: ignore[valid-type]
-    remanence: quantity("T", above=0.0) = 1.3  # type: ignore[valid-type]
+    rate: Rate = 200.0
+    delay: Delay = 0.005
+    remanence: Annotated[float, Unit("T", above=0.0)] = 1.3
     magnet_radius: Length = 7.5e-3
     magnet_thickness: Length = 8e-3
     distance: Length = 8e-3
     """Distance from the magnet's face to the sensor at the arm's free length."""
-    overrun: quantity("m", least=0.0) = 2e-3  # type: ignore[valid-type]
+    overrun: Annotated[float, Unit("m", least=0.0)] = 2e-3
     """Extension of the calibration beyond both ends of the stroke; chosen."""
-    sensitivity: quantity("V/T", above=0.0) = 13.0  # type: ignore[valid-type]
-    supply: quantity("V", above=0.0) = 5.0  # type: ignore[valid-type]
-    quiescent: quantity("V", above=0.0) = 2.5  # type: ignore[valid-type]
-    lowest: quantity("V", least=0.0) = 0.2  # type: ignore[valid-type]
-    highest: quantity("V", above=0.0) = 4.7  # type: ignore[valid-type]
-    noise: quantity("V", least=0.0) = 150e-6  # type: ignore[valid-type]
+    sensitivity: Annotated[float, Unit("V/T", above=0.0)] = 13.0
+    supply: Annotated[float, Unit("V", above=0.0)] = 5.0
+    quiescent: Annotated[float, Unit("V", above=0.0)] = 2.5
+    lowest: Annotated[float, Unit("V", least=0.0)] = 0.2
+    highest: Annotated[float, Unit("V", above=0.0)] = 4.7
+    noise: Annotated[float, Unit("V", least=0.0)] = 150e-6
     """Standard deviation at each sample."""
     bits: Annotated[int, Field(ge=2, le=32, strict=True)] = 10
 

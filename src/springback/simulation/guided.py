@@ -32,7 +32,7 @@ from springback.simulation.flight import (
     trace_columns,
     unloaded,
 )
-from springback.simulation.noise import NoiseStream, generate, pregenerated
+from springback.simulation.noise import NoiseStream, Purpose, generate, pregenerated, stream
 from springback.simulation.noise import noise_table as noise_table
 from springback.simulation.onboard import (
     Avionics,
@@ -191,10 +191,7 @@ def avionics_at_start(
     """
     gusts: Any = 0.0
     if not isinstance(systems.weather, NoGusts):
-        noise_stream = np.random.Generator(
-            np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(0, 1)))
-        )
-        before = tuple(float(x) for x in noise_stream.standard_normal(FIRST_GUST_NOISE))
+        before = tuple(stream(seed, Purpose.GUST).standard_normal(FIRST_GUST_NOISE).tolist())
         gusts = first_gust(systems.weather, before).memory
     kind = (type(systems.sensors), *map(type, systems.sensors), len(start.arm_length))
     if kind not in _UNREAD:

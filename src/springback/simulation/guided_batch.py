@@ -8,14 +8,11 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, TreeLayout, rows
-from springback.kernels.trees import rebuilt
-from springback.simulation.flight import loaded, shape_of, unloaded
+from springback.kernels.layout import Buffer, TreeLayout
+from springback.simulation.flight import shape_of
 from springback.simulation.guided import (
     TICKS,
-    GuidedFlown,
     entries_for,
-    loaded_avionics,
     ticks_of,
 )
 from springback.simulation.noise import on_the_fly
@@ -88,52 +85,3 @@ def fly_groups(
         for done, _ in enumerate(pool.map(fly, batches), start=1):
             if progress is not None:
                 progress(done / len(batches))
-
-
-def fly_guided_many(
-    models: Sequence[Model],
-    starts: Sequence[State],
-    avionics_list: Sequence[Avionics],
-    draws: Sequence[Draw],
-    seeds: Sequence[int],
-    *,
-    flights: Sequence[int] | None = None,
-    width: int = GUIDED_LANES,
-    threads: int | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> list[GuidedFlown]:
-    """Fly many guided flights of equal shape and duration, abreast in lanes, on several threads.
-
-    Each is, bit for bit, the flight that `springback.simulation.guided.fly_guided` flies alone, in
-    whatever order and company.  No trajectories and no diaries are kept.
-
-    Args:
-        models: One for each flight, or a single one for all.
-        starts: One state for each flight.
-        avionics_list: What is aboard each.
-        draws: When which normal numbers are drawn.
-        seeds: One for each flight.
-        flights: Their numbers, for their luck; 0 by default.
-        width: Lanes in a group.
-        threads: Defaults to the number of processors.
-        progress: Called now and then with the share done.
-
-    Raises:
-        ValueError: If the flights end, or their clocks tick, at different times.
-    """
-    every = [models[min(k, len(models) - 1)] for k in range(len(starts))]
-    paces = {(m.timing.until, c.systems.period) for m, c in zip(every, avionics_list, strict=True)}
-    if len(paces) != 1:
-        raise ValueError("flights abreast must have one duration and one clock")
-    shape, avionics = shape_of(every[0], starts[0]), avionics_list[0]
-    buffers, onboard = loaded(shape, every, starts, width), loaded_avionics([*avionics_list], width)
-    fly_groups(
-        every[0], starts[0], avionics, buffers, onboard, draws, seeds,
-        flights=flights, width=width, threads=threads, progress=progress,
-    )  # fmt: skip
-    flown, after = unloaded(shape, every, starts, buffers, width), rows(avionics.systems)
-    memories = onboard.reshape(len(buffers), -1, width)
-    return [
-        GuidedFlown(one, rebuilt(avionics.onboard, memories[k // width, after:, k % width]), None)
-        for k, one in enumerate(flown)
-    ]

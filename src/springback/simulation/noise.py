@@ -4,12 +4,15 @@ Philox4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as 1
 turns a counter and a key into four words, and Box and Muller (Annals of Mathematical Statistics 29,
 1958) turn two words into two normal numbers.  Nothing is stored and nothing drawn in order: any
 stretch of any flight's luck can be dealt alone, and that of many flights abreast.
+
+All other random numbers come from `stream`: what is drawn once for a flight, a trial or a plan.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from enum import IntEnum
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,6 +34,43 @@ _LOW, _HALF = np.uint64(0xFFFFFFFF), np.uint64(32)
 _PART = 2.0**-32
 #: Streams of a flight beside those of its devices, which are numbered by their channels.
 STREAMS = 16
+
+
+class Purpose(IntEnum):
+    """What random numbers that are drawn once are for; part of the key of each stream."""
+
+    POINTS = 0
+    """Of a random design."""
+    JITTER = 1
+    """Of the points of a Latin hypercube within their layers."""
+    SCRAMBLE = 2
+    """Of a Sobol' sequence."""
+    SEEDS = 3
+    """Of a campaign's flights."""
+    SCATTER = 4
+    """Of a campaign's flights."""
+    DRAWN = 5
+    """Values of fields that a grid has no levels of."""
+    SHUFFLE = 6
+    """Of the layers of a Latin hypercube."""
+    TURN_ON = 7
+    """Biases of a flight's sensors."""
+    GUST = 8
+    """Of the wind before a flight's first tick."""
+    TRIAL = 9
+    """Scatter and seed of a trial."""
+
+
+def stream(seed: int, purpose: Purpose, *which: int) -> np.random.Generator:
+    """Random numbers of one purpose, independent of all others (Philox4x64 of NumPy).
+
+    Args:
+        seed: Of a flight, of trials or of a plan.
+        purpose: What they are for.
+        *which: Which of that purpose: the number of a flight, a repeat, a dimension.
+    """
+    key = np.random.SeedSequence(seed, spawn_key=(purpose, *which))
+    return np.random.Generator(np.random.Philox(key))
 
 
 class Block(NamedTuple):

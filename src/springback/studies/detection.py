@@ -17,9 +17,12 @@ import numpy as np
 
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
+from springback.scenario.scenario import Scenario, scenario_from
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
+from springback.simulation.onboard import Avionics
+from springback.simulation.record import Model
 from springback.studies.roc import Array, Judged, Quiet, RocPoint, curve, quiet
-from springback.studies.trials import Scatter, made_ready, trial_tables
+from springback.studies.trials import Scatter, trial_tables
 
 ROBOTS = ("arq", "quad")
 #: Speeds at contact [m/s]; the paper's are 2 and 3.5.
@@ -143,20 +146,30 @@ def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) 
     return given | (changes or {})
 
 
-def flown(tables: dict[str, Any]) -> tuple[Any, GuidedFlown]:
+class ReadyTrial(NamedTuple):
+    """A flight made ready."""
+
+    scenario: Scenario
+    model: Model
+    avionics: Avionics
+
+
+def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     """A flight made ready and flown, trajectory, telemetry and all."""
-    ready = made_ready(tables)
-    period = ready.built_avionics.avionics.systems.period
-    ticks = ticks_of(ready.model.timing.until, period)
-    noise = noise_table(ready.scenario.seed, 0, ticks, ready.built_avionics.noise)
-    return ready, fly_guided(ready.model, ready.start, ready.built_avionics.avionics, noise)
+    scenario = scenario_from(tables)
+    _, model, start, built = scenario.build()
+    assert built is not None  # every flight of the study has a pilot
+    avionics, draws = built
+    ticks = ticks_of(model.timing.until, avionics.systems.period)
+    noise = noise_table(scenario.seed, 0, ticks, draws)
+    return ReadyTrial(scenario, model, avionics), fly_guided(model, start, avionics, noise)
 
 
-def signals_of(ready: Any, guided: GuidedFlown) -> dict[str, Judged]:
+def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, Judged]:
     """The signal of every trigger, tick by tick."""
     assert guided.telemetry is not None  # asked only of flights that keep one
     sensors, tick = ready.scenario.sensors, 1.0 / ready.scenario.clock
-    paces = {"pressed": sensors.hall, "jolt": sensors.imu, "push": sensors.imu}
+    paces: dict[str, Any] = {"pressed": sensors.hall, "jolt": sensors.imu, "push": sensors.imu}
     found = {}
     for name in ("hall", "acceleration", "wrench"):
         column, pace = SIGNALS[name], paces[SIGNALS[name]]
@@ -240,7 +253,7 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
 
 
 def characterisation_error(
-    approach: Approach, ready: Any, guided: GuidedFlown, touch: float
+    approach: Approach, ready: ReadyTrial, guided: GuidedFlown, touch: float
 ) -> CharacterisationError | None:
     """What the robot made of a collision, against the truth; None if it noticed nothing.
 
@@ -272,7 +285,7 @@ def characterisation_error(
     force = np.linalg.norm(_vectors(trace, "contact_force")[first : last + 1], axis=1).max()
     place = _vectors(trace, "state.position")[at]
     imu = np.abs(_vectors(telemetry, "measurement.inertial.specific_force")[looking])
-    limit = ready.built_avionics.avionics.systems.pilot.look.limit
+    limit = ready.avionics.systems.pilot.look.limit
     return CharacterisationError(
         approach=approach,
         clipped=bool(imu.max() >= limit),
@@ -300,7 +313,7 @@ def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = No
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
     delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}
-    end = int((touch + 0.1) / ready.built_avionics.avionics.systems.period)
+    end = int((touch + 0.1) / ready.avionics.systems.period)
     signals = {
         name: one._replace(signal=one.signal[:end].copy())
         for name, one in signals_of(ready, guided).items()

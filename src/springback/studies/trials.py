@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-import numpy as np
-
+from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
-from springback.results.recovery_measures import recovery_measures, recovery_outcome
-from springback.scenario.avionics import BuiltAvionics, build_avionics
 from springback.scenario.scenario import Scenario, merged, scenario_from
-from springback.simulation.guided_batch import fly_guided_many
-from springback.simulation.measures import Outcome, measures_of
-from springback.simulation.record import Model
+from springback.simulation.measures import Outcome, scalars_of
+from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
-from springback.vehicle.state import State
 
 #: The paper's start and return point, section Impact Resilience [m].
 HOME = (0.0, 0.0, 1.0)
@@ -47,7 +43,7 @@ class Scatter(NamedTuple):
         Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
         """
         key = (round(1e3 * pitch) % 2**32, round(1e3 * speed) % 2**32, trial)
-        noise_stream = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
+        noise_stream = stream(seed, Purpose.TRIAL, *key)
         z = noise_stream.standard_normal(16).tolist()
         return TrialNoise(
             position=tuple(h + self.position * x for h, x in zip(HOME, z[:3], strict=True)),
@@ -158,43 +154,6 @@ class Trial:
         return head | tail | self.measures
 
 
-class ReadyTrial(NamedTuple):
-    """A flight made ready."""
-
-    scenario: Scenario
-    model: Model
-    start: State
-    built_avionics: BuiltAvionics
-
-
-def made_ready(tables: Mapping[str, Any]) -> ReadyTrial:
-    """Check a trial's tables and put everything aboard."""
-    scenario = scenario_from(tables)
-    model, start = scenario.flight_model(), scenario.start_state()
-    return ReadyTrial(scenario, model, start, build_avionics(scenario, model, start))
-
-
-def fly_ready(
-    flights: Sequence[ReadyTrial], progress: Callable[[float], None] | None = None
-) -> list[tuple[Outcome, dict[str, float | None]]]:
-    """Fly many flights of equal types and duration abreast; outcomes and measures in their order.
-
-    Args:
-        flights: With a recovery.
-        progress: Called with the share done.
-    """
-    if not flights:
-        return []
-    flown = fly_guided_many(
-        [one.model for one in flights], [one.start for one in flights],
-        [one.built_avionics.avionics for one in flights], flights[0].built_avionics.noise,
-        [one.scenario.seed for one in flights], progress=progress,
-    )  # fmt: skip
-    return [
-        (recovery_outcome(one), measures_of(one.flown) | recovery_measures(one)) for one in flown
-    ]
-
-
 class Condition(NamedTuple):
     """One test that is flown several times."""
 
@@ -224,56 +183,35 @@ def fly_trials(
         progress: Called with the share done.
     """
     dealt = scatter or Scatter()
-    asked, flights = [], []
-    for condition in conditions:
-        robot, pitch, speed, changes = condition
-        for number in range(trials):
-            noise_stream = dealt.drawn(robot, pitch, speed, number, seed)
-            try:
-                flights.append(made_ready(trial_tables(robot, pitch, speed, noise_stream, changes)))
-            except InputError:
-                if number or not _too_hard(condition):
-                    raise
-                break
-            asked.append((condition, number))
-    groups: dict[Any, list[int]] = {}
-    for k, one in enumerate(flights):
-        groups.setdefault(kind_of(one), []).append(k)
-    results: dict[int, tuple[Outcome, dict[str, float | None]]] = {}
-    for members in groups.values():
-        done = len(results)
+    asked = [(condition, number) for condition in conditions for number in range(trials)]
+    tables = [_tables(condition, dealt, number, seed) for condition, number in asked]
+    ended = fly_scenarios(tables, threads=os.cpu_count() or 1, progress=progress)
+    found = []
+    for k, (condition, number) in enumerate(asked):
+        if not number:
+            is_flown = ended.outcomes[k] != REFUSED or not _too_hard(condition)
+        if not is_flown:
+            continue
+        if ended.outcomes[k] == REFUSED:
+            scenario_from(tables[k])  # says more of it
+            raise InputError(ended.problems[k])
+        outcome = Outcome[ended.outcomes[k].upper()]
+        measures = scalars_of({name: column[k : k + 1] for name, column in ended.measures.items()})
+        found.append(Trial(*condition[:3], number, outcome, measures))
+    return found
 
-        def share(x: float, done: int = done, count: int = len(members)) -> None:
-            if progress is not None:
-                progress((done + x * count) / len(flights))
 
-        ended = fly_ready([flights[k] for k in members], share)
-        results |= dict(zip(members, ended, strict=True))
-    return [
-        Trial(c.robot, c.pitch, c.speed, number, *results[k]) for k, (c, number) in enumerate(asked)
-    ]
+def _tables(condition: Condition, scatter: Scatter, number: int, seed: int) -> dict[str, Any]:
+    """The scenario of a trial of a condition."""
+    robot, pitch, speed, changes = condition
+    noise_stream = scatter.drawn(robot, pitch, speed, number, seed)
+    return trial_tables(robot, pitch, speed, noise_stream, changes)
 
 
 def _too_hard(condition: Condition) -> bool:
     """Whether a condition cannot be flown even without scatter: the run-up asks for too much."""
-    robot, pitch, speed, changes = condition
-    noise_stream = NO_SCATTER.drawn(robot, pitch, speed, 0, 0)
     try:
-        scenario_from(trial_tables(robot, pitch, speed, noise_stream, changes))
+        scenario_from(_tables(condition, NO_SCATTER, 0, 0))
     except InputError as error:
         return all(line.startswith("reference: the run-up") for line in error.problems)
     return False
-
-
-def kind_of(one: ReadyTrial) -> Any:
-    """Flights of one kind can fly abreast."""
-    return (
-        _types(one.model), _types(one.built_avionics.avionics), one.model.timing.until,
-        one.built_avionics.avionics.systems.period, one.built_avionics.noise,
-    )  # fmt: skip
-
-
-def _types(tree: Any) -> Any:
-    if not isinstance(tree, tuple):
-        return None
-    return (type(tree).__name__, *(_types(branch) for branch in tree))

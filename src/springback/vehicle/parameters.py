@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
 from springback.kernels.vectors import Mat3, Vec
-from springback.quantities import Mass, checked, quantity, spread, triple
+from springback.quantities import Mass, PerArm, Triple, Unit, checked
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm, Sphere
@@ -98,22 +98,22 @@ class Arms(Settings):
 
     directions: tuple[Any, ...]
     """Angle of each arm from body x towards body y [rad]; their number is the number of arms."""
-    length: spread("m", above=0.0)  # type: ignore[valid-type]
+    length: Annotated[PerArm, Unit("m", above=0.0)]
     """Free length L, from the centre of the main body to the arm's end."""
-    mass: spread("kg", least=0.0)  # type: ignore[valid-type]
-    cage_radius: spread("m", above=0.0)  # type: ignore[valid-type]
+    mass: Annotated[PerArm, Unit("kg", least=0.0)]
+    cage_radius: Annotated[PerArm, Unit("m", above=0.0)]
     compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
     """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
-    stiffness: spread("N/m", above=0.0) = 5e3  # type: ignore[valid-type]
-    damping: spread("N s/m", least=0.0) = 0.0  # type: ignore[valid-type]
-    stroke: spread("m", above=0.0) = 0.05  # type: ignore[valid-type]
+    stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
+    damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
+    stroke: Annotated[PerArm, Unit("m", above=0.0)] = 0.05
     """Largest compression of an arm, at which it bottoms out."""
     end_stops: bool = True
     """Stops at the free length and at the end of the stroke; without them travel is unlimited."""
-    stop_stiffness: spread("N/m", above=0.0) = 2e5  # type: ignore[valid-type]
-    stop_dissipation: spread("s/m", least=0.0) = 0.5  # type: ignore[valid-type]
+    stop_stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 2e5
+    stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
     """Coefficient d of the stops' force k δ (1 + d δ̇)."""
-    torque_ratio: spread("m", least=0.0) = 0.0  # type: ignore[valid-type]
+    torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
     """c_τ, rotor torque per unit thrust."""
     spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
     """Sign of each rotor's torque about body z; alternating −, + by default, as in eq. (2)."""
@@ -200,9 +200,9 @@ class Hull(Settings):
     It touches the same surfaces as the cages, by the same laws.
     """
 
-    radius: quantity("m", above=0.0)  # type: ignore[valid-type]
+    radius: Annotated[float, Unit("m", above=0.0)]
     """Radius of the sphere."""
-    offset: triple("m") = (0.0, 0.0, 0.0)  # type: ignore[valid-type]
+    offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Position of its centre from the centre of the main body, body axes."""
 
 
@@ -322,4 +322,4 @@ def _exact(x: float) -> float:
     return 0.0 if abs(x) < 1e-15 else x
 
 
-Thrust = quantity("N", least=0.0)
+Thrust = Annotated[float, Unit("N", least=0.0)]

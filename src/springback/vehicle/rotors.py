@@ -6,14 +6,14 @@ constant τ.  Between two ticks the command is constant, so the response is know
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from pydantic import model_validator
 
 from springback.kernels.compiler import kernel
 from springback.kernels.exponentials import exponential
 from springback.kernels.trees import field_of, select, tree_map
-from springback.quantities import Length, quantity
+from springback.quantities import Length, Unit
 from springback.settings import Settings, problem
 
 #: [s] Chosen: shorter time constants count as zero, so that h/τ stays finite for every duration h.
@@ -110,25 +110,25 @@ class Propulsion(Settings):
     The battery is needed only for hover power and hover time.
     """
 
-    max_thrust: quantity("N", above=0.0)  # type: ignore[valid-type]
+    max_thrust: Annotated[float, Unit("N", above=0.0)]
     """Maximum thrust of one rotor."""
-    min_thrust: quantity("N", least=0.0) = 0.0  # type: ignore[valid-type]
+    min_thrust: Annotated[float, Unit("N", least=0.0)] = 0.0
     """Minimum thrust of one rotor; 0: rotors stop but do not turn backwards."""
-    time_constant: quantity("s", least=0.0) = 0.025  # type: ignore[valid-type]
+    time_constant: Annotated[float, Unit("s", least=0.0)] = 0.025
     """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
     aerial_robot assumes 90 ms.  At 40 ms ARQ does not always survive (`springback study why`).
     """
-    figure_of_merit: quantity("", above=0.0, most=1.0) | None = None  # type: ignore[valid-type]
+    figure_of_merit: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
     """Ratio of ideal induced power to battery power: propeller, motor and controller together."""
     disk_radius: Length | None = None
     """Radius of one propeller."""
-    battery_energy: quantity("J", above=0.0) | None = None  # type: ignore[valid-type]
+    battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
     """Energy of the full battery, such as ``"52 Wh"``."""
-    usable_share: quantity("", above=0.0, most=1.0) = 0.8  # type: ignore[valid-type]
+    usable_share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.8
     """Usable fraction of the energy; the rest is reserve.  Chosen: usual for lithium polymer."""
-    electronics_power: quantity("W", least=0.0) = 0.0  # type: ignore[valid-type]
+    electronics_power: Annotated[float, Unit("W", least=0.0)] = 0.0
     """Power of everything but the rotors."""
-    air_density: quantity("kg/m^3", above=0.0) = 1.225  # type: ignore[valid-type]
+    air_density: Annotated[float, Unit("kg/m^3", above=0.0)] = 1.225
     """ρ of the International Standard Atmosphere at sea level (ISO 2533)."""
 
     @model_validator(mode="after")

@@ -12,11 +12,10 @@ from matplotlib.contour import QuadContourSet
 from matplotlib.patches import Rectangle
 
 from builders.figures import plane_map
+from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, EnvelopeCell
 from springback.interfaces.figures import style
 from springback.interfaces.figures.envelope import PRINTED_MARKS, edges, map_figure
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS, printed_success
-from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell
 from springback.studies.run_ups import CONDITIONS
 
 
@@ -114,8 +113,8 @@ def test_the_drawn_line_lies_on_the_plane_and_what_cannot_be_flown_is_hatched() 
 
 def test_a_map_of_one_colour_and_of_other_parameters_draws() -> None:
     told = plane_map(("arq",))
-    other = Axis(Parameter("air.wind[0]", ("air", "wind", 0), "m/s"), (0.0, -1.0, -2.0, -3.0))
-    full = {p: EnvelopeCell(p, {"recovered": 1000}) for p in told.cells}
+    other = Axis("air.wind[0]", "m/s", (0.0, -1.0, -2.0, -3.0))
+    full = dict.fromkeys(told.cells, EnvelopeCell({"recovered": 1000}))
     figure = map_figure(Envelope(told.x, other, ("arq",), 1000, 0, (), full), printed_success)
     assert not [c for c in figure.axes[0].collections if isinstance(c, QuadContourSet)]
     assert not [t for t in figure.legends[0].get_texts() if "paper" in t.get_text()]

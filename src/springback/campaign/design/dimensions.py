@@ -28,11 +28,10 @@ from springback.campaign.design.targets import (
     target,
 )
 from springback.errors import InputError, shown_value
+from springback.scenario.fields import Parameter, Path
 from springback.scenario.scenario import Scenario
-from springback.studies.axes import Parameter
 from springback.studies.trials import Scatter
 
-Path = tuple[str | int, ...]
 Blame = Callable[[Path, str], None]
 """Takes note of a problem: where in the plan, and what."""
 
@@ -204,7 +203,8 @@ class _Reader:
         if self.entry.spacing == "logarithmic" and not first * last > 0.0:
             self.say("spacing", "logarithmic needs from and to of the same sign, and no zero")
         law = None if self.failed else self.spread(first, last, grid)
-        ends = (((*self.at, FROM), first), ((*self.at, "to"), last))
+        number = int if self.goal.number.whole else float
+        ends = (((*self.at, FROM), number(first)), ((*self.at, "to"), number(last)))
         return None if law is None else (law, ends)
 
     def spread(self, first: float, last: float, grid: bool) -> Distribution | None:

@@ -27,9 +27,7 @@ from springback.campaign.design.plan import (
     with_scenario,
 )
 from springback.campaign.design.sampling import (
-    DRAWN,
     POINTS,
-    SCATTER,
     Numbers,
     grid_point,
     seeds,
@@ -43,12 +41,14 @@ from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
-from springback.studies.axes import MOST_VALUES
+from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
 #: More flights are a slip of the pen (chosen).
 MOST_FLIGHTS = 10**9
+#: Of a field with more levels only the first and the last are tried out (chosen).
+MOST_TRIED = 200
 #: Columns of every campaign that say which flight a row is.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
@@ -181,8 +181,8 @@ def _numbers(
     @functools.cache
     def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
         """Seeds and values of one repeat of all these samples."""
-        scatter = uniform_rows(plan.seed, (SCATTER, repeat), begin, count, SLOTS)
-        more = uniform_rows(plan.seed, (DRAWN, repeat), begin, count, len(drawn))
+        scatter = uniform_rows(plan.seed, (Purpose.SCATTER, repeat), begin, count, SLOTS)
+        more = uniform_rows(plan.seed, (Purpose.DRAWN, repeat), begin, count, len(drawn))
         found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
         found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
         for k, one in enumerate(dimensions):
@@ -347,7 +347,7 @@ def _try_out(
 
     Run-ups are not sought, which may take long; a vehicle too weak for one leads to refused rows.
     """
-    few = extremes if len(extremes) <= MOST_VALUES else (extremes[0], extremes[-1])
+    few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
         for robot, base in enumerate(bases):
             shown = checked_text(value)

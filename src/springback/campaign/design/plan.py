@@ -12,7 +12,7 @@ from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from springback.errors import InputError, shortened, shown_value
 from springback.problems import dotted, key_path, problem_paths
-from springback.quantities import quantity
+from springback.quantities import Unit
 from springback.scenario.files import overridden, place_of, read_scenario
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
@@ -53,10 +53,10 @@ class Normal(Settings):
 class FactorLaw(Spaced):
     """What the scenario's own value is multiplied by."""
 
-    deviation: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
+    deviation: Annotated[float, Unit("", above=0.0)] | None = None
     """Of the factor's logarithm, normally distributed: 5 % makes factors of about 0.95 to 1.05."""
-    from_: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
-    to: quantity("", above=0.0) | None = None  # type: ignore[valid-type]
+    from_: Annotated[float, Unit("", above=0.0)] | None = None
+    to: Annotated[float, Unit("", above=0.0)] | None = None
     """With ``from``: evenly between both."""
 
     @model_validator(mode="after")
@@ -114,14 +114,14 @@ class ScatterSettings(Settings):
     ``"trials"`` stands for those of the trials; what is not given is not scattered.
     """
 
-    position: quantity("m", least=0.0) = 0.0  # type: ignore[valid-type]
-    velocity: quantity("m/s", least=0.0) = 0.0  # type: ignore[valid-type]
-    heading: quantity("rad", least=0.0) = 0.0  # type: ignore[valid-type]
-    wall_distance: quantity("m", least=0.0) = 0.0  # type: ignore[valid-type]
-    wall_yaw: quantity("rad", least=0.0) = 0.0  # type: ignore[valid-type]
-    mass: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
-    inertia: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
-    gains: quantity("", least=0.0) = 0.0  # type: ignore[valid-type]
+    position: Annotated[float, Unit("m", least=0.0)] = 0.0
+    velocity: Annotated[float, Unit("m/s", least=0.0)] = 0.0
+    heading: Annotated[float, Unit("rad", least=0.0)] = 0.0
+    wall_distance: Annotated[float, Unit("m", least=0.0)] = 0.0
+    wall_yaw: Annotated[float, Unit("rad", least=0.0)] = 0.0
+    mass: Annotated[float, Unit("", least=0.0)] = 0.0
+    inertia: Annotated[float, Unit("", least=0.0)] = 0.0
+    gains: Annotated[float, Unit("", least=0.0)] = 0.0
 
     @model_validator(mode="before")
     @classmethod

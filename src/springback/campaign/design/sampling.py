@@ -14,47 +14,49 @@ import numpy as np
 import numpy.typing as npt
 import scipy  # its parts are loaded when first used
 
+from springback.simulation.noise import Purpose, stream
+
 Numbers = npt.NDArray[np.float64]
 
-#: What a stream of random numbers is for; part of the key of each.
-RANDOM, JITTER, SCRAMBLE, SEEDS, SCATTER, DRAWN, SHUFFLE = range(7)
 #: Sobol' numbers have so many bits, and so a sequence at most this many points.
 SOBOL_BITS = 30
 
 
 def raw_rows(
-    seed: int, stream: tuple[int, ...], first: int, count: int, width: int
+    seed: int, key: tuple[Purpose, *tuple[int, ...]], first: int, count: int, width: int
 ) -> npt.NDArray[np.uint64]:
     """Rows of random 64-bit words, shape (count, width).
 
     Args:
         seed: Of the plan.
-        stream: What they are for.
+        key: Purpose and numbers of their stream.
         first: Row.
         count: Number of rows.
         width: Words of a row.
     """
-    key = np.random.SeedSequence(seed, spawn_key=stream).generate_state(2, np.uint64)
     blocks = -(-width // 4)  # a counter gives four words
-    words = np.random.Philox(key=key, counter=first * blocks).random_raw(count * blocks * 4)
+    source: Any = stream(seed, *key).bit_generator
+    words = source.advance(first * blocks).random_raw(count * blocks * 4)
     return np.asarray(words, np.uint64).reshape(count, blocks * 4)[:, :width]
 
 
-def uniform_rows(seed: int, stream: tuple[int, ...], first: int, count: int, width: int) -> Numbers:
+def uniform_rows(
+    seed: int, key: tuple[Purpose, *tuple[int, ...]], first: int, count: int, width: int
+) -> Numbers:
     """The same as numbers in [0, 1)."""
-    words = raw_rows(seed, stream, first, count, width) >> np.uint64(11)
+    words = raw_rows(seed, key, first, count, width) >> np.uint64(11)
     return words.astype(np.float64) * 2.0**-53
 
 
 def seeds(seed: int, repeat: int, first: int, count: int) -> npt.NDArray[np.int64]:
     """Seeds of flights, below 2^53, so that JSON keeps them: of one repeat of some samples."""
-    words = raw_rows(seed, (SEEDS, repeat), first, count, 1)[:, 0]
+    words = raw_rows(seed, (Purpose.SEEDS, repeat), first, count, 1)[:, 0]
     return (words >> np.uint64(11)).astype(np.int64)
 
 
 def random_points(seed: int, samples: int, width: int, first: int, count: int) -> Numbers:
     """Independent points; ``samples`` does not matter."""
-    return uniform_rows(seed, (RANDOM,), first, count, width)
+    return uniform_rows(seed, (Purpose.POINTS,), first, count, width)
 
 
 def latin_points(seed: int, samples: int, width: int, first: int, count: int) -> Numbers:
@@ -63,16 +65,15 @@ def latin_points(seed: int, samples: int, width: int, first: int, count: int) ->
     Each of as many equal layers as there are samples holds one point, in every dimension.  The
     permutations are kept: 4 bytes for each sample and dimension, 80 MB for 10⁶ samples of 20.
     """
-    jitter = uniform_rows(seed, (JITTER,), first, count, width)
+    jitter = uniform_rows(seed, (Purpose.JITTER,), first, count, width)
     layers = [_permutation(seed, samples, k)[first : first + count] for k in range(width)]
     return (np.stack(layers, axis=1) + jitter) / samples if width else jitter
 
 
 @functools.lru_cache(maxsize=256)
 def _permutation(seed: int, samples: int, dimension: int) -> npt.NDArray[np.uint32]:
-    source = np.random.SeedSequence(seed, spawn_key=(SHUFFLE, dimension))
     order = np.arange(samples, dtype=np.uint32)
-    np.random.Generator(np.random.PCG64(source)).shuffle(order)
+    stream(seed, Purpose.SHUFFLE, dimension).shuffle(order)
     return order
 
 
@@ -80,10 +81,9 @@ def sobol_points(seed: int, samples: int, width: int, first: int, count: int) ->
     """Points of a scrambled Sobol' sequence (Owen 1998); ``samples`` does not matter."""
     if not width:
         return np.zeros((count, 0))
-    source = np.random.SeedSequence(seed, spawn_key=(SCRAMBLE,))
-    generator = np.random.Generator(np.random.PCG64(source))
     qmc: Any = scipy.stats.qmc
-    sequence = qmc.Sobol(width, scramble=True, bits=SOBOL_BITS, rng=generator)
+    source = stream(seed, Purpose.SCRAMBLE)
+    sequence = qmc.Sobol(width, scramble=True, bits=SOBOL_BITS, rng=source)
     if first:
         sequence.fast_forward(first)
     with warnings.catch_warnings():  # that a stretch is no power of two

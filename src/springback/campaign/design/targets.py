@@ -11,16 +11,17 @@ from typing import Any, NamedTuple
 
 from springback.errors import InputError
 from springback.problems import dotted, key_path
+from springback.scenario.fields import Parameter, Path, number_at
 from springback.scenario.files import replaced
 from springback.scenario.scenario import Scenario
-from springback.studies.axes import SHORT, Parameter, Path, number_at
 
 Place = Callable[[Any, Any], Any]
 """A table of the scenario and a value to the table with the value."""
 
-#: Fields with a name of their own, beside those of `springback.studies.axes`.
+#: Fields with a name of their own.
 NAMES: dict[str, Path] = {
-    **SHORT,
+    "speed": ("reference", "speed"),
+    "pitch": ("reference", "pitch"),
     "yaw": ("start", "yaw"),
     "surface": ("world", "obstacles", 0, "surface"),
     "friction": ("world", "obstacles", 0, "surface", "friction"),
@@ -63,10 +64,10 @@ def target(field: str, scenario: Scenario) -> TargetField:
     Raises:
         InputError: If there is none of this name, or the plan deals it out.
     """
-    word = field.strip().replace(" ", "_")
+    word = _word(field)
     if word in (WALL_ANGLE, WALL_SHIFT):
         return _of_the_wall(word, scenario)
-    path = NAMES.get(word) or key_path(field)
+    path = field_path(field)
     if not path:
         raise InputError("must be a short name or a dotted path")
     column = next((short for short, full in NAMES.items() if full == path), dotted(path))
@@ -74,10 +75,19 @@ def target(field: str, scenario: Scenario) -> TargetField:
         raise InputError(f"cannot be varied; {why}")
     name = column if isinstance(path[0], str) else field
     try:
-        number = number_at(name, path, scenario)
+        number = number_at(name, path, scenario, tuple(NAMES))
     except InputError as error:
         raise InputError(str(error).removeprefix(f"{name}: ")) from None
     return TargetField(column, path, number, _at_path(path, number))
+
+
+def field_path(field: str) -> Path:
+    """Where a field is, by a short name or its dotted path; empty for no name."""
+    return NAMES.get(_word(field)) or key_path(field.strip())
+
+
+def _word(field: str) -> str:
+    return field.strip().replace(" ", "_")
 
 
 def _at_path(path: Path, number: Parameter | None) -> Place:

@@ -54,8 +54,9 @@ def map_command(
 ) -> None:
     """Map how often robots recover from a collision, over two parameters.
 
-    speed and pitch are those at contact; any other parameter is the dotted path of a number in the
-    scenario. By default speed from 1 to 5 m/s over pitch from -60 to 60 deg, positive nose down.
+    speed and pitch are those at contact; any other parameter is a number that a campaign can vary:
+    the dotted path of a number in the scenario, friction, "wall angle". By default speed from 1 to
+    5 m/s over pitch from -60 to 60 deg, positive nose down.
 
     \b
     springback map --out map
@@ -63,9 +64,9 @@ def map_command(
     springback map recovery.response.pace=0.1:0.3:5 vehicle.arms.stiffness="2 N/mm:8 N/mm:4" \\
         --set speed=3.5 --out map
     """
+    from springback.campaign.envelope import envelope_cost, fly_envelope, plan_envelope
     from springback.errors import InputError
     from springback.interfaces.output.folders import output_folder
-    from springback.studies.envelope_run import envelope_cost, fly_envelope, plan_envelope
 
     with spinner("reading", quiet):
         plan = plan_envelope(x, y, robots=robots, trials=trials, seed=seed, settings=settings)

@@ -13,10 +13,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
+from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
+from springback.campaign.analysis.intervals import Values
 from springback.interfaces.figures.style import StyledFigure, styled
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE
-from springback.studies.axes import Axis
-from springback.studies.envelope import LEVEL, Envelope, Place, Values
 from springback.studies.run_ups import CONDITIONS
 
 #: What is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
@@ -65,10 +65,10 @@ def map_figure(envelope: Envelope, printed: Printed) -> Figure:
         keys |= _tests(ax, envelope, robot, printed)
         ax.set_title(ROBOTS.get(robot, robot))
         ax.set_xlabel(_meaning(envelope.x))
-        if len(envelope.x.shown) <= LABELLED:
-            ax.set_xticks(envelope.x.shown)
-        if len(envelope.y.shown) <= LABELLED:
-            ax.set_yticks(envelope.y.shown)
+        if len(envelope.x.values) <= LABELLED:
+            ax.set_xticks(envelope.x.values)
+        if len(envelope.y.values) <= LABELLED:
+            ax.set_yticks(envelope.y.values)
     axes[0].set_ylabel(_meaning(envelope.y))
     bar = figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02, aspect=28)
     bar.set_label("Share of trials that succeed [-]")
@@ -93,7 +93,7 @@ def edges(centres: Sequence[float]) -> Values:
 
 
 def _cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
-    shares, x, y = envelope.shares(robot), envelope.x.shown, envelope.y.shown
+    shares, x, y = envelope.shares(robot), envelope.x.values, envelope.y.values
     image = ax.pcolormesh(
         edges(x), edges(y), np.ma.masked_invalid(shares), cmap=SCALE, vmin=0.0, vmax=1.0,
         edgecolors="white", linewidth=0.4,
@@ -119,7 +119,7 @@ def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]
     known = shares[np.isfinite(shares)]
     if known.size and known.min() < LEVEL <= known.max():
         ax.contour(
-            envelope.x.shown, envelope.y.shown, np.ma.masked_invalid(shares), levels=[LEVEL],
+            envelope.x.values, envelope.y.values, np.ma.masked_invalid(shares), levels=[LEVEL],
             colors=[RED], linewidths=1.8,
         ).set_path_effects([patheffects.withStroke(linewidth=3.2, foreground="white")])  # fmt: skip
     return {f"{100.0 * LEVEL:g} % succeed": key}
@@ -133,7 +133,7 @@ def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Pa
     look: dict[str, Any] = {
         "facecolor": SHADE, "hatch": "////", "edgecolor": GREY, "linewidth": 0.0,
     }  # fmt: skip
-    x, y = edges(envelope.x.shown), edges(envelope.y.shown)
+    x, y = edges(envelope.x.values), edges(envelope.y.values)
     for row, column in missing:
         size = (x[column + 1] - x[column], y[row + 1] - y[row])
         ax.add_patch(Rectangle((x[column], y[row]), *size, zorder=0.5, **look))

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
-from typing import Annotated, Any, Literal, NamedTuple
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
-from pydantic import BeforeValidator
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema
+from pydantic_core.core_schema import literal_schema, no_info_before_validator_function
 
-from springback.quantities import checked, number_in
+from springback.quantities import Unit, number_in
 from springback.settings import problem
 
 #: Letters of a value that are looked at at all (chosen).
 LONGEST_VALUE = 32
 #: Digits that are kept of a number that was given in another unit (chosen: they fit the field).
 DIGITS = 6
-#: Of a setting that has an effect under all others.
-EVERYWHERE: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
 
 def shortened(text: str) -> str:
@@ -31,23 +31,35 @@ class SliderMark(NamedTuple):
     words: str
 
 
-class SliderControl(NamedTuple):
+@dataclass(frozen=True, kw_only=True)
+class SliderControl(Unit):
     """How a number is set: a slider with a field, in the unit of the page."""
 
     label: str
-    unit: str
     least: float
     most: float
     step: float
     explains: str
     marks: tuple[SliderMark, ...] = ()
     group: str = ""
-    when: Mapping[str, tuple[str, ...]] = EVERYWHERE
+    when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Settings under which it has an effect; elsewhere the page hides it."""
     logarithmic: bool = False
 
+    def read(self, value: Any) -> float:
+        """A number in its range, in the unit of the page."""
+        if isinstance(value, str):
+            unit = value.strip().lstrip("+-.0123456789eE").strip()
+            value = number_in(value, self.unit, bare=True)
+            # 10 km/h is 2.77778 m/s, in field, link, file and flight alike; what is typed in the
+            # slider's own unit stays as it is.
+            if unit not in ("", self.unit):
+                value = float(f"{value:.{DIGITS}g}")
+        return super().read(value)
 
-class ChoiceControl(NamedTuple):
+
+@dataclass(frozen=True)
+class ChoiceControl:
     """How one of several words is chosen."""
 
     label: str
@@ -55,33 +67,16 @@ class ChoiceControl(NamedTuple):
     """What the page says for each."""
     explains: str
     group: str = ""
-    when: Mapping[str, tuple[str, ...]] = EVERYWHERE
+    when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
-
-def slider_control(how: SliderControl) -> Any:
-    """Type of a field that a knob sets, checked to its range."""
-
-    def validate(value: Any) -> float:
-        if isinstance(value, str):
-            unit = value.strip().lstrip("+-.0123456789eE").strip()
-            value = number_in(value, how.unit, bare=True)
-            # 10 km/h is 2.77778 m/s, in field, link, file and flight alike; what is typed in the
-            # knob's own unit stays as it is.
-            if unit not in ("", how.unit):
-                value = float(f"{value:.{DIGITS}g}")
-        return checked(value, how.unit, least=how.least, most=how.most)
-
-    return Annotated[float, BeforeValidator(validate), how]
-
-
-def choice_control(words: tuple[str, ...], how: ChoiceControl) -> Any:
-    """Type of a field with one of several words."""
-
-    def validate(value: Any) -> str:
-        if value in words:
+    def read(self, value: Any) -> str:
+        """One of the words."""
+        if value in tuple(self.words):
             return str(value)
-        raise problem(
-            f"must be {', '.join(words[:-1])} or {words[-1]} (got {shortened(str(value))!r})"
-        )
+        *others, last = self.words
+        words = f"{', '.join(others)} or {last}"
+        raise problem(f"must be {words} (got {shortened(str(value))!r})")
 
-    return Annotated[Literal[words], BeforeValidator(validate), how]
+    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Words are read before pydantic sees them."""
+        return no_info_before_validator_function(self.read, literal_schema(list(self.words)))

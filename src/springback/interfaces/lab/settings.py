@@ -8,11 +8,10 @@ package keeps them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any, get_args
+from typing import Annotated, Any
 from urllib.parse import quote
 
 from pydantic import ValidationError
-from pydantic.fields import FieldInfo
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError
@@ -20,14 +19,13 @@ from springback.interfaces.lab.controls import (
     ChoiceControl,
     SliderControl,
     SliderMark,
-    choice_control,
     shortened,
-    slider_control,
 )
 from springback.interfaces.output.robots import ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
 from springback.problems import problem_paths
 from springback.recovery.parameters import Answering
+from springback.scenario.fields import fields_of
 from springback.settings import Settings
 from springback.studies.run_ups import CONDITIONS
 from springback.vehicle.library import ARQ
@@ -36,10 +34,13 @@ When = Mapping[str, tuple[str, ...]]
 #: Letters of all settings together that are looked at at all (chosen).
 LONGEST_QUERY = 800
 
-WAYS: tuple[str, ...] = get_args(Answering.model_fields["way"].annotation)
+WAYS = fields_of(Answering)["way"].words
 
 
-_ARMS, _WALL, _MAT = ARQ.vehicle.arms, SURFACES["wall"], SURFACES["mat"]
+_WALL, _MAT = SURFACES["wall"], SURFACES["mat"]
+_ARMS: dict[str, Any] = ARQ.vehicle.arms.model_dump()  # four that are alike
+_STIFFNESS, _DAMPING = 1e-3 * _ARMS["stiffness"], _ARMS["damping"]  # [N/mm], [N s/m]
+_ARM_MASS = round(1e3 * _ARMS["mass"], 9)  # [g]
 _IMPACT: When = {"mode": ("impact",)}
 _FLIGHT: When = {"mode": ("flight",)}
 _OWN: When = {"surface": ("own",)}
@@ -61,26 +62,26 @@ def _fitted(surface: Any) -> float:
     return round(float(surface.dissipation_value()), 3)
 
 
-Modes = choice_control(
-    ("impact", "flight"),
+Modes = Annotated[
+    str,
     ChoiceControl(
         "What to fly",
         {"impact": "Impact", "flight": "Flight"},
         "Impact: the collision alone, rotors as before it. Flight: run-up, collision and recovery, "
         "with a pilot aboard.",
     ),
-)
-Robots = choice_control(
-    ("both", "arq", "quad"),
+]
+Robots = Annotated[
+    str,
     ChoiceControl(
         "Robot",
         {"both": "Both", **{name: robot.label for name, robot in ROBOTS.items()}},
         "ARQ has springs in its arms; Quad is its rigid twin.",
         "Robot",
     ),
-)
-Guides = choice_control(
-    ("slider", "free"),
+]
+Guides = Annotated[
+    str,
     ChoiceControl(
         "Guided by",
         {"slider": "Slider", "free": "Nothing"},
@@ -89,18 +90,18 @@ Guides = choice_control(
         "Collision",
         _IMPACT,
     ),
-)
-Surfaces = choice_control(
-    ("wall", "mat", "own"),
+]
+Surfaces = Annotated[
+    str,
     ChoiceControl(
         "Surface",
         {"wall": "Wall", "mat": "Mat", "own": "Own"},
         "Wall and mat are Table II's; a mat lies before the wall. Own: a wall of your numbers.",
         "Surface",
     ),
-)
-Recoveries = choice_control(
-    ("none", *WAYS),
+]
+Recoveries = Annotated[
+    str,
     ChoiceControl(
         "Recovery",
         {"none": "None: flies on", **{way: way.capitalize() for way in WAYS}},
@@ -108,108 +109,92 @@ Recoveries = choice_control(
         "Collision",
         _FLIGHT,
     ),
-)
+]
 
 
 class LabSettings(Settings):
     """The settings of the impact lab, in the units of its page."""
 
-    mode: Modes = "impact"  # type: ignore[valid-type]
-    robot: Robots = "both"  # type: ignore[valid-type]
-    guide: Guides = "slider"  # type: ignore[valid-type]
-    speed: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Speed", "m/s", 0.5, 6.0, 0.05, "Into the wall, at first touch.", _SPEEDS, "Collision"
-        )
-    ) = SLIDER_SPEED
-    pitch: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Pitch", "deg", -60.0, 60.0, 1.0, "Positive is nose down.", _PITCHES, "Collision"
-        )
-    ) = 0.0
-    yaw: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Yaw", "deg", -45.0, 45.0, 1.0,
-            "Of the robot against the wall; at 45 deg one arm meets it. In flight the wall is "
-            "turned, and the robot meets it aslant.",
-            (SliderMark(0.0, "paper: all tests"),), "Collision",
-        )
-    ) = 0.0  # fmt: skip
-    recovery: Recoveries = "pre-impact"  # type: ignore[valid-type]
-    surface: Surfaces = "wall"  # type: ignore[valid-type]
-    contact_stiffness: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Contact stiffness k_c", "kN/m^1.5", 20.0, 1000.0, 1.0, "Of the whole front.",
-            (
-                SliderMark(1e-3 * float(_MAT.stiffness), "paper: mat, Table II"),
-                SliderMark(1e-3 * float(_WALL.stiffness), "paper: wall, Table II"),
-            ),
-            "Surface", _OWN, logarithmic=True,
-        )
-    ) = 1e-3 * float(_WALL.stiffness)  # fmt: skip
-    dissipation: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Dissipation c_a", "s/m", 0.0, 1.0, 0.001, "Of the Hunt-Crossley law; 0 loses nothing.",
-            (
-                SliderMark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
-                SliderMark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
-            ),
-            "Surface", _OWN,
-        )
-    ) = _fitted(_WALL)  # fmt: skip
-    friction: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Friction μ", "", 0.0, 1.5, 0.05,
-            "Coulomb's, along the surface. Where two cages touch at once it holds them, and arms "
-            "at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
-            "acts along the vertical only, as in the paper.",
-            (SliderMark(float(_WALL.friction), "paper: Table II"),), "Surface", _OWN,
-        )
-    ) = float(_WALL.friction)  # fmt: skip
-    stiffness: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Arm stiffness k_l", "N/mm", 0.5, 50.0, 0.1, "Of each arm's spring.",
-            (SliderMark(1e-3 * float(_ARMS.stiffness), "paper: Table II"),), "Arms of ARQ",
-            _COMPLIANT,
-            logarithmic=True,
-        )
-    ) = 1e-3 * float(_ARMS.stiffness)  # fmt: skip
-    damping: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Arm damping b_l", "N s/m", 0.0, 300.0, 1.0, "Of each arm.",
-            (SliderMark(float(_ARMS.damping), "paper: Table II"),), "Arms of ARQ", _COMPLIANT,
-        )
-    ) = float(_ARMS.damping)  # fmt: skip
-    arm_mass: slider_control(  # type: ignore[valid-type]
-        SliderControl(
-            "Arm mass m_a", "g", 10.0, 200.0, 1.0, "Of each arm; the main body keeps its own.",
-            (SliderMark(round(1e3 * float(_ARMS.mass), 9), "paper: Table II, 0.2 kg for four"),),
-            "Arms of ARQ", _COMPLIANT,
-        )
-    ) = round(1e3 * float(_ARMS.mass), 9)  # fmt: skip
+    mode: Modes = "impact"
+    robot: Robots = "both"
+    guide: Guides = "slider"
+    speed: Annotated[float, SliderControl(
+        "m/s", label="Speed", least=0.5, most=6.0, step=0.05, group="Collision",
+        marks=_SPEEDS, explains="Into the wall, at first touch.",
+    )] = SLIDER_SPEED  # fmt: skip
+    pitch: Annotated[float, SliderControl(
+        "deg", label="Pitch", least=-60.0, most=60.0, step=1.0, group="Collision",
+        marks=_PITCHES, explains="Positive is nose down.",
+    )] = 0.0  # fmt: skip
+    yaw: Annotated[float, SliderControl(
+        "deg", label="Yaw", least=-45.0, most=45.0, step=1.0, group="Collision",
+        marks=(SliderMark(0.0, "paper: all tests"),),
+        explains="Of the robot against the wall; at 45 deg one arm meets it. In flight the wall "
+        "is turned, and the robot meets it aslant.",
+    )] = 0.0  # fmt: skip
+    recovery: Recoveries = "pre-impact"
+    surface: Surfaces = "wall"
+    contact_stiffness: Annotated[float, SliderControl(
+        "kN/m^1.5", label="Contact stiffness k_c", least=20.0, most=1000.0, step=1.0,
+        group="Surface",
+        marks=(
+            SliderMark(1e-3 * _MAT.stiffness, "paper: mat, Table II"),
+            SliderMark(1e-3 * _WALL.stiffness, "paper: wall, Table II"),
+        ),
+        when=_OWN, logarithmic=True, explains="Of the whole front.",
+    )] = 1e-3 * _WALL.stiffness  # fmt: skip
+    dissipation: Annotated[float, SliderControl(
+        "s/m", label="Dissipation c_a", least=0.0, most=1.0, step=0.001, group="Surface",
+        marks=(
+            SliderMark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
+            SliderMark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
+        ),
+        when=_OWN, explains="Of the Hunt-Crossley law; 0 loses nothing.",
+    )] = _fitted(_WALL)  # fmt: skip
+    friction: Annotated[float, SliderControl(
+        "", label="Friction μ", least=0.0, most=1.5, step=0.05, group="Surface",
+        marks=(SliderMark(_WALL.friction, "paper: Table II"),), when=_OWN,
+        explains="Coulomb's, along the surface. Where two cages touch at once it holds them, and "
+        "arms at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
+        "acts along the vertical only, as in the paper.",
+    )] = _WALL.friction  # fmt: skip
+    stiffness: Annotated[float, SliderControl(
+        "N/mm", label="Arm stiffness k_l", least=0.5, most=50.0, step=0.1, group="Arms of ARQ",
+        marks=(SliderMark(_STIFFNESS, "paper: Table II"),), when=_COMPLIANT, logarithmic=True,
+        explains="Of each arm's spring.",
+    )] = _STIFFNESS  # fmt: skip
+    damping: Annotated[float, SliderControl(
+        "N s/m", label="Arm damping b_l", least=0.0, most=300.0, step=1.0, group="Arms of ARQ",
+        marks=(SliderMark(_DAMPING, "paper: Table II"),), when=_COMPLIANT,
+        explains="Of each arm.",
+    )] = _DAMPING  # fmt: skip
+    arm_mass: Annotated[float, SliderControl(
+        "g", label="Arm mass m_a", least=10.0, most=200.0, step=1.0, group="Arms of ARQ",
+        marks=(SliderMark(_ARM_MASS, "paper: Table II, 0.2 kg for four"),), when=_COMPLIANT,
+        explains="Of each arm; the main body keeps its own.",
+    )] = _ARM_MASS  # fmt: skip
 
 
-FIELDS: dict[str, FieldInfo] = LabSettings.model_fields
+FIELDS = fields_of(LabSettings)
 DEFAULTS = LabSettings()
 
 
 def control_of(name: str) -> SliderControl | ChoiceControl:
-    """The knob or choice of a setting."""
-    found: SliderControl | ChoiceControl = next(
-        data for data in FIELDS[name].metadata if isinstance(data, SliderControl | ChoiceControl)
-    )
-    return found
+    """The slider or choice of a setting."""
+    control: SliderControl | ChoiceControl = FIELDS[name].metadata[0]
+    return control
 
 
 def controls() -> list[dict[str, Any]]:
     """All that the page needs to know of every setting, in plain data."""
     found = []
-    for name, told in FIELDS.items():
+    for name, field in FIELDS.items():
         control = control_of(name)
         kind = "knob" if isinstance(control, SliderControl) else "choice"
-        data: dict[str, Any] = {"name": name, "kind": kind, "default": told.default}
-        data |= control._asdict() | {"when": dict(control.when)}
+        data = {"name": name, "kind": kind, "default": field.default} | vars(control)
+        data["when"] = dict(control.when)
         if isinstance(control, SliderControl):
+            del data["above"]
             data["marks"] = [mark._asdict() for mark in control.marks]
         found.append(data)
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from springback.campaign.analysis.envelope import LEVEL, Envelope, Place
 from springback.interfaces.figures.envelope import ROBOTS, Printed, map_figure
 from springback.interfaces.reports.page import (
     Blocks,
@@ -13,7 +14,6 @@ from springback.interfaces.reports.page import (
     page,
     plain,
 )
-from springback.studies.envelope import LEVEL, Envelope, Place
 
 WORDS = Wording.of("map")
 
@@ -59,8 +59,8 @@ def _table(envelope: Envelope, robot: str) -> Table:
             else TableCell("–")
             for cell in cells
         )
-        lines.append((TableCell(f"{envelope.y.shown[row]:g}"), *entries))
-    head = (f"{envelope.y.label} over {envelope.x.label}", *(f"{v:g}" for v in envelope.x.shown))
+        lines.append((TableCell(f"{envelope.y.values[row]:g}"), *entries))
+    head = (f"{envelope.y.label} over {envelope.x.label}", *(f"{v:g}" for v in envelope.x.values))
     return Table(WORDS.say("caption", robot=ROBOTS.get(robot, robot)), head, tuple(lines))
 
 

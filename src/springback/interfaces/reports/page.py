@@ -131,7 +131,7 @@ Content = Mapping[str, Any]
 """Numbers, texts, rows of tables and figures, by the names that the blocks of a section use."""
 
 
-class _Words(string.Formatter):
+class _PageFormatter(string.Formatter):
     """Text with numbers put in: as they are, or by a format of Python's, with a true minus."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
@@ -191,7 +191,7 @@ class Wording:
 
 
 def _said(words: str, values: Mapping[str, Any]) -> str:
-    return _Words().vformat(words.strip("\n").replace("\n", " "), (), values)
+    return _PageFormatter().vformat(words.strip("\n").replace("\n", " "), (), values)
 
 
 def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks:

@@ -5,14 +5,22 @@ import math
 import numpy as np
 import pytest
 
-from builders.cases import nonempty
+from springback.campaign import envelope
+from springback.campaign.analysis.envelope import (
+    LEVEL,
+    Axis,
+    Envelope,
+    EnvelopeCell,
+    Place,
+    stretches,
+)
+from springback.campaign.envelope import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
 from springback.errors import InputError
-from springback.scenario.scenario import scenario_from
-from springback.studies import envelope_run
-from springback.studies.axes import Axis, Parameter
-from springback.studies.envelope import LEVEL, Envelope, EnvelopeCell, Place, stretches
-from springback.studies.envelope_run import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
-from springback.studies.trials import DURATION
+from springback.results.flight import fly
+from springback.scenario.scenario import Scenario, scenario_from
+from springback.simulation.measures import Outcome
+from springback.studies.run_ups import WALL_DISTANCE
+from springback.studies.trials import DURATION, HOME, TrialNoise, trial_tables
 
 SMALL = {"robots": ("arq",), "trials": 2}
 
@@ -23,14 +31,14 @@ def flown(*words: str, **given: object) -> Envelope:
 
 def made_up(counts: list[list[int | None]], trials: int = 1000) -> Envelope:
     """A map over x = 0, 1, 2 ... and y = 0, 10, 20 ...; None cannot be flown."""
-    x = Axis(Parameter("clock", ("clock",), "1/s"), tuple(map(float, range(len(counts[0])))))
-    y = Axis(Parameter("seed", ("seed",), ""), tuple(10.0 * j for j in range(len(counts))))
+    x = Axis("clock", "1/s", tuple(map(float, range(len(counts[0])))))
+    y = Axis("seed", "-", tuple(10.0 * j for j in range(len(counts))))
     cells = {}
     for j, row in enumerate(counts):
         for i, n in enumerate(row):
             place = Place("arq", i, j)
             ended = {} if n is None else {"recovered": n, "hit_ground": trials - n}
-            cells[place] = EnvelopeCell(place, ended, "too weak" if n is None else "")
+            cells[place] = EnvelopeCell(ended, "too weak" if n is None else "")
     return Envelope(x, y, ("arq",), trials, 0, (), cells)
 
 
@@ -42,7 +50,7 @@ def test_the_line_of_a_plane_lies_where_the_plane_has_95_percent() -> None:
     plane = made_up([[1050 - 40 * i - 30 * j for i in range(2, 9)] for j in range(4)], 2000)
     flat = made_up([[min(1050 - 40 * i - 30 * j, 1000) for i in range(7)] for j in range(3)])
     assert plane.shares("arq").shape == (4, 7)
-    for j, y in enumerate(flat.y.shown[:2]):
+    for j, y in enumerate(flat.y.values[:2]):
         [(low, high, *crossed)] = flat.along_x("arq", j)
         # Row 0 is cut off at 1 for x < 1.25, which the line at x = 2.5 does not see.
         assert (low, crossed) == (0.0, [False, True])
@@ -84,7 +92,8 @@ def test_cells_that_cannot_be_flown_count_nowhere() -> None:
 
 def test_intervals_are_wilsons() -> None:
     """Of n out of n it is n/(n + z²) to 1, with z = 1.959964."""
-    low, high = made_up([[10, 10], [10, 10]], 10).cells[Place("arq", 0, 0)].interval or (0.0, 0.0)
+    share, low, high = made_up([[10, 10], [10, 10]], 10).cells[Place("arq", 0, 0)].interval
+    assert share == 1.0
     assert low == pytest.approx(10.0 / (10.0 + 1.959964**2), abs=1e-6)
     assert high == 1.0
 
@@ -96,11 +105,16 @@ def axes(*words: str, **given: object) -> EnvelopePlan:
     return plan_envelope(*words, **{**SMALL, **given})
 
 
+def first(plan: EnvelopePlan, sample: int = 0) -> Scenario:
+    """The scenario of the first flight of a cell."""
+    return scenario_from(plan.tables(plan.flight(sample, 0)), False)
+
+
 def test_units_are_read_and_angles_shown_in_degrees() -> None:
     plan = axes("speed=7.2km/hour:3:3", "pitch=-30deg:30deg:3")
     assert plan.x.values == pytest.approx((2.0, 2.5, 3.0))
-    assert plan.y.values == pytest.approx((-math.pi / 6, 0.0, math.pi / 6))
-    assert plan.y.shown == (-30.0, 0.0, 30.0)
+    assert plan.y.values == (-30.0, 0.0, 30.0)
+    assert first(plan).reference.pitch == pytest.approx(-math.pi / 6, abs=1e-12)
     assert (plan.x.label, plan.y.label) == ("speed [m/s]", "pitch [deg]")
     stiffness = axes("speed=1:2:2", "vehicle.arms.stiffness=2 N/mm:6 N/mm:3").y
     assert (stiffness.values, stiffness.label) == (
@@ -125,10 +139,10 @@ def test_every_parameter_reaches_its_place_in_the_scenario() -> None:
         ("model_error.mass", 1.1, lambda s: s.model_error.mass),
     ):  # fmt: skip
         plan = axes("control.tilt_limit=1:1.2:2", f"{name}={value}:{1.05 * value}:2")
-        changed = scenario_from(plan.tables(Place("arq", 0, 0)))
-        assert reached(changed) == pytest.approx(value, rel=1e-9), (
-            name
-        )  # pitch goes through degrees
+        changed = first(plan)
+        mass = plan.design.slice(0, 1).columns["scatter_mass_factor"][0]
+        scatter = mass if name == "model_error.mass" else 1.0
+        assert reached(changed) == pytest.approx(value * scatter, rel=1e-9), name
         assert changed.control.tilt_limit == 1.0
         assert changed.reference.speed == 3.5
 
@@ -139,8 +153,9 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         "speed=2:3:2",
         settings=("control.rate_limit=200 deg/s", "pitch=15deg", "recovery.response.way=set-point"),
     )
-    scenario = scenario_from(plan.tables(Place("arq", 1, 0)))
-    assert scenario.control.stiffness == 10.0
+    scenario, noise = first(plan, 2), plan.design.slice(4, 5).columns
+    assert scenario.control.stiffness == 10.0 * noise["scatter_stiffness_factor"][0]
+    assert noise["control.stiffness"] == [10.0]
     assert scenario.control.rate_limit == pytest.approx(math.radians(200.0))
     assert scenario.recovery.response.way == "set-point"
     assert (scenario.reference.speed, math.degrees(scenario.reference.pitch)) == (
@@ -165,12 +180,12 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         (("speed=nan:5:3",), "finite"),
         (("speed=-1:5:3",), "speed: must be more than 0 m/s"),
         (("pitch=-60:60:9",), "within a full turn"),
-        (("speed=1:2:2", "speed=1:2:2"), "both axes"),
-        (("recovery.runs=1:2:3",), "whole numbers"),
+        (("speed=1:2:2", "speed=1:2:2"), "speed: is varied by entry 1 already"),
+        (("speed=1:2:2", "reference.speed=1:2:2"), "speed: is varied by entry 1 already"),
+        (("recovery.runs=1:2:3",), "not whole"),
         (("recovery.response.way=0:1:2",), "no single number"),
-        (("start.yaw=0:1:2",), "luck"),
         (("seed=0:1:2",), "--seed"),
-        (("world.obstacles.0.distance=1:2:2",), "a trial places the wall"),
+        (("vehicle=0:1:2",), "--robot"),
         (("air.wind.3=0:1:2",), "no entry 3"),
     ],
 )
@@ -178,7 +193,14 @@ def test_bad_axes_are_refused_in_one_line(words: tuple[str, ...], told: str) -> 
     with pytest.raises(InputError) as raised:
         axes(*words)
     [line] = raised.value.problems
-    assert told in line.replace("at least -1.4", "at most 1.4")
+    assert told in line
+
+
+def test_a_whole_number_is_an_axis_where_its_values_are_whole() -> None:
+    plan = axes("recovery.runs=1:3:3", "wall angle=-20deg:20deg:2")
+    assert (plan.x.values, plan.x.label) == ((1.0, 2.0, 3.0), "recovery.runs [-]")
+    assert (plan.y.values, plan.y.label) == ((-20.0, 20.0), "wall_angle [deg]")
+    assert first(plan, 5).recovery.runs == 3
 
 
 def test_bad_words_beside_the_axes_are_refused() -> None:
@@ -219,7 +241,7 @@ def test_the_same_seed_gives_the_same_map_however_it_is_cut(
 ) -> None:
     words = ("speed=2:3.5:2", "control.time_constant=0.15:0.6:2")
     whole = flown(*words, robots=("arq", "quad"))
-    monkeypatch.setattr(envelope_run, "CELLS_AT_ONCE", 3)
+    monkeypatch.setattr(envelope, "FLIGHTS_AT_ONCE", 5)
     seen: list[float] = []
     cut = fly_envelope(plan_envelope(*words, robots=("arq", "quad"), trials=2), seen.append)
     assert cut.as_dict() == whole.as_dict()
@@ -228,13 +250,45 @@ def test_the_same_seed_gives_the_same_map_however_it_is_cut(
 
 
 def test_a_cell_is_what_its_trials_are() -> None:
-    """The map counts what `fly_trials` gives for the same condition."""
+    """The map counts how trials end that are flown alone, with the noise of the map's rows."""
     plan = axes("recovery.response.pace=0.05:0.2:2", "control.time_constant=0.15:0.7:2")
     told = fly_envelope(plan)
-    for place, cell in nonempty(told.cells.items()):
-        trials = envelope_run.fly_trials([plan.condition(place)], 2, seed=0)
-        assert cell.successes == sum(trial.success for trial in trials)
-        assert cell.trials == 2
+    gains = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
+    for column, row in ((0, 0), (1, 1)):
+        flight = plan.flight(2 * column + row, 0)
+        columns = plan.design.slice(flight, flight + 2).columns
+        won = 0
+        for k in range(2):
+            noise = {name: values[k] for name, values in columns.items()}
+            place, velocity = (
+                tuple(noise[f"scatter_{name}_{axis}"] for axis in "xyz")
+                for name in ("position", "velocity")
+            )
+            drawn = TrialNoise(
+                tuple(h + p for h, p in zip(HOME, place, strict=True)), velocity,
+                noise["scatter_heading"], WALL_DISTANCE + noise["scatter_wall_distance"],
+                noise["scatter_wall_yaw"], noise["scatter_mass_factor"],
+                noise["scatter_inertia_factor"],
+                tuple(noise[f"scatter_{name}_factor"] for name in gains), noise["seed"],
+            )  # fmt: skip
+            changes = {
+                "recovery": {"response": {"pace": noise["recovery.response.pace"]}},
+                "control": {"time_constant": noise["control.time_constant"]},
+            }
+            alone = fly(trial_tables("arq", 0.0, 3.5, drawn, changes), trajectory=False)
+            won += alone.outcome is Outcome.RECOVERED
+        cell = told.cells[Place("arq", column, row)]
+        assert (cell.successes, cell.trials) == (won, 2)
+
+
+def test_all_robots_fly_with_the_same_noise() -> None:
+    columns = axes("speed=2:3:2", robots=("arq", "quad")).design.slice(0, 8).columns
+    assert columns["robot"] == ["arq", "quad"] * 4
+    noise = [name for name in columns if name == "seed" or name.startswith("scatter_")]
+    assert len(noise) == 17
+    for name in noise:
+        assert columns[name][::2] == columns[name][1::2]
+        assert len(set(columns[name])) == 4
 
 
 def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
@@ -246,7 +300,7 @@ def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
 
 
 def test_the_outlook_counts_and_flies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(envelope_run, "fly_trials", None)
+    monkeypatch.setattr(envelope, "rows", None)
     coming = envelope_cost(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
     assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, DURATION, 1)
     two = axes("estimator.kalman.offset.0=0:0.01:2", settings=("estimator.type=perfect",))

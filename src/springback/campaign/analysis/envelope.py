@@ -1,27 +1,40 @@
-"""The resilience envelope: how often a robot recovers, over two parameters of its trials.
-
-A cell is a pair of values, flown several times.  A cell whose test the vehicle cannot fly, because
-the run-up asks for more than it can do, is no failure and counts nowhere.
-"""
+"""Where robots recover: successes over two parameters, and the line at which 95 % do."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from springback.campaign.analysis.intervals import IntervalEstimate, Values, share
 from springback.simulation.measures import Outcome
-from springback.studies.axes import Axis
-from springback.studies.proportions import CONFIDENCE, wilson
+from springback.studies.proportions import CONFIDENCE
 from springback.studies.trials import Scatter
+from springback.version import __version__
 
 #: The line of the envelope: least share of trials that succeed.
 LEVEL = 0.95
 
-Values = npt.NDArray[np.float64]
+
+class Axis(NamedTuple):
+    """Values of a parameter, equally far apart."""
+
+    name: str
+    unit: str
+    """As people read it: deg for angles, - for plain numbers."""
+    values: tuple[float, ...]
+
+    @property
+    def label(self) -> str:
+        """Name and unit."""
+        return f"{self.name} [{self.unit}]"
+
+    def at(self, *values: float) -> str:
+        """A value, or a stretch of values, in words."""
+        numbers = " to ".join(f"{value:.3g}" for value in values)
+        return f"{self.name} {numbers}" + ("" if self.unit == "-" else f" {self.unit}")
 
 
 class Place(NamedTuple):
@@ -34,10 +47,9 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class EnvelopeCell:
-    """A robot at a pair of values, and how its trials ended."""
+    """How the trials of a robot at a pair of values ended."""
 
-    place: Place
-    outcomes: dict[str, int]
+    outcomes: Mapping[str, int]
     """Number of trials by outcome; none where the test cannot be flown."""
     reason: str = ""
     """Why the test cannot be flown."""
@@ -55,12 +67,12 @@ class EnvelopeCell:
     @property
     def share(self) -> float | None:
         """Of trials that succeeded."""
-        return self.successes / self.trials if self.trials else None
+        return self.interval.value
 
     @property
-    def interval(self) -> tuple[float, float] | None:
-        """Wilson's interval of the success probability."""
-        return wilson(self.successes, self.trials) if self.trials else None
+    def interval(self) -> IntervalEstimate:
+        """The same with Wilson's interval."""
+        return share(self.successes, self.trials)
 
 
 class Stretch(NamedTuple):
@@ -127,15 +139,15 @@ class Envelope:
 
     def along_x(self, robot: str, row: int) -> list[Stretch]:
         """Where along x, in shown units, the level is reached in a row of cells."""
-        return stretches(self.x.shown, self.shares(robot)[row])
+        return stretches(self.x.values, self.shares(robot)[row])
 
     def along_y(self, robot: str, column: int) -> list[Stretch]:
         """Where along y, in shown units, the level is reached in a column of cells."""
-        return stretches(self.y.shown, self.shares(robot)[:, column])
+        return stretches(self.y.values, self.shares(robot)[:, column])
 
     def sentence(self, robot: str) -> str:
         """How far the envelope of a robot reaches, through the middle of the map."""
-        flown = [cell for cell in self.cells.values() if cell.place.robot == robot]
+        flown = [cell for place, cell in self.cells.items() if place.robot == robot]
         grounded = sum(not cell.trials for cell in flown)
         good = sum((cell.share or 0.0) >= LEVEL for cell in flown)
         if grounded == len(flown):
@@ -148,17 +160,17 @@ class Envelope:
             (self.along_x(robot, row), self.x, self.y, row),
             (self.along_y(robot, column), self.y, self.x, column),
         ):
-            parts.append(f"at {_value(across, across.shown[at])}: {_reach(line, axis)}")
+            parts.append(f"at {across.at(across.values[at])}: {_reach(line, axis)}")
         return "; ".join(parts)
 
     def table(self, robot: str) -> str:
         """Successes of a robot as text, a row for each value of y, the largest on top."""
-        head = [f"{v:g}" for v in self.x.shown]
+        head = [f"{v:g}" for v in self.x.values]
         lines = []
         for row in sorted(range(len(self.y.values)), key=lambda j: -self.y.values[j]):
             cells = [self.cells[Place(robot, i, row)] for i in range(len(head))]
             entries = [str(cell.successes) if cell.trials else "-" for cell in cells]
-            lines.append([f"{self.y.shown[row]:g}", *entries])
+            lines.append([f"{self.y.values[row]:g}", *entries])
         width = max(len(word) for line in [head, *lines] for word in line) + 2
         left = max(len(self.y.label), width)
         title = f"{robot}: successes of {self.trials} trials"
@@ -178,7 +190,7 @@ class Envelope:
         lines = []
         for reason, places in found.items():
             at = ", ".join(
-                _value(axis, axis.shown[k])
+                axis.at(axis.values[k])
                 for axis, k in ((self.x, places[0].column), (self.y, places[0].row))
             )
             where = at if len(places) == 1 else f"{len(places)} cells, such as {at}"
@@ -191,11 +203,11 @@ class Envelope:
         seen = [word for word in known if any(word in c.outcomes for c in self.cells.values())]
         found = []
         for (robot, column, row), cell in self.cells.items():
-            low, high = cell.interval or (None, None)
+            _, low, high = cell.interval
             head = {
                 "robot": robot,
-                self.x.label: self.x.shown[column],
-                self.y.label: self.y.shown[row],
+                self.x.label: self.x.values[column],
+                self.y.label: self.y.values[row],
                 "trials": cell.trials,
                 "successes": cell.successes if cell.trials else None,
                 "share": cell.share,
@@ -208,11 +220,12 @@ class Envelope:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
-        from springback.version import __version__
-
         return {
             "springback": __version__,
-            "axes": {side: _axis_data(axis) for side, axis in (("x", self.x), ("y", self.y))},
+            "axes": {
+                side: {"parameter": axis.name, "unit": axis.unit, "values": list(axis.values)}
+                for side, axis in (("x", self.x), ("y", self.y))
+            },
             "trials": self.trials,
             "seed": self.seed,
             "settings": list(self.settings),
@@ -224,11 +237,11 @@ class Envelope:
                 robot: {
                     "along_x": [
                         {"y": y, "stretches": [part._asdict() for part in self.along_x(robot, j)]}
-                        for j, y in enumerate(self.y.shown)
+                        for j, y in enumerate(self.y.values)
                     ],
                     "along_y": [
                         {"x": x, "stretches": [part._asdict() for part in self.along_y(robot, i)]}
-                        for i, x in enumerate(self.x.shown)
+                        for i, x in enumerate(self.x.values)
                     ],
                 }
                 for robot in self.robots
@@ -238,19 +251,8 @@ class Envelope:
         }
 
 
-def _axis_data(axis: Axis) -> dict[str, Any]:
-    unit = axis.parameter.shown_unit
-    return {"parameter": axis.name, "unit": unit, "values": list(axis.shown)}
-
-
 def _percent(share: float) -> str:
     return f"{100.0 * share:g} %"
-
-
-def _value(axis: Axis, *values: float) -> str:
-    unit = axis.parameter.shown_unit
-    numbers = " to ".join(f"{value:.3g}" for value in values)
-    return f"{axis.name} {numbers}" + ("" if unit == "-" else f" {unit}")
 
 
 def _reach(line: list[Stretch], axis: Axis) -> str:
@@ -261,5 +263,5 @@ def _reach(line: list[Stretch], axis: Axis) -> str:
     for low, high, crossed_low, crossed_high in line:
         ends = [e for e, crossed in (("first", crossed_low), ("last", crossed_high)) if not crossed]
         note = f" (the {' and the '.join(ends)} flown)" if ends else ""
-        parts.append((_value(axis, low) if low == high else _value(axis, low, high)) + note)
+        parts.append((axis.at(low) if low == high else axis.at(low, high)) + note)
     return " and ".join(parts)

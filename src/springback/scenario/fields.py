@@ -1,0 +1,189 @@
+"""Fields of settings as their tables declare them: unit, range, default, and where each is.
+
+What campaigns vary, what the lab's page sets and what the documentation lists is read here.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic_core import PydanticCustomError
+
+from springback.errors import InputError
+from springback.quantities import PerArm, Triple, Unit, checked, number_in
+from springback.settings import Settings, meant
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class TableField:
+    """A key of a table of settings."""
+
+    key: str
+    annotation: Any
+    metadata: tuple[Any, ...]
+    """What `typing.Annotated` says of it."""
+    default: Any
+    required: bool
+
+    @property
+    def leaves(self) -> list[tuple[Any, tuple[Any, ...]]]:
+        """The types that a value may have, each with what `typing.Annotated` says of it."""
+        return list(_leaves(self.annotation, self.metadata))
+
+    @property
+    def entries(self) -> list[tuple[Any, tuple[Any, ...]]]:
+        """The same, of a list of its entries."""
+        return list(_leaves(self.annotation, self.metadata, lists=True))
+
+    @property
+    def unit(self) -> Unit | None:
+        """Unit and range of its number or numbers; None for anything else."""
+        notes = (note for _, told in self.entries for note in told)
+        return next((note for note in notes if isinstance(note, Unit)), None)
+
+    @property
+    def shape(self) -> Any:
+        """Of its numbers: float, `Triple` or `PerArm`."""
+        types = {leaf for leaf, _ in self.entries}
+        return Triple if Triple in types else float if types <= {float, type(None)} else PerArm
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """That it is one of; none for anything else."""
+        choices = (get_args(leaf) for leaf, _ in self.leaves if get_origin(leaf) is Literal)
+        return tuple(word for words in choices for word in words if isinstance(word, str))
+
+    @property
+    def tables(self) -> list[type[Settings]]:
+        """Tables that it holds, at any depth of lists."""
+        found = [*_settings_in(self.annotation)]
+        return found + [table for note in self.metadata for table in _settings_in(note)]
+
+    @property
+    def table(self) -> type[Settings] | None:
+        """The first table that it may be."""
+        types = (leaf for leaf, _ in self.leaves if isinstance(leaf, type))
+        return next((leaf for leaf in types if issubclass(leaf, Settings)), None)
+
+
+@functools.cache
+def fields_of(table: type[Settings]) -> dict[str, TableField]:
+    """The fields of a table by the name of their attribute, in their order."""
+    return {
+        name: TableField(
+            info.alias or name,
+            info.annotation,
+            tuple(info.metadata),
+            None if info.is_required() else info.get_default(call_default_factory=True),
+            info.is_required(),
+        )
+        for name, info in table.model_fields.items()
+    }
+
+
+def _leaves(
+    annotation: Any, notes: tuple[Any, ...] = (), lists: bool = False
+) -> Iterator[tuple[Any, tuple[Any, ...]]]:
+    args = get_args(annotation)
+    if get_origin(annotation) is Annotated:
+        yield from _leaves(args[0], (*notes, *args[1:]), lists)
+    elif get_origin(annotation) in (Union, UnionType):
+        for branch in args:
+            yield from _leaves(branch, notes, lists)
+    elif lists and not notes and args[1:] == (...,):
+        yield from _leaves(args[0], notes, lists)
+    else:
+        yield annotation, notes
+
+
+def _settings_in(annotation: Any) -> Iterator[type[Settings]]:
+    if isinstance(annotation, type) and issubclass(annotation, Settings):
+        yield annotation
+    for part in get_args(annotation):
+        yield from _settings_in(part)
+
+
+# -- numbers of a scenario ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number of a scenario."""
+
+    name: str
+    path: Path
+    unit: str
+    """SI; empty for plain numbers."""
+    whole: bool = False
+    """Whether it must be a whole number."""
+    others: tuple[float, ...] = ()
+    """Of a vector, all its numbers, of which this is one."""
+
+    def read(self, text: str) -> float:
+        """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
+        try:
+            value = checked(number_in(text, self.unit, bare=True), self.unit)
+        except PydanticCustomError as error:
+            raise InputError(f"{self.name}: {error.message()}") from None
+        if self.whole and value != round(value):
+            raise InputError(f"{self.name}: must be a whole number (got {value:g})")
+        return value
+
+
+def degrees(angle: float) -> float:
+    """Of radians, without the last digits, which are rounding errors."""
+    return round(math.degrees(angle), 9) + 0.0
+
+
+def number_at(
+    name: str, path: Path, scenario: Settings, known: tuple[str, ...]
+) -> Parameter | None:
+    """The number at a path of a scenario; None if what is there is no single number.
+
+    A table that is not there is looked up in its class.
+
+    Args:
+        name: That it goes by.
+        path: Keys and indices, at least one.
+        scenario: That has it.
+        known: Further names, one of which may have been meant.
+
+    Raises:
+        InputError: If there is nothing of this path.
+    """
+    field: TableField | None = None
+    node: Any = scenario
+    others: tuple[Any, ...] = ()
+    for key in path:
+        if isinstance(key, int):
+            if not isinstance(node, tuple) or key >= len(node):
+                raise InputError(f"{name}: there is no entry {key}")
+            others, node = node, node[key]
+            continue
+        kind = node if isinstance(node, type) else type(node)
+        if not issubclass(kind, Settings):
+            raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
+        fields = fields_of(kind)
+        if key not in fields:
+            near = meant(key, [*fields, *known])
+            hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
+            raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
+        field, others = fields[key], ()
+        node = field.default if isinstance(node, type) else getattr(node, key)
+        node = field.table if node is None else node
+    if field is None or any(not isinstance(entry, float | int) for entry in others):
+        return None
+    inside = isinstance(path[-1], int)
+    for leaf, notes in field.leaves:
+        unit = next((note.unit for note in notes if isinstance(note, Unit)), None)
+        if unit is not None and (leaf is float or (inside and get_origin(leaf) is tuple)):
+            return Parameter(name, path, unit, False, others)
+    whole = any(leaf is int for leaf, _ in field.leaves)
+    return Parameter(name, path, "", True, others) if whole else None
