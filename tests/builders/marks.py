@@ -40,6 +40,8 @@ SLOW = (
     "scenario/test_bad_input_flight.py",
     "scenario/test_user_pilots.py",
     "sensing/test_estimation.py",
+    "sensing/test_kalman.py::test_agrees_with_dense_matrices",
+    "sensing/test_sensors.py::test_plain_python_and_compiled_are_twins",
     "simulation/test_combinations.py",
     "simulation/test_convergence.py",
     "simulation/test_gpu.py",

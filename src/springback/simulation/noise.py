@@ -62,15 +62,26 @@ class Purpose(IntEnum):
 
 
 def stream(seed: int, purpose: Purpose, *which: int) -> np.random.Generator:
-    """Random numbers of one purpose, independent of all others (Philox4x64 of NumPy).
+    """Random numbers of one purpose, independent of all others.
+
+    Generator and key of each purpose are those with which published results were flown.
 
     Args:
         seed: Of a flight, of trials or of a plan.
         purpose: What they are for.
         *which: Which of that purpose: the number of a flight, a repeat, a dimension.
     """
-    key = np.random.SeedSequence(seed, spawn_key=(purpose, *which))
-    return np.random.Generator(np.random.Philox(key))
+    kind: Any = np.random.Philox
+    key: tuple[int, ...] = (purpose, *which)
+    if purpose is Purpose.TURN_ON:
+        kind, key = np.random.SFC64, (*which, 2)
+    elif purpose is Purpose.GUST:
+        kind, key = np.random.SFC64, (0, 1)
+    elif purpose is Purpose.TRIAL:
+        kind, key = np.random.PCG64, which
+    elif purpose in (Purpose.SCRAMBLE, Purpose.SHUFFLE):
+        kind = np.random.PCG64
+    return np.random.Generator(kind(np.random.SeedSequence(seed, spawn_key=key)))
 
 
 class Block(NamedTuple):
