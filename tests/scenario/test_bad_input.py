@@ -149,7 +149,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     ),
     "two dampings": (
         WALL, 'surface = { restitution = 0.5, restitution_speed = 2, dissipation = 0.4 }',
-        "world.obstacles[0].surface.dissipation", ("beside restitution",),
+        "world.obstacles[0].surface.dissipation", ("with restitution",),
     ),
     "surface of wrong type": (WALL, "surface = 3", "world.obstacles[0].surface", ("table", "3")),
     "unknown obstacle": (KIND, 'type = "pole"', "world.obstacles[0].type", ("wall", "ground", "pole")),

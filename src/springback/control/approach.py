@@ -88,7 +88,7 @@ def approach(
     if beyond := shortfalls(at_contact, limits, who):
         raise InputError(*beyond)
     if speed - a * steady <= 0.0:
-        raise InputError(f"{who} can be steady for at most {speed / a:.3g} s (got {steady:g} s)")
+        raise InputError(f"{who} can be steady for less than {speed / a:.3g} s (got {steady:g} s)")
     room = max(ROOM, *at_contact.uses(limits).values())
 
     def planned(length: float) -> RunUpPlan | None:
