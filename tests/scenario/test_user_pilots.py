@@ -105,7 +105,7 @@ def test_thrust_below_nothing_is_flown_as_the_least_and_said() -> None:
     def pulling(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
         return (-5.0 if time >= 0.1 else 0.0, 1.0, 1.0, 1.0), None
 
-    words = r"less than 0 N at 300 of 400 ticks, first at 0\.1 s \(-5 N\).* their least, 0 N"
+    words = r"less than 0 N at 300 of 400 ticks, first at 0\.1 s \(-5 N\).* their minimum, 0 N"
     with pytest.warns(CommandWarning, match=words):
         flight = springback.fly(SHORT, pilot=pulling)
     assert flight.telemetry["thrust1"].min() >= 0.0

@@ -201,7 +201,9 @@ def test_perfect_lengths_are_exact() -> None:
 
 
 def test_a_magnet_too_close_is_refused() -> None:
-    with pytest.raises(InputError, match=r"saturates the sensor: 5.69 V .* ends at 4.7 V"):
+    with pytest.raises(
+        InputError, match=r"saturates the sensor: 5.69 V .* above its limit of 4.7 V"
+    ):
         HallSettings(distance=4e-3)
     with pytest.raises(InputError, match="more than the overrun"):
         HallSettings(distance=1e-3)

@@ -109,7 +109,9 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
     peak = next(row for row in python["measures"] if row["name"] == "impact_peak_acceleration")[
         "values"
     ]["arq"]
-    assert arq["peak"] == pytest.approx(peak, rel=1e-6)
+    assert arq["peak"] == pytest.approx(
+        peak, rel=1e-4
+    )  # it lies between two of the curve's samples
 
     link = browser.find_element(ID, "link").get_attribute("value")
     assert link == f"{lab}?{after['query']}" == browser.current_url
