@@ -222,7 +222,7 @@ def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -
     """Add flights that were built together to those of their kind."""
     kind = _kind_of(many.first, kinds)
     avionics = many.first.built_avionics.avionics if many.first.built_avionics else None
-    kind.loader.add_alike(many.first.model, many.first.start, avionics, many.flown, many.onboard)
+    kind.loader.add(many.first.model, many.first.start, avionics, many.flown, many.onboard)
     kind.numbers.extend(many.flights)
     kind.seeds.extend(seeds)
 

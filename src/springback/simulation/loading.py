@@ -1,168 +1,40 @@
-"""Flights laid into buffers, fast: only what differs from one of their kind is laid anew.
+"""Many flights in buffers: one by one, or as many as differ from one in the same numbers.
 
-Flights that were made ready together share most branches of their trees, the very objects.  So a
-tree is compared with that of a flight before it branch by branch, and only the leaves that are not
-shared are written.  `springback.simulation.flight.loaded` and
-`springback.simulation.guided.loaded_avionics` say the same slowly.
+Each column is that of `springback.simulation.flight.loaded` and
+`springback.simulation.guided.loaded_avionics`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import chain
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, row_of, rows, zeros
-from springback.kernels.trees import function_of
-from springback.simulation.flight import first_phase, loaded, shape_of
-from springback.simulation.guided import loaded_avionics
-from springback.simulation.lanes import Shape, buffer_rows, empty_groups
+from springback.kernels.layout import Buffer, row_of, rows, structure, zeros
+from springback.kernels.trees import leaves
+from springback.simulation.flight import flight_column, shape_of
+from springback.simulation.lanes import Shape, empty_groups
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
 
-#: Flights that differ in a larger share of their leaves from the one they are compared with had
-#: better be compared with another, one of their own robot perhaps (chosen) ...
-MOST_DIFFERENT = 0.25
-#: ... but not more often than once in so many flights, for its column takes long (chosen).
-PATIENCE = 16
+Leaves = tuple[Sequence[int], Buffer]
+"""Numbers of leaves, and their values in each flight, shape (flights, leaves)."""
+#: Of a flight that differs from its column in nothing.
+_NONE: Leaves = ((), np.zeros((1, 0)))
 
 
-class DifferentStructure(Exception):  # it says what is so, and nobody meets it
-    """A flight is of another kind than the first."""
+class DifferentStructure(Exception):  # caught where it is raised
+    """A flight whose trees are of other types than those of the first."""
 
 
-class Comparison:
-    """Compares trees with a first one of their type, by a function that is generated for it.
+class _Columns(NamedTuple):
+    """Flights that differ in the same rows of a buffer from one column."""
 
-    A loop over branches would take three times as long.
-    """
-
-    def __init__(self, tree: tuple[Any, ...]) -> None:
-        """With a tree; what compares is generated when it is first asked for."""
-        self._rows: list[range] = []
-        self._row, self._names = 0, 0
-        self._scope: dict[str, Any] = {"Unlike": DifferentStructure}
-        self._lines: list[str] = []
-        self._tree = tree
-        self._differing: Callable[..., None] | None = None
-
-    def gather(self, tree: tuple[Any, ...], found: list[int], values: list[float]) -> None:
-        """What is not that of the first tree.
-
-        Args:
-            tree: Of another flight.
-            found: Gets the numbers of the parts that differ.
-            values: Gets their leaves.
-
-        Raises:
-            DifferentStructure: If the trees are of different types.
-        """
-        if tree is self._tree:
-            return
-        if self._differing is None:
-            self._compare(self._tree, "tree", "like", "")
-            self._differing = function_of("tree, like, found, values", self._lines, self._scope)
-        self._differing(tree, self._tree, found, values)
-
-    def begin(self, tree: tuple[Any, ...]) -> None:
-        """Compare with another first tree, of the same type, from here on."""
-        self._tree = tree
-
-    def rows(self, found: Sequence[int]) -> list[int]:
-        """Rows of the leaves of some parts."""
-        return [row for number in found for row in self._rows[number]]
-
-    def _compare(self, tree: tuple[Any, ...], mine: str, first: str, indent: str) -> None:
-        """Lines that compare one branch, which is known not to be the first's very object."""
-        kind = type(tree)
-        self._scope[f"{kind.__name__}_{id(kind)}"] = kind
-        wrong = f"{mine}.__class__ is not {kind.__name__}_{id(kind)}"
-        wrong += f" or len({mine}) != {len(tree)}" if kind is tuple else ""
-        self._lines.append(f"{indent}if {wrong}: raise Unlike")
-        if not any(isinstance(branch, tuple) for branch in tree):
-            self._take(mine, len(tree), indent)
-            return
-        names = [(f"a{self._names + k}", f"b{self._names + k}") for k in range(len(tree))]
-        self._names += len(tree)
-        self._lines.append(f"{indent}{', '.join(a for a, _ in names)}, = {mine}")
-        self._lines.append(f"{indent}{', '.join(b for _, b in names)}, = {first}")
-        for branch, (a, b) in zip(tree, names, strict=True):
-            self._lines.append(f"{indent}if {a} is not {b}:")
-            if isinstance(branch, tuple):
-                self._compare(branch, a, b, indent + "    ")
-            else:
-                self._lines.append(f"{indent}    if isinstance({a}, tuple): raise Unlike")
-                self._take(f"({a},)", 1, indent + "    ")
-
-    def _take(self, values: str, count: int, indent: str) -> None:
-        """Lines that take the leaves of one part."""
-        self._lines.append(f"{indent}found.append({len(self._rows)}); values += {values}")
-        self._rows.append(range(self._row, self._row + count))
-        self._row += count
-
-
-class _Alike(NamedTuple):
-    """Flights that differ from a column in the same rows."""
-
-    column: int
-    flights: Any  # their numbers, shape (flights,)
-    rows: Any  # shape (rows,)
+    column: Buffer  # shape (rows,)
+    rows: Sequence[int]
     values: Buffer  # shape (flights, rows)
-
-
-class Differences:
-    """What differs from some flight's column, flight by flight, for one kind of buffer."""
-
-    def __init__(self) -> None:
-        """Of no flights yet; columns are to come first."""
-        self._columns: list[Buffer] = []
-        self._alike: list[_Alike] = []
-        self._patterns: dict[tuple[int, ...], int] = {}
-        self._of: list[int] = []
-        self._values: list[list[float]] = []
-
-    def begin(self, column: Buffer) -> None:
-        """Flights to come are like the one of this column, shape (rows,), but for what is added."""
-        self._columns.append(column)
-
-    def add(self, found: list[int], values: list[float]) -> None:
-        """One more flight: parts that are not those of the column's, and their leaves."""
-        pattern = (len(self._columns) - 1, *found)
-        self._of.append(self._patterns.setdefault(pattern, len(self._patterns)))
-        self._values.append(values)
-
-    def add_alike(self, rows: Sequence[int], values: Buffer) -> None:
-        """Many more flights, which differ from the column in some rows.
-
-        Args:
-            rows: Where they differ.
-            values: What stands there, shape (flights, rows).
-        """
-        numbers = np.arange(len(self._of), len(self._of) + len(values))
-        self._alike.append(_Alike(len(self._columns) - 1, numbers, np.array(rows, int), values))
-        self._of += [-1] * len(values)
-        self._values += [[]] * len(values)
-
-    def buffers(
-        self, out: Buffer, width: int, rows_of: Callable[[Sequence[int]], list[int]]
-    ) -> None:
-        """Lay all flights into buffers of shape (groups, rows x width); spare lanes as the last."""
-        count, lanes = len(self._of), out.reshape(len(out), -1, width)
-        of, pieces = np.array(self._of), [*self._alike]
-        for (column, *pattern), number in self._patterns.items():
-            mine, places = np.flatnonzero(of == number), rows_of(pattern)
-            values = chain.from_iterable(self._values[k] for k in mine.tolist())
-            shape = len(mine), len(places)
-            new = np.fromiter(values, np.float64, shape[0] * shape[1]).reshape(shape)
-            pieces.append(_Alike(column, mine, np.array(places, dtype=np.intp), new))
-        for piece in pieces:
-            group, lane = np.divmod(piece.flights, width)
-            lanes[group, :, lane] = self._columns[piece.column]
-            lanes[group[:, None], piece.rows, lane[:, None]] = piece.values
-        lanes[-1, :, (count - 1) % width + 1 :] = lanes[-1, :, (count - 1) % width, None]
 
 
 class Laid(NamedTuple):
@@ -178,96 +50,68 @@ class Laid(NamedTuple):
 
 
 class Loader:
-    """Takes flights of one kind, and lays them into buffers."""
+    """Flights of one kind, while they are collected."""
 
     def __init__(self, model: Model, start: State, avionics: Avionics | None, width: int) -> None:
         """Of the first flight, which is to be added like all others."""
         self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
-        end = buffer_rows(self._shape, width)
-        record = end - rows(self._shape.record)
-        self._status = record + row_of(self._shape.record, "status")
-        self._phase = record + row_of(self._shape.record, "phase")
-        self._phases: list[float] = []
-        self._flights, self._both = Differences(), Comparison((model, start))
-        self._cabins, self._aboard = (
-            Differences(),
-            Comparison(avionics if avionics is not None else ()),
-        )
-        self._few = MOST_DIFFERENT * (end + (rows(avionics) if avionics is not None else 0))
-        self._begin(model, start, avionics)
+        self._structure = structure((model, start, avionics))
+        self._flights: list[_Columns] = []
+        self._onboard: list[_Columns] = []
 
-    def _begin(self, model: Model, start: State, avionics: Avionics | None) -> None:
-        """Compare with another flight from here on."""
-        column = loaded(self._shape, [model], [start], self.width).reshape(-1, self.width)[:, 0]
-        self._flights.begin(column)
-        self._both.begin((model, start))
-        if avionics is not None:
-            self._cabins.begin(loaded_avionics([avionics], 1)[0])
-            self._aboard.begin(avionics)
-        self._begun = self.count
-
-    def add(self, model: Model, start: State, avionics: Avionics | None) -> None:
-        """One more flight.
-
-        Raises:
-            DifferentStructure: If it is of another kind; nothing is added then.
-        """
-        found: tuple[list[int], list[int]] = [], []
-        values: tuple[list[float], list[float]] = [], []
-        self._both.gather((model, start), found[0], values[0])
-        if (avionics is None) != (self.avionics is None):
-            raise DifferentStructure
-        if avionics is not None:
-            self._aboard.gather(avionics, found[1], values[1])
-        if len(values[0]) + len(values[1]) > self._few and self.count - self._begun >= PATIENCE:
-            self._begin(model, start, avionics)
-            self.add(model, start, avionics)
-            return
-        self._flights.add(found[0], values[0])
-        if avionics is not None:
-            self._cabins.add(found[1], values[1])
-        self._phases.append(first_phase(model, start))
-        self.count += 1
-
-    def add_alike(
+    def add(
         self,
         model: Model,
         start: State,
         avionics: Avionics | None,
-        flights: tuple[Sequence[int], Buffer],
-        onboard: tuple[Sequence[int], Buffer],
+        flown: Leaves = _NONE,
+        onboard: Leaves = _NONE,
     ) -> None:
-        """Many more flights, which differ in the same leaves from one of this kind.
+        """Add a flight, or several that differ from it in some leaves and begin in its phase.
 
         Args:
-            model: Of the flight that they are like.
-            start: Likewise; they begin in the same phase.
+            model: Of the flight.
+            start: Likewise.
             avionics: Likewise.
-            flights: Numbers of the leaves of model and start in which they differ, and what stands
-                there, shape (flights, leaves).
-            onboard: The same for what is aboard.
+            flown: Leaves of model and start in which several flights differ from it.
+            onboard: Leaves of the avionics in which they differ.
+
+        Raises:
+            DifferentStructure: If the trees are of other types; nothing is added then.
         """
-        self._begin(model, start, avionics)
-        self._flights.add_alike(*flights)
+        if structure((model, start, avionics)) != self._structure:
+            raise DifferentStructure
+        column = flight_column(self._shape, model, start, self.width)
+        self._flights.append(_Columns(column, *flown))
         if avionics is not None:
-            self._cabins.add_alike(*onboard)
-        count = len(flights[1])
-        self._phases += [first_phase(model, start)] * count
-        self.count += count
+            self._onboard.append(_Columns(np.array(leaves(avionics)), *onboard))
+        self.count += len(flown[1])
 
     def laid(self) -> Laid:
         """All flights in their buffers; spare lanes repeat the last flight, already ended."""
         width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
-        self._flights.buffers(buffers, width, self._both.rows)
-        groups, spare = len(buffers), -self.count % width
-        lanes = buffers.reshape(groups, -1, width)
-        phases = np.array([*self._phases, *self._phases[-1:] * spare])
-        lanes[:, self._phase] = phases.reshape(groups, width)
-        lanes[-1, self._status, width - spare :] = FLYING + 1.0
+        _lay(self._flights, buffers, width)
+        spare = -self.count % width
+        status = row_of(self._shape.record, "status") - rows(self._shape.record)
+        buffers.reshape(len(buffers), -1, width)[-1, status, width - spare :] = FLYING + 1.0
         onboard = None
         if self.avionics is not None:
-            onboard = zeros(groups, rows(self.avionics) * width)
-            self._cabins.buffers(onboard, width, self._aboard.rows)
+            onboard = zeros(len(buffers), rows(self.avionics) * width)
+            _lay(self._onboard, onboard, width)
         return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)
+
+
+def _lay(pieces: Sequence[_Columns], buffers: Buffer, width: int) -> None:
+    """Store flights lane by lane in buffers of shape (groups, rows x width)."""
+    lanes: Any = buffers.reshape(len(buffers), -1, width)
+    count = 0
+    for piece in pieces:
+        group, lane = np.divmod(np.arange(count, count + len(piece.values)), width)
+        lanes[group, :, lane] = piece.column
+        places = np.array(piece.rows, dtype=np.intp)
+        lanes[group[:, None], places, lane[:, None]] = piece.values
+        count += len(piece.values)
+    last = (count - 1) % width
+    lanes[-1, :, last + 1 :] = lanes[-1, :, last, None]
