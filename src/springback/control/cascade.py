@@ -17,7 +17,7 @@ from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.tracing import by_row
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
@@ -89,7 +89,6 @@ def cascade_memory(
     estimator: Any,
     estimate: Estimate,
     thrust: tuple[float, ...],
-    build: Build = uncached,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust of the start.
 
@@ -98,17 +97,17 @@ def cascade_memory(
         estimator: Memory of its estimator.
         estimate: Estimate at the start.
         thrust: Command to each rotor [N].
-        build: Builder of the parts.
     """
     at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
-    wanted = build(_first_target, pilot.reference)
+    wanted = _first_target(pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    built = build(_first_built, pilot.airframe)
+    built = _first_built(pilot.airframe)
     autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
 
+@by_row
 def _first_target(reference: Any) -> Target:
     return target(reference, 0.0)
 

@@ -149,7 +149,7 @@ class AirSettings(Settings):
         if not self.has_drag:
             return Still(0.0)
         wind, linear, by_thrust = self.wind, self.rotor_drag, self.thrust_drag
-        return Air(Vec(*wind), Vec(*linear), float(self.body_drag), Vec(*by_thrust))
+        return Air(Vec(*wind), Vec(*linear), self.body_drag, Vec(*by_thrust))
 
     def turbulence(self, tick: float) -> NoGusts | Dryden:
         """Numbers of the gusts, for a tick of given duration [s]."""
@@ -166,4 +166,4 @@ class AirSettings(Settings):
     def drag_rate(self, mass: float, thrust: float, speed: float) -> float:
         """Rate at which drag slows a mass [kg], at a given thrust [N] and speed [m/s] [1/s]."""
         linear = max(d + thrust * k for d, k in zip(self.rotor_drag, self.thrust_drag, strict=True))
-        return float(linear + 2.0 * self.body_drag * speed) / mass
+        return (linear + 2.0 * self.body_drag * speed) / mass

@@ -3,7 +3,8 @@
 A `Traced` number replaces a float.  It computes as a float does, with the value of the first row,
 and its tape records the formula; so any function in plain Python accepts traced numbers.  Where the
 function compares two numbers, it gets the answer of the first row, and the tape records that too:
-the formulas hold for the rows that give the same answers.
+the formulas hold for the rows that give the same answers.  Functions that are no formulas, such as
+sines and searches, are marked `by_row`, and called for every row.
 
 Every row gets the bits that the function would return for it, as the formulas are evaluated by the
 operations of IEEE 754, one by one, or by the standard library's own functions.
@@ -11,13 +12,15 @@ operations of IEEE 754, one by one, or by the standard library's own functions.
 
 from __future__ import annotations
 
+import functools
 import math
 import operator
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+R = TypeVar("R")
 Column = np.ndarray[Any, np.dtype[np.float64]]
 #: Exceptions of a plain-Python function that asks more of traced numbers than they support: their
 #: hash, say, or their text.
@@ -164,16 +167,76 @@ def _value(x: Any) -> Any:
     return x.value if isinstance(x, Traced) else x
 
 
-def _by_one(function: Callable[[float], float]) -> Callable[[Column], Column]:
-    """The same, number by number: NumPy may round differently from the standard library."""
+def holds(claim: Callable[[Any], Any], x: Any) -> bool:
+    """``claim(x)`` of a float or a traced number, recorded as one comparison, without branches.
 
-    def many(column: Column) -> Column:
-        return np.array([function(x) for x in column.tolist()])
+    The claim is of operators, ``&`` and ``|``, and takes columns, too.
+    """
+    if not isinstance(x, Traced):
+        return bool(claim(x))
+    return x.tape.guard(claim, bool(claim(x.value)), x)
 
-    return many
+
+def by_row(function: Callable[..., R]) -> Callable[..., R]:
+    """The same function, which also accepts traced numbers: the tape calls it for every row.
+
+    Arguments and result are trees.  Rows for which it raises a `ValueError`, or returns a tree of
+    other types than for the first, do not hold.
+    """
+
+    @functools.wraps(function)
+    def accepting(*given: Any) -> R:
+        traced = [x for x in _leaves(given) if isinstance(x, Traced)]
+        return _called(function, given, traced) if traced else function(*given)
+
+    return accepting
 
 
-_SINES, _COSINES = _by_one(math.sin), _by_one(math.cos)
+def _called(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any:
+    """Result of a function of traced numbers; the tape gets one block for all its numbers."""
+    first = function(*_with(given, iter([x.value for x in traced])))
+    numbers, kind = _leaves(first), _kind(first)
+    if not all(type(x) is float for x in numbers):
+        raise TypeError(f"{function.__name__} returns more than numbers")
+
+    def many(*columns: Column) -> Any:
+        block = np.full((len(numbers) + 1, len(columns[0])), math.nan)
+        for k, row in enumerate(zip(*(column.tolist() for column in columns), strict=True)):
+            try:
+                result = function(*_with(given, iter(row)))
+            except (ValueError, ArithmeticError):
+                continue
+            if _kind(result) == kind:
+                block[:, k] = (*_leaves(result), 1.0)
+        return block
+
+    tape = traced[0].tape
+    block = tape.computed(many, math.nan, *traced)
+    tape.guard(operator.itemgetter(-1), True, block)
+    places = enumerate(numbers)
+    return _with(
+        first,
+        (tape.computed(operator.itemgetter(k), x, block) for k, x in places),
+        every=True,
+    )
+
+
+def _leaves(tree: Any) -> list[Any]:
+    """Whatever is in a tree, in order."""
+    return [x for branch in tree for x in _leaves(branch)] if isinstance(tree, tuple) else [tree]
+
+
+def _kind(tree: Any) -> Any:
+    """Types in a tree."""
+    return (type(tree), *map(_kind, tree)) if isinstance(tree, tuple) else type(tree)
+
+
+def _with(tree: Any, numbers: Iterator[Any], every: bool = False) -> Any:
+    """A tree with others in place of its traced numbers, or of every number."""
+    if isinstance(tree, tuple):
+        branches = [_with(branch, numbers, every) for branch in tree]
+        return type(tree)(*branches) if hasattr(tree, "_fields") else tuple(branches)
+    return next(numbers) if every or isinstance(tree, Traced) else tree
 
 
 def sqrt(x: Any) -> Any:
@@ -185,15 +248,6 @@ def sqrt(x: Any) -> Any:
     return x.tape.computed(np.sqrt, root, x)
 
 
-def sin(x: Any) -> Any:
-    """Sine of a float or a traced number [rad]."""
-    if not isinstance(x, Traced):
-        return math.sin(x)
-    return x.tape.computed(_SINES, math.sin(x.value), x)
-
-
-def cos(x: Any) -> Any:
-    """Cosine of a float or a traced number [rad]."""
-    if not isinstance(x, Traced):
-        return math.cos(x)
-    return x.tape.computed(_COSINES, math.cos(x.value), x)
+#: Sine, cosine [rad] and length of floats or traced numbers: NumPy may round differently from the
+#: standard library.
+sin, cos, hypot = by_row(math.sin), by_row(math.cos), by_row(math.hypot)

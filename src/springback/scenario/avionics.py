@@ -19,7 +19,8 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts
 from springback.errors import InputError
-from springback.kernels.memo import FOREVER, Build, uncached
+from springback.kernels.memo import Build, uncached
+from springback.kernels.tracing import Traced, by_row
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -144,7 +145,6 @@ def reference_of(
     believed: NominalVehicle,
     rate_limit: float,
     point: Any,
-    build: Build = uncached,
     advises: bool = True,
 ) -> Any:
     """Build a reference.
@@ -154,43 +154,40 @@ def reference_of(
         believed: The pilot's model of the vehicle.
         rate_limit: Limit for roll and pitch [rad/s].
         point: Contact point of a cage.
-        build: Builder of the parts.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
-    limits = build(limits_of, believed, rate_limit)
-    made = build(_made_reference, settings, limits, believed.airframe, point, advises)
+    limits = limits_of(believed, rate_limit)
+    ahead = 0.0
+    if isinstance(settings, RunUpSettings):  # no other depends on it
+        foremost = by_row(reach) if isinstance(settings.pitch, Traced) else reach
+        ahead = foremost(believed.airframe, point, settings.pitch)
+    with _in_table("reference"):
+        given = tuple(settings.__dict__.items())
+        return _made_reference(type(settings), given, limits, ahead, advises)
+
+
+@by_row
+def _made_reference(*given: Any) -> Any:
+    """Reference of a table, or the problem with it."""
+    made = _searched(*given)
     if isinstance(made, InputError):
-        with _in_table("reference"):
-            raise made
+        raise InputError(*made.problems, path=made.path)
     return made
 
 
-def _made_reference(
-    settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
+@functools.lru_cache(maxsize=4096)  # flights often share a reference, and some are slow to find
+def _searched(
+    table: type[Any], given: tuple[Any, ...], limits: Limits, ahead: float, advises: bool
 ) -> Any:
-    """Reference, or the problem with it."""
-    if isinstance(settings, RunUpSettings):
-        return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
-    return _found(settings, limits)
-
-
-@functools.lru_cache(maxsize=4096)  # used twice per scenario; many vehicles reach equally far
-def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
-    """Reference of a run-up, or the problem with it, which is slowest to find."""
+    """Reference of a table, or the problem with it, which is slowest to find."""
+    settings = table.model_construct(**dict(given))
     try:
-        return settings.run_up(limits, lambda pitch: ahead, advises).reference
-    except InputError as problem_of_it:
-        return problem_of_it
-
-
-@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
-def _found(settings: Any, limits: Limits) -> Any:
-    """Reference other than a run-up, or the problem with it."""
-    try:
-        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups depend on the reach
+        if isinstance(settings, RunUpSettings):
+            return settings.run_up(limits, lambda pitch: ahead, advises).reference
+        return settings.reference(limits, lambda pitch: ahead)
     except InputError as problem_of_it:
         return problem_of_it
 
@@ -219,10 +216,6 @@ def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
     """
     streams = (stream(seed, Purpose.TURN_ON, flight) for seed in seeds)
     return [one.standard_normal(BIASES).tolist() for one in streams]
-
-
-def _tick(clock: float) -> float:
-    return 1.0 / clock
 
 
 def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
@@ -281,12 +274,12 @@ def cascade_of(
     advises: bool = True,
 ) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
-    s, gravity, tick = scenario, scenario.world.gravity, build(_tick, scenario.clock)
+    s, gravity, tick = scenario, scenario.world.gravity, 1.0 / scenario.clock
     propulsion = propulsion_of(s, model.airframe)
-    believed = build(nominal_vehicle, s.vehicle, propulsion, gravity, build)
-    settings, estimator = build(_estimator, s.estimator, s.sensors, tick, gravity)
-    control = build(_control_settings, s.control, s.reference, place=FOREVER)
-    schedule = build(_schedule, control, s.clock)
+    believed = nominal_vehicle(s.vehicle, propulsion, gravity, build)
+    settings, estimator = _estimator(s.estimator, s.sensors, tick, gravity)
+    control = _control_settings(s.control, s.reference)
+    schedule = _schedule(control, s.clock)
     point, most = model.contact_point, believed.max_thrust
     pilot = Cascade(
         airframe=believed.airframe,
@@ -294,18 +287,18 @@ def cascade_of(
         highest=believed.rotors.most,
         lift=control.lift_share * most,
         estimator=estimator,
-        reference=reference_of(s.reference, believed, control.rate_limit, point, build, advises),
-        position=build(ControlSettings.position_law, control, believed.mass, gravity, most),
-        attitude=build(ControlSettings.attitude_law, control),
-        rate=build(ControlSettings.rate_law, control),
+        reference=reference_of(s.reference, believed, control.rate_limit, point, advises),
+        position=control.position_law(believed.mass, gravity, most),
+        attitude=control.attitude_law(),
+        rate=control.rate_law(),
         schedule=schedule,
     )
     at = estimate_at(start)
-    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust, build)
+    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust)
     if s.recovery is None:
         return CompiledPilot(pilot, memory)
-    resilient = recovery_pilot(s, pilot, believed, build)
-    return CompiledPilot(resilient, recovery_pilot_memory(resilient, memory, build))
+    resilient = recovery_pilot(s, pilot, believed)
+    return CompiledPilot(resilient, recovery_pilot_memory(resilient, memory))
 
 
 class CollisionSensing(NamedTuple):
@@ -339,13 +332,13 @@ def collision_sensing(
 
 
 def recovery_pilot(
-    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = uncached
+    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle
 ) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
-    s, recovery, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
+    s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
     assert recovery is not None  # only called for scenarios with recovery
-    eyes = build(collision_sensing, recovery, s.vehicle, s.sensors, believed.gravity, tick)
-    route: Route = build(RecoverySettings.route, recovery, ZERO)
+    eyes = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
+    route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=Vec(*s.start.position))
     return RecoveryPilot(cascade, *eyes, route)
@@ -376,29 +369,29 @@ def build_avionics(
         build: Builder of the parts.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
     """
-    s, arms, period = scenario, len(model.airframe.arms), build(_tick, scenario.clock)
-    devices = build(devices_of, s.sensors, s.estimator, period, s.vehicle)
+    s, arms, period = scenario, len(model.airframe.arms), 1.0 / scenario.clock
+    devices = devices_of(s.sensors, s.estimator, period, s.vehicle)
     drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
     sensors = devices.settings.switched_on(devices.sensors, drawn)
     if relay:
         pilot = CompiledPilot(Relay(0.0), model.thrust)
     flown_by = pilot or cascade_of(s, model, start, build, advises)
-    air = build(_air_of, s.air, period)
-    judged = isinstance(flown_by.settings, RecoveryPilot) and s.recovery is not None
-    evaluator: Any = build(RecoverySettings.evaluator, s.recovery) if judged else NoEvaluator(0.0)
+    air = _air_of(s.air, period)
+    judged = s.recovery if isinstance(flown_by.settings, RecoveryPilot) else None
+    evaluator: Any = judged.evaluator() if judged else NoEvaluator(0.0)
     seen: Any = evaluator_at_start(start.position) if judged else NO_EVALUATION
     rotors = build(Propulsion.rotors, propulsion_of(s, model.airframe))
     systems = OnboardSystems(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=rotors,
-        lag=build(lag_over, rotors.time_constant, period),
+        lag=lag_over(rotors.time_constant, period),
         evaluator=evaluator,
         weather=air.weather,
         mean_wind=air.mean_wind,
         period=period,
     )
-    remembered = sensors_at_start(sensors, start, s.world.gravity, build)
+    remembered = sensors_at_start(sensors, start, s.world.gravity)
     avionics = avionics_at_start(
         systems, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
     )

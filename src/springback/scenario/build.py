@@ -58,7 +58,7 @@ def build_flight(
     """
     s = scenario
     check_tables(s, build)
-    model, start = flight_model(s, own, build), start_state(s.start, s.vehicle, build)
+    model, start = build(flight_model, s, own, build), build(start_state, s.start, s.vehicle)
     check_start(s, model, start)
     if own:
         _check_start_beside(model, start)

@@ -13,6 +13,7 @@ from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, uncached
+from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
     settle_step,
@@ -154,7 +155,8 @@ def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...])
     if not scenario.air.has_drag:
         return
     start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
-    rate = scenario.air.drag_rate(mass, sum(thrust), norm(start - wind))
+    through = start - wind
+    rate = scenario.air.drag_rate(mass, sum(thrust), sqrt(through @ through))
     step = scenario.simulation.free_step
     if step * rate > STABLE:
         raise problem(

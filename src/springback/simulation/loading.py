@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, row_of, rows, structure, zeros
+from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves
 from springback.simulation.flight import flight_column, shape_of
 from springback.simulation.lanes import Shape, empty_groups
@@ -22,11 +22,7 @@ from springback.vehicle.state import State
 Leaves = tuple[Sequence[int], Buffer]
 """Numbers of leaves, and their values in each flight, shape (flights, leaves)."""
 #: Of a flight that differs from its column in nothing.
-_NONE: Leaves = ((), np.zeros((1, 0)))
-
-
-class DifferentStructure(Exception):  # caught where it is raised
-    """A flight whose trees are of other types than those of the first."""
+NO_LEAVES: Leaves = ((), np.zeros((1, 0)))
 
 
 class _Columns(NamedTuple):
@@ -57,7 +53,6 @@ class Loader:
         self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
-        self._structure = structure((model, start, avionics))
         self._flights: list[_Columns] = []
         self._onboard: list[_Columns] = []
 
@@ -66,10 +61,12 @@ class Loader:
         model: Model,
         start: State,
         avionics: Avionics | None,
-        flown: Leaves = _NONE,
-        onboard: Leaves = _NONE,
+        flown: Leaves = NO_LEAVES,
+        onboard: Leaves = NO_LEAVES,
     ) -> None:
         """Add a flight, or several that differ from it in some leaves and begin in its phase.
+
+        All are of the types of the first.
 
         Args:
             model: Of the flight.
@@ -77,12 +74,7 @@ class Loader:
             avionics: Likewise.
             flown: Leaves of model and start in which several flights differ from it.
             onboard: Leaves of the avionics in which they differ.
-
-        Raises:
-            DifferentStructure: If the trees are of other types; nothing is added then.
         """
-        if structure((model, start, avionics)) != self._structure:
-            raise DifferentStructure
         column = flight_column(self._shape, model, start, self.width)
         self._flights.append(_Columns(column, *flown))
         if avionics is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
+from springback.kernels.tracing import hypot, sqrt
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, checked
 from springback.settings import Name, Settings, naming, problem
@@ -54,7 +55,7 @@ def check_moments(principal: Any) -> None:
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
     """
-    first, second, largest = sorted(float(moment) for moment in principal)
+    first, second, largest = sorted(principal)
     if largest > (first + second) * (1.0 + ROUNDING):
         raise problem(
             f"is that of no body: the largest principal moment, {largest:g} kg m², must be at most "
@@ -226,7 +227,7 @@ class Vehicle(Settings):
     def _hull_is_near(self) -> Vehicle:
         if self.hull is not None:
             longest = max(self.arms.at("length", j) for j in range(self.arm_count))
-            away = math.hypot(*self.hull.offset)
+            away = hypot(*self.hull.offset)
             if away > longest:
                 raise problem(
                     f"must be within the length of the longest arm, {longest:g} m, of the main "
@@ -243,7 +244,8 @@ class Vehicle(Settings):
     @property
     def mass(self) -> float:
         """Total mass m [kg]."""
-        return float(self.body.mass + sum(self.arms.at("mass", j) for j in range(self.arm_count)))
+        mass: float = self.body.mass + sum(self.arms.at("mass", j) for j in range(self.arm_count))
+        return mass
 
     @property
     def is_compliant(self) -> bool:
@@ -271,10 +273,10 @@ class Vehicle(Settings):
             if self.arms.at("compliant", j):
                 m, b = self.arms.at("mass", j), self.arms.at("damping", j)
                 k = self.arms.at("stiffness", j)
-                root = math.sqrt(max(b * b - 4.0 * k * m, 0.0))
-                rates.append(max((b + root) / (2.0 * m), math.sqrt(k / m)))
+                root = sqrt(max(b * b - 4.0 * k * m, 0.0))
+                rates.append(max((b + root) / (2.0 * m), sqrt(k / m)))
                 if self.arms.end_stops:
-                    rates.append(math.sqrt(self.arms.at("stop_stiffness", j) / m))
+                    rates.append(sqrt(self.arms.at("stop_stiffness", j) / m))
         return max(rates)
 
     def airframe(self) -> Airframe:
@@ -309,12 +311,14 @@ class Vehicle(Settings):
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""
-        return tuple(float(self.arms.at("length", j)) for j in range(self.arm_count))
+        return tuple(self.arms.at("length", j) for j in range(self.arm_count))
 
 
 def _distance(here: float, there: float, cosine: float) -> float:
     """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
-    return math.sqrt(max(here**2 + there**2 - 2.0 * here * there * cosine, 0.0))
+    square = here**2 + there**2 - 2.0 * here * there * cosine
+    distance: float = sqrt(max(square, 0.0))
+    return distance
 
 
 def _exact(x: float) -> float:

@@ -1,20 +1,17 @@
-"""Scenarios that share tables: made ready fast, to the very numbers of each made ready alone."""
+"""Whatever a scenario says, flights that differ in its numbers are built together as alone."""
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 import numpy as np
 import pytest
 
-from builders.cases import nonempty
-from springback.batch.validation import flight_from_tables
+from springback.batch.templates import FEW, BuiltGroup, ScenarioGroup, built_groups
 from springback.errors import InputError
 from springback.kernels.layout import structure
-from springback.kernels.memo import FOREVER, Memo
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import build_avionics
+from springback.scenario.avionics import turn_on_normals
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
@@ -29,71 +26,23 @@ SIX = {
 }  # fmt: skip
 
 
-def alone(table: dict[str, Any]) -> ReadyFlight | str:
-    """A flight made ready by itself, or why it cannot be."""
-    try:
-        scenario = scenario_from(table, False)
-    except InputError as error:
-        return str(error)
-    model, start = scenario.flight_model(), scenario.start_state()
-    built_avionics = build_avionics(scenario, model, start) if scenario.reference else None
-    return ReadyFlight(scenario.seed, model, start, built_avionics)
+def alone(table: dict[str, Any]) -> ReadyFlight:
+    return scenario_from(table, False, advises=False).build(advises=False)
 
 
-def shared(table: dict[str, Any], build: Memo) -> ReadyFlight | str:
-    try:
-        return flight_from_tables(table, build)
-    except InputError as error:
-        return str(error)
+def shifted(table: Any, factor: float) -> Any:
+    """A table with all its floats multiplied, but for the times that a batch shares."""
+    if isinstance(table, dict):
+        shared = ("simulation", "clock")
+        return {k: v if k in shared else shifted(v, factor) for k, v in table.items()}
+    if isinstance(table, list | tuple):
+        return type(table)(shifted(entry, factor) for entry in table)
+    return table * factor if type(table) is float else table
 
 
-def assert_same(a: ReadyFlight | str, b: ReadyFlight | str) -> None:
-    if isinstance(a, str) or isinstance(b, str):
-        assert brief(a) == brief(b)
-        return
-    assert a.seed == b.seed
-    assert (a.built_avionics is None) == (b.built_avionics is None)
-    trees = [(a.model, b.model), (a.start, b.start)]
-    if a.built_avionics and b.built_avionics:
-        trees.append((a.built_avionics.avionics, b.built_avionics.avionics))
-        assert a.built_avionics.noise == b.built_avionics.noise
-    for one, other in trees:
-        assert structure(one) == structure(other)
-        # By their bits: −0 is not 0 here.
-        np.testing.assert_array_equal(
-            np.array(leaves(one)).view(np.int64), np.array(leaves(other)).view(np.int64)
-        )
-
-
-def brief(problem: Any) -> Any:
-    """A problem without the distance that a run-up would need, which takes long to find out."""
-    if not isinstance(problem, str):
-        return problem
-    return re.sub(r"needs (a distance of|more than).* the ([\d.]+ m it has)", r"needs \2", problem)
-
-
-def campaign(count: int) -> list[dict[str, Any]]:
-    """Tables of trials of both robots in turn that share what does not differ."""
-    first = {robot: trial_tables(robot, 0.0, 2.0, _luck(robot, 0)) for robot in ("arq", "quad")}
-    tables = []
-    for k in range(count):
-        for robot, base in first.items():
-            own = trial_tables(robot, 0.0, 2.0, _luck(robot, k))
-            same = {key: base[key] for key in ("vehicle", "reference", "recovery", "simulation")}
-            table = own | same
-            table["world"]["obstacles"][1] = base["world"]["obstacles"][1]
-            tables.append(table)
-    return tables
-
-
-def _luck(robot: str, trial: int) -> Any:
-    return Scatter().drawn(robot, 0.0, 2.0, trial, 0)
-
-
-def test_flights_of_a_campaign_are_made_ready_as_alone() -> None:
-    build = Memo()
-    for table in nonempty(campaign(12)):
-        assert_same(shared(table, build), alone(table))
+def trial() -> dict[str, Any]:
+    """A trial of a recovery."""
+    return trial_tables("arq", 0.0, 2.0, Scatter().drawn("arq", 0.0, 2.0, 0, 0))
 
 
 #: One value after another of every table, some of which cannot be.
@@ -173,48 +122,48 @@ def varied(seed: int, count: int, base: dict[str, Any]) -> list[dict[str, Any]]:
     return tables
 
 
+def bits(ready: ReadyFlight) -> tuple[Any, bytes, bytes]:
+    """Types and numbers of a flight; −0 is not 0 here."""
+    avionics = ready.built_avionics.avionics if ready.built_avionics else ()
+    flown = (ready.model, ready.start)
+    types = structure(flown), structure(avionics)
+    return types, np.array(leaves(flown)).tobytes(), np.array(leaves(avionics)).tobytes()
+
+
+def bits_of(many: BuiltGroup, row: int) -> tuple[Any, bytes, bytes]:
+    """Those of one flight of a group."""
+    types, *trees = bits(many.first)
+    found = []
+    for tree, (places, values) in zip(trees, (many.flown, many.onboard), strict=True):
+        numbers = np.frombuffer(tree).copy()
+        numbers[places] = values[row]
+        found.append(numbers.tobytes())
+    return types, found[0], found[1]
+
+
+def built(tables: list[dict[str, Any]]) -> list[BuiltGroup]:
+    """What is built together of flights that differ in numbers only."""
+    group = ScenarioGroup(0, tables[0])
+    assert all(group.takes(k, table) for k, table in enumerate(tables[1:], start=1))
+    biases = turn_on_normals(range(len(tables)))
+    return list(built_groups(group, biases, lambda k: alone(tables[k])))
+
+
 @pytest.mark.parametrize("has_pilot", [True, False])
-def test_whatever_differs_is_made_ready_as_alone(has_pilot: bool) -> None:
-    base = campaign(1)[0]
+def test_whatever_differs_is_built_as_alone(has_pilot: bool) -> None:
+    base = trial()
     if not has_pilot:
         base = {key: base[key] for key in ("vehicle", "world", "start", "simulation")}
-    build, refused = Memo(), 0
-    tables = varied(1, 150, base)
-    for table in tables:
-        one = shared(table, build)
-        assert_same(one, alone(table))
-        refused += isinstance(one, str)
-    assert 30 < refused < 120  # both happen
-
-
-def test_what_is_kept_for_ever_can_be_forgotten() -> None:
-    """Else memory would grow with the number of flights."""
-    made: list[str] = []
-    build = Memo()
-
-    def part(name: str) -> str:
-        made.append(name)
-        return name
-
-    for name in ("a", "b", "a"):
-        build(part, name, place=FOREVER)
-    build.forget()
-    build(part, "a", place=FOREVER)
-    assert made == ["a", "b", "a"]
-
-
-def test_a_part_that_was_refused_is_refused_again() -> None:
-    build, (table, *_) = Memo(), campaign(1)
-    bad = table | {"control": {"stiffness": -1.0}}
-    assert_same(shared(bad, build), alone(bad))
-    assert_same(shared(bad, build), alone(bad))
-    assert_same(shared(table, build), alone(table))
-
-
-def test_nothing_is_remembered_of_others_tables() -> None:
-    """Equal tables that are not the same objects, and the same flight after others."""
-    tables = campaign(3)
-    build, first = Memo(), [shared(table, Memo()) for table in tables]
-    for order in ([0, 1, 2, 3, 4, 5], [5, 1, 4, 0, 3, 2], [2, 2, 0, 2]):
-        for k in nonempty(order):
-            assert_same(shared(tables[k], build), first[k])
+    together, refused = 0, 0
+    for table in varied(1, 60, base):
+        tables = [shifted(table, 1.0 + 1e-4 * k) | {"seed": k} for k in range(FEW)]
+        for many in built(tables):
+            together += 1
+            for row, k in enumerate(many.flights):
+                assert bits_of(many, row) == bits(alone(tables[k]))
+        try:
+            alone(tables[0])
+        except InputError:
+            refused += 1
+    assert together > 20
+    assert refused > 10
