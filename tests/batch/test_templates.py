@@ -13,7 +13,7 @@ from springback.batch import templates
 from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, built_groups, pace_of
 from springback.errors import InputError
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import turn_on_normals
+from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
@@ -72,6 +72,13 @@ PLANS = {
     ),
     "references": holding(reference=lambda k: {"type": "hold", "position": [0.1 * k, 0, 1]}),
     "drag": holding(air=lambda k: {"body_drag": 0.01 + 0.001 * k, "wind": [0.1 + 0.1 * k, 0, 0.2]}),
+    "gusts": holding(
+        air=lambda k: {"body_drag": 0.01, "gusts": {"wind_at_6_m": 5.0, "airspeed": 3.0}}
+    ),
+    "gusts in wind": holding(
+        air=lambda k: {"body_drag": 0.01, "wind": [0.1 + 0.1 * k, 0, 0.2],
+                       "gusts": {"wind_at_6_m": 5.0 + k}}
+    ),
     "restitutions": holding(
         world=lambda k: {
             "obstacles": [{"type": "wall", "distance": 2.0, "surface": {
@@ -104,14 +111,14 @@ def together(tables: list[dict[str, Any]]) -> tuple[list[ScenarioGroup], list[Bu
     for number, table in enumerate(tables):
         if not any(group.takes(number, table) for group in groups):
             groups.append(ScenarioGroup(number, table))
-    biases = turn_on_normals([table["seed"] for table in tables])
+
+    def normals(number: int) -> list[float]:
+        return normals_at_start(tables[number]["seed"], "gusts" in tables[number].get("air", {}))
 
     def one(number: int) -> ReadyFlight:
         return flight_from(tables[number])
 
-    return groups, [
-        built for g in groups for built in built_groups(g, [biases[k] for k in g.flights], one)
-    ]
+    return groups, [built for g in groups for built in built_groups(g, normals, one)]
 
 
 def numbers(many: BuiltGroup, row: int) -> np.ndarray[Any, Any]:
@@ -157,12 +164,8 @@ def test_flights_that_go_another_way_are_left_out() -> None:
 
 
 def test_whatever_no_formula_does_is_built_alone() -> None:
-    """Gusts are drawn, ticks are counted, a batch has one duration."""
+    """Ticks are counted, a batch has one duration."""
     varied = {
-        "gusts": holding(
-            air=lambda k: {"body_drag": 0.01, "gusts": {"wind_at_6_m": 5.0, "airspeed": 3.0}},
-            start=lambda k: {"yaw": 0.01 * k},
-        ),
         "clock": holding(clock=lambda k: [1000.0, 2000.0][k % 2]),
         "duration": holding(simulation=lambda k: {"duration": 1.0 + 0.1 * k}),
     }

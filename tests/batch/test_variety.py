@@ -11,7 +11,7 @@ from springback.batch.templates import FEW, BuiltGroup, ScenarioGroup, built_gro
 from springback.errors import InputError
 from springback.kernels.layout import structure
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import turn_on_normals
+from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
@@ -145,8 +145,9 @@ def built(tables: list[dict[str, Any]]) -> list[BuiltGroup]:
     """What is built together of flights that differ in numbers only."""
     group = ScenarioGroup(0, tables[0])
     assert all(group.takes(k, table) for k, table in enumerate(tables[1:], start=1))
-    biases = turn_on_normals(range(len(tables)))
-    return list(built_groups(group, biases, lambda k: alone(tables[k])))
+    is_gusty = (tables[0].get("air") or {}).get("gusts") is not None
+    normals = [normals_at_start(table["seed"], is_gusty) for table in tables]
+    return list(built_groups(group, normals.__getitem__, lambda k: alone(tables[k])))
 
 
 @pytest.mark.parametrize("has_pilot", [True, False])

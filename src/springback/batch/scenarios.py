@@ -11,7 +11,7 @@ import gc
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from functools import partial
+from functools import cache, partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -25,10 +25,9 @@ from springback.results.recovery_measures import (
     recovery_columns,
     recovery_outcomes,
 )
-from springback.scenario.avionics import turn_on_normals
+from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
-from springback.sensing.parameters import BIASES
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
@@ -47,8 +46,6 @@ Device = Literal["cpu", "gpu"]
 """Device for flights: lanes of the processor, or one flight per thread of an NVIDIA GPU."""
 #: Number of recent groups with which a flight is compared (chosen).
 MOST_TRIED = 8
-#: In place of the biases of an invalid seed, which is refused.
-NO_BIASES = (0.0,) * BIASES
 
 
 class Rows(NamedTuple):
@@ -147,11 +144,17 @@ def _fly_block(
             out.problems[number] = "; ".join(error.problems)
             raise
 
-    biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
+    drawn = cache(normals_at_start)  # robots share seeds
+
+    def normals(number: int) -> list[float]:
+        air = tables[number].get("air")
+        gusts = air.get("gusts") if isinstance(air, Mapping) else None
+        return drawn(_seed(tables[number]), gusts is not None)
+
     kinds: dict[Any, _Kind] = {}
     for group in _groups(tables, block):
         flights = group.flights
-        for built in built_groups(group, [biases[k] or NO_BIASES for k in flights], one):
+        for built in built_groups(group, normals, one):
             _collect(built, tables, kinds)
             flights = sorted(set(flights).difference(built.flights))
         for number in flights:
@@ -168,25 +171,25 @@ def _fly_block(
         done += len(kind.numbers)
 
 
-def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
-    """Biases of all flights by `turn_on_normals`, drawn together; None for an invalid seed."""
-    seeds = [table.get("seed", 0) for table in tables]
-    different = list({seed for seed in seeds if type(seed) is int and seed >= 0})
-    drawn = dict(zip(different, turn_on_normals(different), strict=True))
-    return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
-
-
 def _groups(tables: Sequence[Mapping[str, Any]], block: Sequence[int]) -> list[ScenarioGroup]:
-    """Groups of flights that differ in numbers only."""
+    """Groups of flights that differ in numbers only; those of invalid seeds by themselves."""
     groups: list[ScenarioGroup] = []
+    refused: list[ScenarioGroup] = []
     for number in block:
+        if type(seed := _seed(tables[number])) is not int or seed < 0:
+            refused.append(ScenarioGroup(number, tables[number]))
+            continue
         for k, group in enumerate(groups[:MOST_TRIED]):
             if group.takes(number, tables[number]):
                 groups.insert(0, groups.pop(k))  # the next one is likely to match it
                 break
         else:
             groups.insert(0, ScenarioGroup(number, tables[number]))
-    return groups
+    return groups + refused
+
+
+def _seed(tables: Mapping[str, Any]) -> Any:
+    return tables.get("seed", 0)
 
 
 def _collect(
@@ -202,12 +205,15 @@ def _collect(
     kind = kinds[key]
     kind.loader.add(one.model, one.start, avionics, built.flown, built.onboard)
     kind.numbers.extend(built.flights)
-    kind.seeds.extend(tables[k].get("seed", 0) for k in built.flights)
+    kind.seeds.extend(_seed(tables[k]) for k in built.flights)
 
 
 def _on_processor(threads: int) -> _Fly:
     """Functions that fly buffers in lanes, on so many threads."""
-    return _Fly(partial(fly_buffers, threads=threads), partial(fly_groups, threads=threads))
+    return _Fly(
+        partial(fly_buffers, threads=threads),
+        partial(fly_groups, threads=threads),
+    )
 
 
 def _on_gpu() -> _Fly:

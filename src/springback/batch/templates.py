@@ -111,7 +111,9 @@ class BuiltGroup(NamedTuple):
 
 
 def built_groups(
-    group: ScenarioGroup, biases: Sequence[Sequence[float]], one: Callable[[int], ReadyFlight]
+    group: ScenarioGroup,
+    normals: Callable[[int], Sequence[float]],
+    one: Callable[[int], ReadyFlight],
 ) -> Iterator[BuiltGroup]:
     """Build matching flights: those that take the same branches by one pass.
 
@@ -120,10 +122,13 @@ def built_groups(
 
     Args:
         group: The flights.
-        biases: `springback.scenario.avionics.turn_on_normals` of each.
+        normals: `springback.scenario.avionics.normals_at_start` of a flight, by its number.
         one: Builds a flight, by its number, or raises `InputError`.
     """
-    numbers, flights = np.hstack([group.rows, biases]), np.array(group.flights)
+    if len(group.flights) < FEW:
+        return
+    drawn = [normals(number) for number in group.flights]
+    numbers, flights = np.hstack([group.rows, drawn]), np.array(group.flights)
     small = 0
     while len(flights) >= FEW and small < MOST_SMALL:
         try:
@@ -169,7 +174,7 @@ def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFligh
     """A flight read and built from tables with traced numbers."""
     # The seed is not traced, so that noise cannot become a formula.
     scenario = ScenarioTables.model_validate(expanded(tables)).with_checked(seed=object())
-    traced = build_flight(scenario, build=Memo(), biases=normals, advises=False)
+    traced = build_flight(scenario, build=Memo(), normals=normals, advises=False)
     first_phase(traced.model, traced.start)
     return traced
 

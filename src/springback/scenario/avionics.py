@@ -17,7 +17,7 @@ from springback.control.parameters import ControlSettings, Schedule
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
-from springback.dynamics.gusts import NoGusts
+from springback.dynamics.gusts import NoGusts, first_gust
 from springback.errors import InputError
 from springback.kernels.memo import Build, uncached
 from springback.kernels.tracing import Traced, by_row
@@ -37,7 +37,7 @@ from springback.sensing.measurement import Estimate
 from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.guided import NO_EVALUATION, avionics_at_start
+from springback.simulation.guided import FIRST_GUST_NOISE, NO_EVALUATION, avionics_at_start
 from springback.simulation.noise import Purpose, stream
 from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems, Relay
 from springback.simulation.record import Model
@@ -207,15 +207,18 @@ def devices_of(
     return Devices(settings, devices, draws_of(devices, vehicle.arm_count))
 
 
-def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
-    """Normal numbers for the turn-on biases of sensors, for many flights.
+def normals_at_start(seed: int, gusts: bool, flight: int = 0) -> list[float]:
+    """Normal numbers for the turn-on biases of sensors, and for the first gust.
 
     Args:
-        seeds: One for each flight.
-        flight: Number of the flight in a campaign.
+        seed: Of the flight.
+        gusts: True if it has gusts.
+        flight: Its number in a campaign.
     """
-    streams = (stream(seed, Purpose.TURN_ON, flight) for seed in seeds)
-    return [one.standard_normal(BIASES).tolist() for one in streams]
+    normals: list[float] = stream(seed, Purpose.TURN_ON, flight).standard_normal(BIASES).tolist()
+    if gusts:
+        normals += stream(seed, Purpose.GUST).standard_normal(FIRST_GUST_NOISE).tolist()
+    return normals
 
 
 def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
@@ -352,7 +355,7 @@ def build_avionics(
     flight: int = 0,
     pilot: CompiledPilot | None = None,
     relay: bool = False,
-    biases: Sequence[float] | None = None,
+    normals: Sequence[float] | None = None,
     build: Build = uncached,
     advises: bool = True,
 ) -> BuiltAvionics:
@@ -365,14 +368,14 @@ def build_avionics(
         flight: Number of the flight in a campaign, for its noise.
         pilot: Pilot in place of the paper's.
         relay: True for a pilot in plain Python, which runs outside.
-        biases: `turn_on_normals` of the seed and the number, if already known.
+        normals: `normals_at_start`, if already known.
         build: Builder of the parts.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
     """
     s, arms, period = scenario, len(model.airframe.arms), 1.0 / scenario.clock
     devices = devices_of(s.sensors, s.estimator, period, s.vehicle)
-    drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
-    sensors = devices.settings.switched_on(devices.sensors, drawn)
+    drawn = normals or normals_at_start(s.seed, s.air.gusts is not None, flight)
+    sensors = devices.settings.switched_on(devices.sensors, drawn[:BIASES])
     if relay:
         pilot = CompiledPilot(Relay(0.0), model.thrust)
     flown_by = pilot or cascade_of(s, model, start, build, advises)
@@ -392,10 +395,19 @@ def build_avionics(
         period=period,
     )
     remembered = sensors_at_start(sensors, start, s.world.gravity)
-    avionics = avionics_at_start(
-        systems, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
-    )
-    return BuiltAvionics(avionics, (*devices.noise, air.noise))
+    calm = systems._replace(weather=NoGusts(0.0))
+    onboard = avionics_at_start(
+        calm, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
+    ).onboard
+    if s.air.gusts is not None:
+        onboard = onboard._replace(weather=_first_gust(air.weather, tuple(drawn[BIASES:])))
+    return BuiltAvionics(Avionics(systems, onboard), (*devices.noise, air.noise))
+
+
+@by_row
+def _first_gust(weather: Any, normals: tuple[float, ...]) -> Any:
+    """Memory of the gust before the first tick."""
+    return first_gust(weather, normals).memory
 
 
 class Blowing(NamedTuple):

@@ -40,7 +40,7 @@ def build_flight(
     own: Sequence[Own] = (),
     pilot: CompiledPilot | str | None = None,
     build: Build = uncached,
-    biases: Sequence[float] | None = None,
+    normals: Sequence[float] | None = None,
     advises: bool = True,
 ) -> ReadyFlight:
     """Check a scenario across its tables, and build its flight.
@@ -50,7 +50,7 @@ def build_flight(
         own: The user's own obstacles besides the scenario's, with their surfaces.
         pilot: Pilot in place of the paper's; `PLAIN_PYTHON` for one that runs outside.
         build: Builder of the parts.
-        biases: `turn_on_normals` of its seed, if already known.
+        normals: `normals_at_start` of its seed, if already known.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
@@ -75,7 +75,7 @@ def build_flight(
             s, model, start,
             pilot=pilot if isinstance(pilot, CompiledPilot) else None,
             relay=pilot == PLAIN_PYTHON,
-            biases=biases, build=build, advises=advises,
+            normals=normals, build=build, advises=advises,
         )  # fmt: skip
     return ReadyFlight(s.seed, model, start, avionics)
 
