@@ -9,7 +9,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced, cos, sin, sqrt
+from springback.kernels.tracing import (
+    NO_FORMULA,
+    Evaluated,
+    Tape,
+    Traced,
+    by_row,
+    cos,
+    holds,
+    hypot,
+    sin,
+    sqrt,
+)
 from springback.kernels.vectors import Vec
 
 ROWS = np.random.default_rng(5).normal(size=(50, 3))
@@ -27,7 +38,7 @@ def arithmetic(a: Any, b: Any, c: Any) -> Any:
 
 
 def roots_and_angles(a: Any, b: Any, c: Any) -> Any:
-    return sqrt(a * a + b * b) * sin(c) - cos(a + c)
+    return sqrt(a * a + b * b) * sin(c) - cos(a + c) + hypot(a, 1.0, b)
 
 
 def vectors(a: Any, b: Any, c: Any) -> Any:
@@ -87,12 +98,63 @@ def test_rows_that_python_would_refuse_do_not_hold() -> None:
     assert filled.of(cell, [0, 3]).tolist() == [2.0, 1.5]
 
 
+def test_a_claim_is_one_question() -> None:
+    """Rows that hold for different reasons hold together."""
+    rows = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.5, 0.0, 0.0], [math.nan, 0.0, 0.0]])
+
+    def claim(x: Any) -> Any:
+        return (x == 0.0) | (x >= 1.0)
+
+    for first, wanted in ((0, True), (2, False)):
+        turned = np.roll(rows, -first, axis=0)
+        answer, filled = worked_out(lambda a, b, c: holds(claim, a), turned)
+        assert answer == wanted
+        assert filled.holds.tolist() == [True, True, False, False]
+    assert [holds(claim, x) for x in (0.0, 2.0, 0.5, math.nan)] == [True, True, False, False]
+
+
+@by_row
+def searched(start: Vec, unit: str, more: tuple[float, ...]) -> Any:
+    """Something that is no formula, of trees."""
+    if start.x < -2.0:
+        raise ValueError(unit)
+    count = round(abs(start.x) * 10.0) % 3
+    return (Vec(start.y, *more), (start.x,)) if count else (start, ())
+
+
+def test_what_is_no_formula_is_called_for_every_row() -> None:
+    """Trees go in and come out; rows that end otherwise than the first do not hold."""
+    rows = np.concatenate([ROWS, [[-3.0, 1.0, 1.0]]])
+    for first in range(4):
+        turned = np.roll(rows, -first, axis=0)
+        tree, filled = worked_out(lambda a, b, c: searched(Vec(a, b, 2.0), "m", (c, 1.0)), turned)
+        alone = [
+            searched(Vec(a, b, 2.0), "m", (c, 1.0)) if a >= -2.0 else None
+            for a, b, c in turned.tolist()
+        ]
+        alike = [one is not None and len(one[1]) == len(alone[0][1]) for one in alone]
+        assert filled.holds.tolist() == alike
+        assert not all(alike)
+        for k in np.flatnonzero(alike).tolist():
+            vector, rest = tree
+            assert type(vector) is Vec
+            assert tuple(filled.of(x, k) for x in vector) == alone[k][0]
+            assert tuple(filled.of(x, k) for x in rest) == alone[k][1]
+
+
+def test_a_function_by_row_must_return_numbers() -> None:
+    for returned in ("text", None, (1.0, "text"), 3):
+        with pytest.raises(NO_FORMULA):
+            by_row(lambda x, returned=returned: returned)(Tape(ROWS).first[0])
+    assert by_row(lambda x: "text")(1.0) == "text"
+
+
 @pytest.mark.parametrize(
     "asks_more",
     [
         math.sin, math.floor, float, int, hash, round, np.sqrt, lambda x: f"{x:g}",
         lambda x: {x: 1}, lambda x: x**2, lambda x: [1, 2][x], lambda x: x.is_integer(),
-        lambda x: x + "1", lambda x: x < "1",
+        lambda x: x + "1", lambda x: x < "1", math.hypot, lambda x: by_row(math.floor)(x),
     ],
 )  # fmt: skip
 def test_what_a_cell_does_not_know_it_says(asks_more: Callable[[Any], Any]) -> None:
