@@ -19,7 +19,7 @@ from pydantic_core import CoreSchema
 from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
-from springback.kernels.tracing import Traced, holds
+from springback.kernels.tracing import Traced, holds  # for batch set-up
 from springback.settings import problem
 from springback.units import UnitError, read_number
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.kernels.memo import Memo
-from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced
+from springback.kernels.tracing import NO_FORMULA, Tape, Traced
 from springback.kernels.trees import leaves
 from springback.scenario.build import ReadyFlight, build_flight
 from springback.scenario.presets import expanded
@@ -158,15 +158,14 @@ def _built(
     cells = iter([cell if d else cell.value for cell, d in zip(tape.first, differs, strict=True)])
     try:
         traced = _traced_flight(template.filled(cells), [*cells])
-        evaluated = tape.filled()
-        held = np.flatnonzero(evaluated.holds)
+        held = np.flatnonzero(tape.holds)
         last = one(int(flights[held[-1]]))
     except (*NO_FORMULA, ValueError):  # of tables that no flight has, too
         return None
     # A function might have used a traced number other than as a float: two flights are compared.
-    if not (_agree(traced, evaluated, 0, first) and _agree(traced, evaluated, held[-1], last)):
+    if not (_agree(traced, 0, first) and _agree(traced, held[-1], last)):
         return None
-    flown, onboard = (_cells(tree, evaluated, held) for tree in _trees(traced))
+    flown, onboard = (_cells(tree, held) for tree in _trees(traced))
     return BuiltGroup(flights[held].tolist(), first, flown, onboard)
 
 
@@ -179,19 +178,21 @@ def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFligh
     return traced
 
 
-def _cells(tree: Any, evaluated: Evaluated, rows: Any) -> Leaves:
+def _cells(tree: Any, rows: Any) -> Leaves:
     """Positions of traced numbers in a tree, and their values in some rows."""
-    cells = {k: x for k, x in enumerate(leaves(tree)) if isinstance(x, Traced)}
-    columns = [evaluated.of(x, rows) for x in cells.values()]
+    found: list[Any] = leaves(tree)
+    cells = {k: x for k, x in enumerate(found) if isinstance(x, Traced)}
+    columns = [x.column[rows] for x in cells.values()]
     return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
 
 
-def _agree(traced: ReadyFlight, evaluated: Evaluated, row: int, plain: ReadyFlight) -> bool:
+def _agree(traced: ReadyFlight, row: int, plain: ReadyFlight) -> bool:
     """True if a row of the tape gives exactly the flight built alone."""
     if any(isinstance(x, Traced) for x in leaves(pace_of(traced))):
         return False
-    cells, floats = leaves(_trees(traced)), leaves(_trees(plain))
-    there = np.array([evaluated.of(x, row) for x in cells])
+    cells: list[Any] = leaves(_trees(traced))
+    floats = leaves(_trees(plain))
+    there = np.array([x.column[row] if isinstance(x, Traced) else x for x in cells])
     return pace_of(traced) == pace_of(plain) and there.tobytes() == np.array(floats).tobytes()
 
 

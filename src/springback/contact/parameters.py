@@ -18,7 +18,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
-from springback.kernels.tracing import hypot, sqrt
+from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
 from springback.settings import Settings, problem

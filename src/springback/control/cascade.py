@@ -17,7 +17,7 @@ from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.tracing import by_row
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
@@ -107,11 +107,12 @@ def cascade_memory(
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
 
-@by_row
+@traceable
 def _first_target(reference: Any) -> Target:
     return target(reference, 0.0)
 
 
+@traceable
 def _first_built(airframe: Airframe) -> Rarely:
     return Rarely(0.0, _built(airframe, tuple(arm.length for arm in airframe.arms)))
 

@@ -13,7 +13,7 @@ from pydantic import model_validator
 
 from springback.dynamics.gusts import Dryden, NoGusts, dryden, low_altitude
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.tracing import by_row
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec, norm
 from springback.quantities import Speed, Triple, Unit
 from springback.settings import Settings, problem
@@ -165,7 +165,7 @@ class AirSettings(Settings):
         return (linear + 2.0 * self.body_drag * speed) / mass
 
 
-@by_row
+@traceable
 def _turbulence(
     wind: Triple, wind_at_6_m: float, altitude: float, airspeed: float | None, tick: float
 ) -> Dryden:

@@ -1,93 +1,72 @@
 """Tracing scalars: run a plain-Python function once, then evaluate it for many rows of numbers.
 
 A `Traced` number replaces a float.  It computes as a float does, with the value of the first row,
-and its tape records the formula; so any function in plain Python accepts traced numbers.  Where the
-function compares two numbers, it gets the answer of the first row, and the tape records that too:
-the formulas hold for the rows that give the same answers.  Functions that are no formulas, such as
-sines and searches, are marked `by_row`, and called for every row.
+and with those of all rows beside it; so any function in plain Python accepts traced numbers.  Where
+the function compares two numbers, it gets the answer of the first row, and the tape notes which
+rows give the same: the results hold for these.  Functions that are no formulas, such as
+sines and searches, are marked `traceable`, and called for every row.
 
-Every row gets the bits that the function would return for it, as the formulas are evaluated by the
+Every row gets the bits that the function would return for it, as the columns are computed by the
 operations of IEEE 754, one by one, or by the standard library's own functions.
 """
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
 import operator
-from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple, TypeVar
+import struct
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
 
 import numpy as np
+
+from springback.settings import Settings
 
 R = TypeVar("R")
 Column = np.ndarray[Any, np.dtype[np.float64]]
 #: Exceptions of a plain-Python function that asks more of traced numbers than they support: their
-#: hash, say, or their text.
-NO_FORMULA = (TypeError, AttributeError)
-
-
-class Step(NamedTuple):
-    """One recorded operation."""
-
-    many: Callable[..., Any]  # the same on columns
-    operands: tuple[Any, ...]  # traced numbers, or floats
-    outcome: Any  # result of a comparison in the first row; None for a formula
+#: hash, say, their text or bits.
+NO_FORMULA = (TypeError, AttributeError, struct.error)
+_NODES = (tuple, list)
 
 
 class Tape:
-    """Rows of numbers, and the operations recorded on them."""
+    """Rows of numbers on which a function is traced."""
 
     def __init__(self, rows: Column) -> None:
         """Start a tape for rows, shape (rows, columns)."""
-        self._rows = rows
-        self._steps: list[Step] = []
-        self.first = [Traced(self, k, value) for k, value in enumerate(rows[0].tolist())]
+        self.holds = np.ones(len(rows), dtype=bool)
+        """True for rows that give the first row's answers; the others' values are undefined."""
+        self.first = [
+            Traced(self, column, value)
+            for column, value in zip(rows.T, rows[0].tolist(), strict=True)
+        ]
         """Cells for the numbers of the first row."""
 
     def computed(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
-        """Record an operation; returns the traced result, with its value in the first row."""
-        self._steps.append(Step(many, operands, None))
-        return Traced(self, self._rows.shape[1] + len(self._steps) - 1, value)
+        """Result of an operation on columns, with its value in the first row."""
+        return Traced(self, self._evaluated(many, operands), value)
 
     def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
         """Record a comparison; returns its result in the first row."""
-        self._steps.append(Step(many, operands, outcome))
+        self.holds &= self._evaluated(many, operands) == outcome
         return outcome
 
-    def filled(self) -> Evaluated:
-        """Evaluate all formulas for every row."""
-        columns: list[Any] = list(self._rows.T)
-        holds = np.ones(len(self._rows), dtype=bool)
+    def _evaluated(self, many: Callable[..., Any], operands: tuple[Any, ...]) -> Any:
         with np.errstate(all="ignore"):  # rows for which the comparisons differ may overflow
-            for many, operands, outcome in self._steps:
-                given = (columns[x.place] if isinstance(x, Traced) else x for x in operands)
-                columns.append(many(*given))
-                if outcome is not None:
-                    holds &= columns[-1] == outcome
-        return Evaluated(columns, holds)
-
-
-class Evaluated(NamedTuple):
-    """A tape evaluated for all rows."""
-
-    columns: list[Any]
-    holds: Any
-    """True for rows that give the first row's answers, shape (rows,); others are undefined."""
-
-    def of(self, x: Any, rows: Any) -> Any:
-        """Values in some rows: the column of a traced number, or the float itself."""
-        return self.columns[x.place][rows] if isinstance(x, Traced) else x
+            return many(*(x.column if isinstance(x, Traced) else x for x in operands))
 
 
 class Traced:
     """A traced number."""
 
-    __slots__ = ("place", "tape", "value")
+    __slots__ = ("column", "tape", "value")
 
-    def __init__(self, tape: Tape, place: int, value: float) -> None:
-        """Number at a place of a tape, with its value in the first row."""
-        self.tape, self.place, self.value = tape, place, value
+    def __init__(self, tape: Tape, column: Column, value: float) -> None:
+        """Number with its values in all rows of a tape, and in the first."""
+        self.tape, self.column, self.value = tape, column, value
 
     def _with(
         self, other: Any, many: Callable[..., Any], one: Callable[..., Any], turned: bool = False
@@ -177,66 +156,79 @@ def holds(claim: Callable[[Any], Any], x: Any) -> bool:
     return x.tape.guard(claim, bool(claim(x.value)), x)
 
 
-def by_row(function: Callable[..., R]) -> Callable[..., R]:
-    """The same function, which also accepts traced numbers: the tape calls it for every row.
+def traceable(function: Callable[..., R]) -> Callable[..., R]:
+    """The same function; where it is no formula of traced numbers, the tape calls it for every row.
 
-    Arguments and result are trees.  Rows for which it raises a `ValueError`, or returns a tree of
-    other types than for the first, do not hold.
+    Traced numbers may be anywhere in lists, tuples and settings.  The floats of the result, a tree,
+    are traced then.  Rows for which the function raises a `ValueError`, or for which the result
+    differs in more than floats from that of the first, do not hold.
     """
 
     @functools.wraps(function)
     def accepting(*given: Any) -> R:
-        traced = [x for x in _leaves(given) if isinstance(x, Traced)]
-        return _called(function, given, traced) if traced else function(*given)
+        try:
+            return function(*given)
+        except NO_FORMULA:
+            traced = [x for x in _leaves(given) if isinstance(x, Traced)]
+            if not traced:
+                raise
+            result: R = _by_row(function, given, traced)
+            return result
 
     return accepting
 
 
-def _called(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any:
-    """Result of a function of traced numbers; the tape gets one block for all its numbers."""
-    first = function(*_with(given, iter([x.value for x in traced])))
-    numbers, kind = _leaves(first), _kind(first)
-    if not all(type(x) is float for x in numbers):
-        raise TypeError(f"{function.__name__} returns more than numbers")
+def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any:
+    """Result of a function of traced numbers, called for every row that holds."""
 
-    def many(*columns: Column) -> Any:
-        block = np.full((len(numbers) + 1, len(columns[0])), math.nan)
-        for k, row in enumerate(zip(*(column.tolist() for column in columns), strict=True)):
-            try:
-                result = function(*_with(given, iter(row)))
-            except (ValueError, ArithmeticError):
-                continue
-            if _kind(result) == kind:
-                block[:, k] = (*_leaves(result), 1.0)
-        return block
+    def result(numbers: Iterable[float]) -> Any:
+        stream = iter(numbers)
+        return function(*_with(given, lambda x: next(stream) if isinstance(x, Traced) else x))
 
-    tape = traced[0].tape
-    block = tape.computed(many, math.nan, *traced)
-    tape.guard(operator.itemgetter(-1), True, block)
-    places = enumerate(numbers)
-    return _with(
-        first,
-        (tape.computed(operator.itemgetter(k), x, block) for k, x in places),
-        every=True,
+    first, tape = result(x.value for x in traced), traced[0].tape
+    floats, rest = _sorted_leaves(first)
+    if any(isinstance(x, Traced) for x in _leaves(first)):
+        raise TypeError(f"{function.__name__} knows traced numbers that it was not given")
+    rows = zip(*(x.column.tolist() for x in traced), strict=True)
+    block, holds = np.tile(floats, (len(tape.holds), 1)), np.zeros(len(tape.holds), dtype=bool)
+    for k, row in enumerate(rows):
+        with contextlib.suppress(ValueError, ArithmeticError):
+            found, others = _sorted_leaves(result(row)) if tape.holds[k] else ([], None)
+            if others == rest:
+                block[k], holds[k] = found, True
+    tape.holds &= holds
+    bits = block.view(np.int64)  # −0 is not 0
+    differs = iter((bits != bits[0]).any(axis=0).tolist())
+    cells = (
+        Traced(tape, c, x) if next(differs) else x for c, x in zip(block.T, floats, strict=True)
     )
+    return _with(first, lambda x: next(cells) if type(x) is float else x)
+
+
+def _sorted_leaves(tree: Any) -> tuple[list[float], Any]:
+    """Floats of a tree, and the rest: the types in it and what is no float."""
+    if isinstance(tree, tuple):
+        branches = [_sorted_leaves(branch) for branch in tree]
+        floats = [x for found, _ in branches for x in found]
+        return floats, (type(tree), *(rest for _, rest in branches))
+    return ([tree], float) if type(tree) is float else ([], tree)
 
 
 def _leaves(tree: Any) -> list[Any]:
     """Whatever is in a tree, in order."""
-    return [x for branch in tree for x in _leaves(branch)] if isinstance(tree, tuple) else [tree]
+    if isinstance(tree, Settings):
+        tree = tuple(tree.__dict__.values())
+    return [x for part in tree for x in _leaves(part)] if isinstance(tree, _NODES) else [tree]
 
 
-def _kind(tree: Any) -> Any:
-    """Types in a tree."""
-    return (type(tree), *map(_kind, tree)) if isinstance(tree, tuple) else type(tree)
-
-
-def _with(tree: Any, numbers: Iterator[Any], every: bool = False) -> Any:
-    """A tree with others in place of its traced numbers, or of every number."""
-    if isinstance(tree, tuple):
-        branches = [_with(branch, numbers, every) for branch in tree]
-        return type(tree)(*branches) if hasattr(tree, "_fields") else tuple(branches)
-    return next(numbers) if every or isinstance(tree, Traced) else tree
+def _with(tree: Any, leaf: Callable[[Any], Any]) -> Any:
+    """A tree with a function of each of its leaves, in order."""
+    if isinstance(tree, Settings):
+        return tree.with_checked(**{key: _with(part, leaf) for key, part in tree.__dict__.items()})
+    if isinstance(tree, _NODES):
+        parts = [_with(part, leaf) for part in tree]
+        return type(tree)(*parts) if hasattr(tree, "_fields") else type(tree)(parts)
+    return leaf(tree)
 
 
 def sqrt(x: Any) -> Any:
@@ -250,4 +242,4 @@ def sqrt(x: Any) -> Any:
 
 #: Sine, cosine [rad] and length of floats or traced numbers: NumPy may round differently from the
 #: standard library.
-sin, cos, hypot = by_row(math.sin), by_row(math.cos), by_row(math.hypot)
+sin, cos, hypot = traceable(math.sin), traceable(math.cos), traceable(math.hypot)

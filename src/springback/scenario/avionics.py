@@ -20,7 +20,7 @@ from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts, first_gust
 from springback.errors import InputError
 from springback.kernels.memo import Build, uncached
-from springback.kernels.tracing import Traced, by_row
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -162,14 +162,13 @@ def reference_of(
     limits = limits_of(believed, rate_limit)
     ahead = 0.0
     if isinstance(settings, RunUpSettings):  # no other depends on it
-        foremost = by_row(reach) if isinstance(settings.pitch, Traced) else reach
-        ahead = foremost(believed.airframe, point, settings.pitch)
+        ahead = traceable(reach)(believed.airframe, point, settings.pitch)
     with _in_table("reference"):
         given = tuple(settings.__dict__.items())
         return _made_reference(type(settings), given, limits, ahead, advises)
 
 
-@by_row
+@traceable
 def _made_reference(*given: Any) -> Any:
     """Reference of a table, or the problem with it."""
     made = _searched(*given)
@@ -203,8 +202,16 @@ def devices_of(
     if estimator.type == "perfect":
         settings = sensors.with_checked(reveal=True)
     with _in_table("sensors"):
-        devices = settings.devices(tick, vehicle)
-    return Devices(settings, devices, draws_of(devices, vehicle.arm_count))
+        return Devices(settings, *_devices(settings, tick, vehicle))
+
+
+@traceable
+def _devices(
+    settings: SensorSettings, tick: float, vehicle: Vehicle
+) -> tuple[Sensors, tuple[Draw, ...]]:
+    """Sensors, and the schedule of their noise."""
+    devices = settings.devices(tick, vehicle)
+    return devices, draws_of(devices, vehicle.arm_count)
 
 
 def normals_at_start(seed: int, gusts: bool, flight: int = 0) -> list[float]:
@@ -246,7 +253,8 @@ def _estimator(
     """Settings of the estimator, and the estimator built from them."""
     settings = _estimator_settings(given, sensors)
     with _in_table("estimator"):
-        return settings, settings.estimator(_rhythm(sensors, tick), gravity)
+        build = traceable(EstimatorSettings.estimator)
+        return settings, build(settings, _rhythm(sensors, tick), gravity)
 
 
 def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings:
@@ -256,6 +264,7 @@ def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings
     return given.with_checked(feed_forward=isinstance(reference, RunUpSettings))
 
 
+@traceable
 def _schedule(control: ControlSettings, clock: float) -> Schedule:
     try:  # contexts cost more than schedules
         return control.schedule(clock)
@@ -267,6 +276,11 @@ def _schedule(control: ControlSettings, clock: float) -> Schedule:
 def estimate_at(state: State) -> Estimate:
     """The exact estimate of a state."""
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
+
+
+_position_law = traceable(ControlSettings.position_law)
+_attitude_law = traceable(ControlSettings.attitude_law)
+_rate_law = traceable(ControlSettings.rate_law)
 
 
 def cascade_of(
@@ -291,17 +305,18 @@ def cascade_of(
         lift=control.lift_share * most,
         estimator=estimator,
         reference=reference_of(s.reference, believed, control.rate_limit, point, advises),
-        position=control.position_law(believed.mass, gravity, most),
-        attitude=control.attitude_law(),
-        rate=control.rate_law(),
+        position=_position_law(control, believed.mass, gravity, most),
+        attitude=_attitude_law(control),
+        rate=_rate_law(control),
         schedule=schedule,
     )
     at = estimate_at(start)
-    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust)
+    remembered = traceable(EstimatorSettings.memory)(settings, estimator, at)
+    memory = cascade_memory(pilot, remembered, at, model.thrust)
     if s.recovery is None:
         return CompiledPilot(pilot, memory)
     resilient = recovery_pilot(s, pilot, believed)
-    return CompiledPilot(resilient, recovery_pilot_memory(resilient, memory))
+    return CompiledPilot(resilient, traceable(recovery_pilot_memory)(resilient, memory))
 
 
 class CollisionSensing(NamedTuple):
@@ -312,6 +327,7 @@ class CollisionSensing(NamedTuple):
     look: Characterisation
 
 
+@traceable
 def collision_sensing(
     recovery: RecoverySettings,
     vehicle: Vehicle,
@@ -388,13 +404,13 @@ def build_avionics(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=rotors,
-        lag=lag_over(rotors.time_constant, period),
+        lag=traceable(lag_over)(rotors.time_constant, period),
         evaluator=evaluator,
         weather=air.weather,
         mean_wind=air.mean_wind,
         period=period,
     )
-    remembered = sensors_at_start(sensors, start, s.world.gravity)
+    remembered = traceable(sensors_at_start)(sensors, start, s.world.gravity)
     calm = systems._replace(weather=NoGusts(0.0))
     onboard = avionics_at_start(
         calm, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
@@ -404,7 +420,7 @@ def build_avionics(
     return BuiltAvionics(Avionics(systems, onboard), (*devices.noise, air.noise))
 
 
-@by_row
+@traceable
 def _first_gust(weather: Any, normals: tuple[float, ...]) -> Any:
     """Memory of the gust before the first tick."""
     return first_gust(weather, normals).memory

@@ -13,7 +13,7 @@ from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, uncached
-from springback.kernels.tracing import sqrt
+from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
     settle_step,
@@ -188,6 +188,7 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
                 )
 
 
+@traceable
 def reach_of(airframe: Airframe) -> float:
     """Upper bound on the distance of a point from the main body [m], arms uncompressed."""
     cages = [arm.length + arm.cage_radius for arm in airframe.arms]

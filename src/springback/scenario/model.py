@@ -13,7 +13,7 @@ from springback.contact.parameters import Own, obstacles
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
 from springback.kernels.memo import Build, uncached
-from springback.kernels.tracing import sqrt
+from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.quantities import checked
 from springback.scenario.tables import (
@@ -34,6 +34,7 @@ from springback.vehicle.state import Airframe, State
 RING_ROUNDING = 5e-3
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]
+Moments = tuple[tuple[float, ...], ...]
 
 
 # -- thrust ---------------------------------------------------------------------------------------
@@ -75,22 +76,24 @@ class Masses(NamedTuple):
     body: float  # [kg]
     arms: float  # all together [kg]
     whole: float  # [kg]
-    body_inertia: Matrix  # about its centre of mass, body axes [kg m²]
-    whole_inertia: Matrix  # about the main body's, arms at their free length [kg m²]
+    body_inertia: Moments  # about its centre of mass, body axes [kg m²]
+    whole_inertia: Moments  # about the main body's, arms at their free length [kg m²]
 
 
 class TrueBody(NamedTuple):
     """The true main body."""
 
     mass: float  # [kg]
-    inertia: tuple[tuple[float, ...], ...]  # about its centre of mass, body axes [kg m²]
+    inertia: Moments  # about its centre of mass, body axes [kg m²]
 
 
+@traceable
 def masses_of(vehicle: Vehicle) -> Masses:
     """Nominal masses and inertias."""
     arms = sum(vehicle.arms.at("mass", j) for j in range(vehicle.arm_count))
     body = vehicle.body
-    return Masses(body.mass, arms, vehicle.mass, np.array(body.inertia), vehicle.inertia())
+    whole = tuple(map(tuple, vehicle.inertia().tolist()))
+    return Masses(body.mass, arms, vehicle.mass, body.inertia, whole)
 
 
 def true_body(
@@ -105,7 +108,8 @@ def true_body(
         return None
     believed = build(masses_of, vehicle)
     mass = believed.body + (error.mass - 1.0) * believed.whole
-    inertia = believed.body_inertia + (error.inertia - 1.0) * believed.whole_inertia
+    inertia = np.array(believed.body_inertia)
+    inertia = inertia + (error.inertia - 1.0) * np.array(believed.whole_inertia)
     if not mass > 0.0:
         raise problem(
             f"must be more than {1.0 - believed.body / believed.whole:.3g}, the share of "

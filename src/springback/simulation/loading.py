@@ -25,7 +25,7 @@ Leaves = tuple[Sequence[int], Buffer]
 NO_LEAVES: Leaves = ((), np.zeros((1, 0)))
 
 
-class _Columns(NamedTuple):
+class _LaidFlights(NamedTuple):
     """Flights that differ in the same rows of a buffer from one column."""
 
     column: Buffer  # shape (rows,)
@@ -53,8 +53,8 @@ class Loader:
         self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
-        self._flights: list[_Columns] = []
-        self._onboard: list[_Columns] = []
+        self._flights: list[_LaidFlights] = []
+        self._onboard: list[_LaidFlights] = []
 
     def add(
         self,
@@ -76,9 +76,9 @@ class Loader:
             onboard: Leaves of the avionics in which they differ.
         """
         column = flight_column(self._shape, model, start, self.width)
-        self._flights.append(_Columns(column, *flown))
+        self._flights.append(_LaidFlights(column, *flown))
         if avionics is not None:
-            self._onboard.append(_Columns(np.array(leaves(avionics)), *onboard))
+            self._onboard.append(_LaidFlights(np.array(leaves(avionics)), *onboard))
         self.count += len(flown[1])
 
     def laid(self) -> Laid:
@@ -95,7 +95,7 @@ class Loader:
         return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)
 
 
-def _lay(pieces: Sequence[_Columns], buffers: Buffer, width: int) -> None:
+def _lay(pieces: Sequence[_LaidFlights], buffers: Buffer, width: int) -> None:
     """Store flights lane by lane in buffers of shape (groups, rows x width)."""
     lanes: Any = buffers.reshape(len(buffers), -1, width)
     count = 0

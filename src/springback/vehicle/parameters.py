@@ -6,10 +6,10 @@ import math
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator, PlainValidator, model_validator
 
 from springback.errors import shown_value
-from springback.kernels.tracing import hypot, sqrt
+from springback.kernels.tracing import cos, hypot, sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, checked
 from springback.settings import Name, Settings, naming, problem
@@ -22,6 +22,7 @@ MOST_ARMS = 32
 ROUNDING = 1e-9
 
 
+@traceable
 def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     """Three principal moments or a full matrix [kg m²], validated as an inertia."""
     unit = "kg m^2"
@@ -46,6 +47,7 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(row) for row in rows)
 
 
+@traceable
 def check_moments(principal: Any) -> None:
     """Reject principal moments of inertia that no mass distribution has.
 
@@ -87,7 +89,7 @@ class Body(Settings):
     """The main body: everything but the arms."""
 
     mass: Mass
-    inertia: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_inertia)]
+    inertia: Annotated[tuple[tuple[float, ...], ...], PlainValidator(_inertia)]
     """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
 
 
@@ -154,7 +156,7 @@ class Arms(Settings):
         would touch at 34 mm, which its springs do not reach.
         """
         names = f"arms {first + 1} and {second + 1}"
-        cosine = math.cos(self.directions[first] - self.directions[second])
+        cosine = cos(self.directions[first] - self.directions[second])
         if cosine > 1.0 - ROUNDING:
             raise problem(f"of {names} must differ", "directions")
         pair = (first, second)
@@ -279,6 +281,7 @@ class Vehicle(Settings):
                     rates.append(sqrt(self.arms.at("stop_stiffness", j) / m))
         return max(rates)
 
+    @traceable
     def airframe(self) -> Airframe:
         """Numbers for the equations of motion."""
         arms = self.arms
@@ -314,6 +317,7 @@ class Vehicle(Settings):
         return tuple(self.arms.at("length", j) for j in range(self.arm_count))
 
 
+@traceable
 def _distance(here: float, there: float, cosine: float) -> float:
     """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
     square = here**2 + there**2 - 2.0 * here * there * cosine
