@@ -17,7 +17,7 @@ import functools
 import math
 import operator
 import struct
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
 import numpy as np
@@ -180,38 +180,43 @@ def traceable(function: Callable[..., R]) -> Callable[..., R]:
 
 def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any:
     """Result of a function of traced numbers, called for every row that holds."""
-
-    def result(numbers: Iterable[float]) -> Any:
-        stream = iter(numbers)
-        return function(*_with(given, lambda x: next(stream) if isinstance(x, Traced) else x))
-
-    first, tape = result(x.value for x in traced), traced[0].tape
+    fill, tape = _filler(given), traced[0].tape
+    first = function(*fill(iter([x.value for x in traced])))
     floats, rest = _sorted_leaves(first)
-    if any(isinstance(x, Traced) for x in _leaves(first)):
+    if any(isinstance(x, Traced) for x in rest):
         raise TypeError(f"{function.__name__} knows traced numbers that it was not given")
     rows = zip(*(x.column.tolist() for x in traced), strict=True)
     block, holds = np.tile(floats, (len(tape.holds), 1)), np.zeros(len(tape.holds), dtype=bool)
     for k, row in enumerate(rows):
         with contextlib.suppress(ValueError, ArithmeticError):
-            found, others = _sorted_leaves(result(row)) if tape.holds[k] else ([], None)
-            if others == rest:
-                block[k], holds[k] = found, True
+            found = _sorted_leaves(function(*fill(iter(row)))) if tape.holds[k] else ([], [])
+            if found[1] == rest:
+                block[k], holds[k] = found[0], True
     tape.holds &= holds
     bits = block.view(np.int64)  # −0 is not 0
-    differs = iter((bits != bits[0]).any(axis=0).tolist())
-    cells = (
-        Traced(tape, c, x) if next(differs) else x for c, x in zip(block.T, floats, strict=True)
-    )
-    return _with(first, lambda x: next(cells) if type(x) is float else x)
+    differs = (bits != bits[0]).any(axis=0).tolist()
+    cells = [Traced(tape, block[:, k], x) if differs[k] else x for k, x in enumerate(floats)]
+    return _filler(first, float)(iter(cells))
 
 
-def _sorted_leaves(tree: Any) -> tuple[list[float], Any]:
-    """Floats of a tree, and the rest: the types in it and what is no float."""
-    if isinstance(tree, tuple):
-        branches = [_sorted_leaves(branch) for branch in tree]
-        floats = [x for found, _ in branches for x in found]
-        return floats, (type(tree), *(rest for _, rest in branches))
-    return ([tree], float) if type(tree) is float else ([], tree)
+def _sorted_leaves(tree: Any) -> tuple[list[float], list[Any]]:
+    """Floats of a tree, in order, and the rest: types, and leaves that are no floats."""
+    floats: list[float] = []
+    rest: list[Any] = []
+
+    def gather(tree: tuple[Any, ...]) -> None:
+        rest.append(type(tree))
+        for branch in tree:
+            if isinstance(branch, tuple):
+                gather(branch)
+            elif type(branch) is float:
+                floats.append(branch)
+                rest.append(float)
+            else:
+                rest.append(branch)
+
+    gather((tree,))
+    return floats, rest
 
 
 def _leaves(tree: Any) -> list[Any]:
@@ -221,14 +226,18 @@ def _leaves(tree: Any) -> list[Any]:
     return [x for part in tree for x in _leaves(part)] if isinstance(tree, _NODES) else [tree]
 
 
-def _with(tree: Any, leaf: Callable[[Any], Any]) -> Any:
-    """A tree with a function of each of its leaves, in order."""
+def _filler(tree: Any, kind: type = Traced) -> Callable[[Iterator[Any]], Any]:
+    """Function that returns a tree with others in place of its leaves of a kind, in order."""
+    if not any(type(x) is kind for x in _leaves(tree)):
+        return lambda others: tree
     if isinstance(tree, Settings):
-        return tree.with_checked(**{key: _with(part, leaf) for key, part in tree.__dict__.items()})
+        keys = {key: _filler(part, kind) for key, part in tree.__dict__.items()}
+        return lambda others: tree.with_checked(**{k: fill(others) for k, fill in keys.items()})
     if isinstance(tree, _NODES):
-        parts = [_with(part, leaf) for part in tree]
-        return type(tree)(*parts) if hasattr(tree, "_fields") else type(tree)(parts)
-    return leaf(tree)
+        parts = [_filler(part, kind) for part in tree]
+        make: Any = tree._make if hasattr(tree, "_make") else type(tree)
+        return lambda others: make([fill(others) for fill in parts])
+    return next
 
 
 def sqrt(x: Any) -> Any:

@@ -317,10 +317,9 @@ class Vehicle(Settings):
         return tuple(self.arms.at("length", j) for j in range(self.arm_count))
 
 
-@traceable
 def _distance(here: float, there: float, cosine: float) -> float:
     """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
-    square = here**2 + there**2 - 2.0 * here * there * cosine
+    square = here * here + there * there - 2.0 * here * there * cosine
     distance: float = sqrt(max(square, 0.0))
     return distance
 
