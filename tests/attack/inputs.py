@@ -16,7 +16,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Source, plan_from
 from springback.errors import InputError
 from springback.kernels.trees import leaves
@@ -253,7 +253,7 @@ def scenario_text(text: str) -> None:
 def plan_tables(tables: dict[str, Any]) -> None:
     """As `springback campaign --dry-run` does before it asks the database."""
     plan = plan_from(tables, Source("plan.toml", "", ()))
-    design = laid_out(plan)
+    design = lay_out(plan)
     plan.digest()
     dealt = design.slice(0, min(4, design.flights))
     assert len(dealt.tables) == min(4, design.flights)

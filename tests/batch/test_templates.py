@@ -29,7 +29,7 @@ def scattered(robot: str, changes: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Trials with scattered starts and noise."""
     scatter, tables = Scatter(), []
     for k in range(COUNT):
-        tables.append(trial_tables(robot, 0.0, 2.0, scatter.drawn(robot, 0.0, 2.0, k, 0), changes))
+        tables.append(trial_tables(robot, 0.0, 2.0, scatter.draw(robot, 0.0, 2.0, k, 0), changes))
     shared = {name: tables[0][name] for name in ("vehicle", "reference", "recovery", "simulation")}
     return [table | shared for table in tables]
 

@@ -16,7 +16,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import paired_difference, quantile, ranks, share
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal, scale
 from springback.campaign.analysis.statistics import summary
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.errors import InputError
 from springback.interfaces.figures import style
 from springback.interfaces.figures.campaign import (
@@ -201,9 +201,9 @@ def test_a_vehicle_of_ones_own_goes_by_its_name(tmp_path: Path) -> None:
     arq = springback.ARQ.vehicle.model_dump(mode="json")
     for named, shown in (("hexa", "hexa"), ("", "own")):
         mine = {**arq, "name": named} if named else {k: v for k, v in arq.items() if k != "name"}
-        design = laid_out(plan(scenario={**THROW, "vehicle": mine}, robots=[]))
+        design = lay_out(plan(scenario={**THROW, "vehicle": mine}, robots=[]))
         assert design.robots == (shown,)
     preset = {"preset": "arq", "name": "softer"}
-    assert laid_out(plan(scenario={**THROW, "vehicle": preset}, robots=[])).robots == ("softer",)
+    assert lay_out(plan(scenario={**THROW, "vehicle": preset}, robots=[])).robots == ("softer",)
     filled(tmp_path / "rows", scenario={**THROW, "vehicle": preset}, robots=[])
     assert summary(Campaign(tmp_path / "rows")).robots[0].robot == "softer"

@@ -17,9 +17,9 @@ from builders.campaign_folders import filled, rows
 from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.manifest import Part
-from springback.campaign.store import opened
+from springback.campaign.store import open_store
 from springback.errors import InputError
 from springback.files import atomic_file
 from springback.results.database import in_database, locked
@@ -92,7 +92,7 @@ def test_conditions_are_one_expression_over_the_columns(
     text = condition.format(target=tmp_path / "target", secret=tmp_path / "secret")
     given = {"success": text} if entry == "success" else {"keep": {"where": text, "most": 1}}
     with pytest.raises(InputError, match=entry):
-        check_conditions(laid_out(plan(**given)))
+        check_conditions(lay_out(plan(**given)))
     assert [path.name for path in tmp_path.iterdir()] == ["secret"]
 
 
@@ -165,7 +165,7 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
     entered(tmp_path / "d", Part(30, 40, file, 13, ""))
     for ask in (
         lambda: Campaign(tmp_path / "d"),
-        lambda: opened(tmp_path / "d", design, resume=True).__enter__(),
+        lambda: open_store(tmp_path / "d", design, resume=True).__enter__(),
     ):
         with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a ledger"):
             ask()
@@ -247,7 +247,7 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
     with pytest.raises(InputError, match=name) as told:
         all_said(tmp_path)
     assert "\n" not in str(told.value)
-    with pytest.raises(InputError, match=name), opened(tmp_path, design, resume=True):
+    with pytest.raises(InputError, match=name), open_store(tmp_path, design, resume=True):
         store.stored_plan(tmp_path)
 
 

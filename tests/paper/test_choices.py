@@ -64,7 +64,7 @@ def test_the_papers_flights_have_the_papers_friction() -> None:
         scenario = scenario_from(run_up_scenario(robot, 0.0, 2.0))
         surface = scenario.world.obstacles[0].surface
         assert (surface.friction_axes, surface.friction) == ("vertical", 0.8)
-        trial = scenario_from(trial_tables(robot, 0.0, 2.0, Scatter().drawn(robot, 0.0, 2.0, 0, 0)))
+        trial = scenario_from(trial_tables(robot, 0.0, 2.0, Scatter().draw(robot, 0.0, 2.0, 0, 0)))
         assert trial.world.obstacles[0].surface.friction_axes == "vertical"
 
 
@@ -89,7 +89,7 @@ def test_a_preset_leaves_what_it_does_not_say_to_the_user() -> None:
 
 
 def test_a_preset_flies_the_same_alone_and_among_many() -> None:
-    tables = trial_tables("arq", 0.0, 2.0, Scatter().drawn("arq", 0.0, 2.0, 0, 0), NOISE)
+    tables = trial_tables("arq", 0.0, 2.0, Scatter().draw("arq", 0.0, 2.0, 0, 0), NOISE)
     alone, many = fly(tables, trajectory=False), fly_scenarios([tables])
     for name in ("recovery_time", "height_loss", "impact_peak_acceleration"):
         assert many.measures[name][0] == alone.measures[name]

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from springback.batch.scenarios import REFUSED
 from springback.campaign.analysis.envelope import Axis, Envelope, EnvelopeCell, Place
 from springback.campaign.cost_estimate import kinds_of
-from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan, ScatterSettings, Source, Vary
 from springback.campaign.design.targets import NAMES, field_path
 from springback.campaign.flying import rows
@@ -84,7 +84,7 @@ class EnvelopePlan(NamedTuple):
 class _Words(Source):
     """The words of a command, which problems of its campaign are blamed on."""
 
-    def blamed(self, path: Sequence[str | int], what: str) -> str:
+    def problem_line(self, path: Sequence[str | int], what: str) -> str:
         """A problem in one line, with short names of fields."""
         for name in ("speed", "pitch"):
             what = what.replace(f"{dotted(NAMES[name])}:", f"{name}:")
@@ -138,7 +138,7 @@ def plan_envelope(
         repeats=trials, vary=(first, second), scatter=ScatterSettings(**Scatter()._asdict()),
     )  # fmt: skip
     try:
-        design = laid_out(plan, _Words(overrides=(first.field, second.field)))
+        design = lay_out(plan, _Words(overrides=(first.field, second.field)))
     except InputError as error:
         raise InputError(error.problems[0]) from None
     if design.flights > MOST_FLIGHTS:

@@ -58,7 +58,7 @@ def _digest(path: Path, changed: int, size: int) -> str:
     return file_digest(path)
 
 
-def damaged(parts: Iterable[Part], folder: Path) -> list[Part]:
+def damaged_parts(parts: Iterable[Part], folder: Path) -> list[Part]:
     """Parts that are not as they were written: all bytes are read, on as many cores as there are.
 
     Args:
@@ -189,6 +189,6 @@ def missing(parts: Iterable[Part], flights: int, chunk: int) -> list[tuple[int, 
     return found
 
 
-def held(parts: Sequence[Part]) -> int:
+def flight_count(parts: Sequence[Part]) -> int:
     """Number of flights in parts."""
     return sum(part.last - part.first for part in parts)

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 from springback.batch.scenarios import GPU_BLOCK, Device
 from springback.campaign.access import Campaign, check_conditions
-from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows
-from springback.campaign.store import Store, changed_versions, opened
+from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
 from springback.scenario.user_pilots import as_written
@@ -147,7 +147,7 @@ def run_campaign(
     """
     if not isinstance(plan, Plan | Design):
         raise InputError(f"plan must be a springback.Plan (got {as_written(plan)})")
-    design = plan if isinstance(plan, Design) else laid_out(plan)
+    design = plan if isinstance(plan, Design) else lay_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"
     wanted = _at_least_one("chunk", chunk, GPU_CHUNK if on_gpu else CHUNK)
@@ -156,7 +156,7 @@ def run_campaign(
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
     team = _team(scheduler, crew, device, tls, say)
-    with team as fly, opened(folder, design, resume=resume) as store:
+    with team as fly, open_store(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
@@ -197,9 +197,9 @@ def _team(
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
-    from springback.campaign.cluster import connected, fly_on_cluster
+    from springback.campaign.cluster import cluster_client, fly_on_cluster
 
-    with connected(scheduler, tls, remark) as client:
+    with cluster_client(scheduler, tls, remark) as client:
         yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
 
 

@@ -18,11 +18,11 @@ from springback.studies.ablation import (
     ROBOTS,
     Ablation,
     Changes,
-    changed_vehicle,
     degrees,
     same,
     surface_of,
     thrust,
+    vehicle_changes,
 )
 from springback.studies.trials import Condition, Trial, fly_trials
 
@@ -46,11 +46,11 @@ CHANGES = (
     Ablation("range", "accelerometer of 200 g", same(LARGE_RANGE)),
     Ablation("friction", "friction along both tangents", same(surface_of(axes="both"))),
     Ablation("compliance", "ARQ's arms locked",
-            changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
+            vehicle_changes({"arms": {"compliant": False}}), ("arq",)),
     Ablation("rate limit", "rate limit 110 deg/s", same(degrees(110.0))),
     Ablation("thrust", "rotors 15 % weaker", thrust(0.85)),
     Ablation("lag", "rotors lag 60 ms",
-            changed_vehicle({"propulsion": {"time_constant": 0.06}})),
+            vehicle_changes({"propulsion": {"time_constant": 0.06}})),
     Ablation("look", "looking for 50 ms first",
             same({"recovery": {"characterisation": {"window": 0.05}}})),
 )  # fmt: skip

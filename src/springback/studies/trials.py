@@ -37,7 +37,7 @@ class Scatter(NamedTuple):
     inertia: float = 0.05  # true over believed
     gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
 
-    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
+    def draw(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
         """What one trial is dealt.  It depends on these words alone, in whatever order they fly.
 
         Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
@@ -204,7 +204,7 @@ def fly_trials(
 def _tables(condition: Condition, scatter: Scatter, number: int, seed: int) -> dict[str, Any]:
     """The scenario of a trial of a condition."""
     robot, pitch, speed, changes = condition
-    noise_stream = scatter.drawn(robot, pitch, speed, number, seed)
+    noise_stream = scatter.draw(robot, pitch, speed, number, seed)
     return trial_tables(robot, pitch, speed, noise_stream, changes)
 
 

@@ -188,7 +188,7 @@ class Plan(Settings):
     @classmethod
     def in_words(cls, error: ValidationError) -> list[str]:
         """The problems of a plan made in Python, one line each."""
-        return [Source().blamed(*_named(*found)) for found in problem_paths(error)]
+        return [Source().problem_line(*_named(*found)) for found in problem_paths(error)]
 
     def canonical(self) -> str:
         """The plan as JSON, the same text for the same plan."""
@@ -210,7 +210,7 @@ class Source:
         """Of a file, its text and overriding words; of nothing if the plan was made in Python."""
         self.name, self.text, self.overrides = name, text, tuple(overrides)
 
-    def blamed(self, path: Sequence[str | int], what: str) -> str:
+    def problem_line(self, path: Sequence[str | int], what: str) -> str:
         """A problem in one line."""
         keys = tuple("from" if key == FROM else key for key in path)
         said = f"{dotted(keys)}: {what}" if keys else what
@@ -256,11 +256,13 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
     Raises:
         InputError: One line for each problem.
     """
-    blamed = (source or Source()).blamed
+    problem_line = (source or Source()).problem_line
     try:
         return Plan.model_validate(given)
     except ValidationError as error:
-        raise InputError(*(blamed(*_named(*found)) for found in problem_paths(error))) from None
+        raise InputError(
+            *(problem_line(*_named(*found)) for found in problem_paths(error))
+        ) from None
 
 
 def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
@@ -293,6 +295,6 @@ def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
         there = False
     if not there:
         what = f"there is no file {shortened(str(path))}"
-        raise InputError(source.blamed(("scenario",), what))
+        raise InputError(source.problem_line(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
     return toml_tables(source_text(path), str(path))

@@ -159,7 +159,7 @@ def _shifted(entry: Mapping[str, Any], distance: float) -> dict[str, Any]:
 # -- changes of what is there ---------------------------------------------------------------------
 
 
-def added(path: Path) -> Place:
+def addition(path: Path) -> Place:
     """Add a value to the number at a path within a table."""
 
     def place(table: Any, value: float) -> Any:
@@ -168,7 +168,7 @@ def added(path: Path) -> Place:
     return place
 
 
-def multiplied(path: Path) -> Place:
+def multiplication(path: Path) -> Place:
     """Multiply the number at a path within a table by a value."""
 
     def place(table: Any, value: float) -> Any:

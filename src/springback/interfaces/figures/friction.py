@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
 from springback.interfaces.output.robots import INK, ROBOTS, SKY
-from springback.studies.clipping import Hidden
+from springback.studies.clipping import ClippingLoss
 from springback.studies.friction import PRINTED_FRICTION, FrictionResults
 
 PANELS = (("stroke", "Stroke of an arm [mm]", 1e3), ("peak", "Peak acceleration [m/s²]", 1.0))
@@ -74,7 +74,7 @@ def friction_figure(results: FrictionResults) -> Figure:
 
 
 @styled
-def hidden_figure(found: Sequence[Hidden]) -> Figure:
+def hidden_figure(found: Sequence[ClippingLoss]) -> Figure:
     """Velocity hidden by clipping over the speed of the impact, both robots."""
     figure = StyledFigure(figsize=(WIDTH, 2.9), layout="constrained")
     chart = Chart(figure.subplots(), "Speed at contact [m/s]", "Hidden by ±16 g [m/s]")

@@ -36,10 +36,10 @@ def choices_content(results: ResilienceResults) -> Content:
             TableCell(f"{one.plausible} of {one.numbers}", one.plausible),
             TableCell(f"{one.words} of {one.phrases}", one.words),
         )
-        for one in (found.agreement(*flown) for flown in found.flown)
+        for one in (found.agreement(*flown) for flown in found.combinations)
     ]  # fmt: skip
     best = found.best()
-    columns = [one for one in found.flown if one[0].friction == best.choice.friction]
+    columns = [one for one in found.combinations if one[0].friction == best.choice.friction]
     fates: list[Sequence[Entry]] = [("", *(choice.estimator for choice, _ in columns))]
     for of in ((robot, *test) for robot in ROBOTS for test in ORDER):
         outcomes = (_fate(found.table(*one).get(of)) for one in columns)

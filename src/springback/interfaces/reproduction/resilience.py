@@ -41,7 +41,7 @@ from springback.paper.resilience import (
     SLOWEST,
     ResilienceResults,
     Tally,
-    asked_extremes,
+    command_extremes,
     motion,
     rate_mark,
     wilson,
@@ -153,7 +153,7 @@ def _answer(results: ResilienceResults) -> Content:
     ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
     return {
         "conditions": len({t[1:3] for t in tallies}), "trials": results.trials,
-        "fast": FASTEST[1], "verdict": _verdict(tallies, results.chosen()),
+        "fast": FASTEST[1], "verdict": _verdict(tallies, results.ekf2_conditions()),
         "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed(STEEPEST),
         "good": SUCCESS_WORDS["quad", *SLOW], "drops": SUCCESS_WORDS["quad", STEEPEST, SLOW[1]],
         "least": signed(min(gentle)), "most": signed(max(gentle)),
@@ -233,7 +233,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
         "orientation": resilience.side_figure([sample]),
     }  # fmt: skip
     content["up"], content["down"] = (signed(value) for value in RECOVERY_PITCH)
-    if (aimed := asked_extremes(sample.flight, "aimed_pitch")) is not None:
+    if (aimed := command_extremes(sample.flight, "aimed_pitch")) is not None:
         content["asked_up"] = _row(rows, "pitch asked for, nose up")
         content["asked_down"] = _row(rows, "pitch asked for, nose down")
         content["aimed_up"], content["aimed_down"] = aimed
@@ -334,7 +334,7 @@ def _energy(results: ResilienceResults) -> Content:
 
 
 def _repeated(results: ResilienceResults) -> Content:
-    arq, quad = results.repeated("arq"), results.repeated("quad")
+    arq, quad = results.repeats_of("arq"), results.repeats_of("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
     lines: list[Sequence[Entry]] = []
     for repeat in results.repeats:

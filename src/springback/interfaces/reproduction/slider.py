@@ -255,7 +255,7 @@ def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry
     """Counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
     gaps, lines = _gaps(results), list[Sequence[Entry]]()
     for reading in (r for r in results.readings if r.name in names):
-        rows = results.counted(reading.name)
+        rows = results.unique_rows(reading.name)
         known = [abs(row.deviation) for row in rows if row.deviation is not None]
         near = (sum(deviation <= share for deviation in known) for share in NEAR)
         gap = gaps.get(reading.name)

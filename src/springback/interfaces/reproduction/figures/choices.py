@@ -29,7 +29,7 @@ def signed(degrees: float) -> str:
 @styled
 def choices_figure(results: ChoiceResults) -> Figure:
     """Recovered of all trials, a row for each set of choices, and what is printed on top."""
-    sets = results.flown
+    sets = results.combinations
     several = len({duration for _, duration in sets}) > 1
     labels = ["printed", *(
         f"{choice.name}{f', {duration:g} s' if several else ''}" for choice, duration in sets

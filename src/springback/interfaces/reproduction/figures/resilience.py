@@ -258,7 +258,7 @@ def _poses(chart: Chart, sample: Sample, curves: dict[str, Array], scale: Normal
 @styled
 def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     """Collision after collision without landing; the first second of the first one on the right."""
-    flight = next(r.flight for r in results.repeated(robot) if r.flight is not None)
+    flight = next(r.flight for r in results.repeats_of(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
     figure = StyledFigure(figsize=(WIDTH, 3.5))
     axes = figure.subplots(2, 2, sharex="col", sharey="row", width_ratios=(2.6, 1.0))
