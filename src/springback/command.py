@@ -20,7 +20,7 @@ def run() -> None:
         from springback.interfaces.output import interrupts
 
         try:
-            interrupts.listen()
+            interrupts.install_handler()
             from springback.interfaces.cli.app import main
 
             main()
@@ -28,10 +28,10 @@ def run() -> None:
         except SystemExit as done:
             code = done.code
         except BaseException:
-            if not interrupts.came():
+            if not interrupts.occurred():
                 raise
-            interrupts.deafen()
-            _last(interrupts.words())
+            interrupts.ignore()
+            _last(interrupts.message())
             code = 130
     except KeyboardInterrupt:  # while it was being loaded, or being answered
         _last("interrupted; nothing was written")

@@ -37,7 +37,7 @@ class InputError(ValueError):
             path: Keys and indices of the value at fault, where it is known and the lines do not
                 name it yet.
         """
-        shown = tuple(shortened(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
+        shown = tuple(excerpt(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
         left = len(problems) - len(shown)
         self.problems = (*shown, f"and {left} more problems") if left else shown
         self.path = path
@@ -96,7 +96,7 @@ def plain(text: str, *, keep: str = "") -> str:
     )
 
 
-def shortened(text: str, most: int = 2 * LONGEST_VALUE) -> str:
+def excerpt(text: str, most: int = 2 * LONGEST_VALUE) -> str:
     """Text as a message quotes it: its beginning, where it is long."""
     return text if len(text) <= most else f"{text[: most - 3]}..."
 
@@ -112,4 +112,4 @@ def shown_value(value: object) -> str:
         text = repr(value)
     except (RecursionError, ValueError):  # nested too deep, or whole numbers too long to write
         text = f"a {type(value).__name__} that is too deep or too long to show"
-    return shortened(text, LONGEST_VALUE)
+    return excerpt(text, LONGEST_VALUE)

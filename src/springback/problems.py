@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from pydantic import ValidationError
 
-from springback.errors import shortened, shown_value
+from springback.errors import excerpt, shown_value
 
 #: Tables of which there are several kinds, by the name of the key that holds them.
 _KINDS = {
@@ -20,7 +20,7 @@ _KINDS = {
 _INDEX = re.compile(r"[0-9]{1,6}")
 
 
-def _listed(words: Sequence[str]) -> str:
+def _choice(words: Sequence[str]) -> str:
     return f"{', '.join(words[:-1])} or {words[-1]}"
 
 
@@ -46,10 +46,10 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
         elif detail["type"] == "missing":
             message = "is missing"
         elif detail["type"] == "union_tag_not_found":
-            path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
+            path, message = (*path, "type"), f"is missing; {_choice(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {shown_value(tag)})"
+            path, message = (*path, "type"), f"must be {_choice(kinds)} (got {shown_value(tag)})"
         elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
             message = f"must be a table (got {shown_value(detail['input'])})"
         elif detail["type"] == "tuple_type":
@@ -70,10 +70,10 @@ def key_path(text: str) -> tuple[str | int, ...]:
     return tuple(int(word) if _INDEX.fullmatch(word) else word for word in words)
 
 
-def dotted(path: tuple[str | int, ...]) -> str:
+def dotted_path(path: tuple[str | int, ...]) -> str:
     """``world.obstacles[0].distance`` of a path."""
     text = ""
     for key in path:
-        part = key if isinstance(key, int) else shortened(key)
+        part = key if isinstance(key, int) else excerpt(key)
         text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
     return text

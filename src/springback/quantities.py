@@ -47,7 +47,7 @@ def number_in(text: str, unit: str, *, bare: bool = False) -> float:
         raise problem(f"{error} (got {shown_value(text)}); expected {wanted}") from None
 
 
-def checked(
+def si_number(
     value: Any,
     unit: str,
     *,
@@ -80,16 +80,16 @@ def checked(
         if unit == "rad" and abs(number) > FULL_TURN:
             raise problem(_beyond_a_turn(value, number))
         return number
-    given = shown_value(value) if isinstance(value, str) else _shown(number, unit)
+    given = shown_value(value) if isinstance(value, str) else _text(number, unit)
     bounds = [
         ("finite", math.isfinite(number)),
-        (f"more than {_shown(above, unit)}", above is None or number > above),
-        (f"at least {_shown(least, unit)}", least is None or number >= least),
-        (f"at most {_shown(most, unit)}", most is None or number <= most),
+        (f"more than {_text(above, unit)}", above is None or number > above),
+        (f"at least {_text(least, unit)}", least is None or number >= least),
+        (f"at most {_text(most, unit)}", most is None or number <= most),
     ]
     bounds += [
-        (f"at most {_shown(LARGEST, unit)} in size", abs(number) <= LARGEST),
-        (f"0, or at least {_shown(SMALLEST, unit)} in size", is_sizeable(number)),
+        (f"at most {_text(LARGEST, unit)} in size", abs(number) <= LARGEST),
+        (f"0, or at least {_text(SMALLEST, unit)} in size", is_sizeable(number)),
     ]
     broken = [claim for claim, holds in bounds if not holds]
     raise problem(f"must be {broken[0]} (got {given})")
@@ -119,7 +119,7 @@ def _float(value: float) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-def _shown(number: float | None, unit: str) -> str:
+def _text(number: float | None, unit: str) -> str:
     return "" if number is None else f"{number:g} {unit}".strip()
 
 
@@ -142,7 +142,7 @@ class Unit:
         Raises:
             The problem, with what was given, its unit and the allowed range.
         """
-        return checked(value, self.unit, above=self.above, least=self.least, most=self.most)
+        return si_number(value, self.unit, above=self.above, least=self.least, most=self.most)
 
     def _three(self, value: Any) -> tuple[float, ...]:
         if not isinstance(value, list | tuple) or len(value) != 3:

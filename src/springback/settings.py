@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 from pydantic import AfterValidator, BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from springback.errors import InputError, shortened, shown_value
-from springback.problems import dotted, problem_paths
+from springback.errors import InputError, excerpt, shown_value
+from springback.problems import dotted_path, problem_paths
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
@@ -25,7 +25,7 @@ LIKE = 0.6
 SHORTEST = 3
 
 
-def meant(word: str, known: Iterable[str]) -> str:
+def nearest_name(word: str, known: Iterable[str]) -> str:
     """The known name that a word stands for, as far as one can tell; else empty.
 
     Args:
@@ -91,7 +91,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
     def in_words(cls, error: ValidationError) -> list[str]:
         """The problems of a table, one line each: the key, and what is wrong with its value."""
         found = problem_paths(error)
-        return [f"{dotted(path)}: {what}" if path else what for path, what in found]
+        return [f"{dotted_path(path)}: {what}" if path else what for path, what in found]
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """A copy with some keys changed, which are checked as those of a file are.
@@ -128,7 +128,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
         if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
                 if key not in fields:
-                    near = meant(str(key), fields)
+                    near = nearest_name(str(key), fields)
                     hint = f"did you mean {near}?" if near else f"known keys: {', '.join(fields)}"
-                    raise problem(f"unknown key; {hint}", shortened(str(key)))
+                    raise problem(f"unknown key; {hint}", excerpt(str(key)))
         return given

@@ -200,12 +200,12 @@ def read_number(text: str, unit: str, *, bare: bool = False) -> float:
         raise UnitError("has the wrong unit")
     if number.lstrip("+-")[0] in "iInN":
         return float(number)
-    value = _rounded(Fraction(number) * scale.size / target.size)
+    value = _shortest(Fraction(number) * scale.size / target.size)
     degrees = scale.degrees - target.degrees
     return value * DEGREE ** float(degrees) if degrees else value
 
 
-def _rounded(exact: Fraction) -> float:
+def _shortest(exact: Fraction) -> float:
     try:
         return float(exact)
     except OverflowError:

@@ -40,7 +40,7 @@ from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.results.parquet import write_parquet
 from springback.results.saved import read_result
-from springback.results.sealed_json import SEAL, sealed
+from springback.results.sealed_json import SEAL, with_digest
 
 SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "telemetry.parquet"
 PART = manifest.file_of(10)
@@ -125,7 +125,7 @@ def _without(node: Any, path: tuple[str | int, ...]) -> Any:
 def _sealed(tables: Any) -> Any:
     """With a digest that fits, where anything can have one."""
     try:
-        return sealed({key: value for key, value in tables.items() if key != SEAL})
+        return with_digest({key: value for key, value in tables.items() if key != SEAL})
     except (AttributeError, TypeError, ValueError):
         return tables
 

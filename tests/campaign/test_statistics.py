@@ -23,7 +23,7 @@ from springback.interfaces.figures.campaign import (
     field_map_figure,
     marginals_figure,
     round_ticks,
-    written,
+    tick_label,
 )
 from springback.interfaces.reports.campaign import summary_text
 from springback.interfaces.reports.campaign_page import words_of_map
@@ -193,7 +193,7 @@ def test_logarithmic_axes_have_round_ticks(low: float, high: float, ticks: list[
 def test_ticks_are_written_out() -> None:
     values = [0.002, 0.5, 20.0, 300.0, 3000.0, 20000.0, 1e6, 2e6]
     words = ["0.002", "0.5", "20", "300", "3000", "20000", "$10^{6}$", r"$2 \cdot 10^{6}$"]
-    assert [written(value) for value in values] == words
+    assert [tick_label(value) for value in values] == words
 
 
 def test_a_vehicle_of_ones_own_goes_by_its_name(tmp_path: Path) -> None:

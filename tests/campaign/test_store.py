@@ -22,7 +22,7 @@ from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import Part, missing
 from springback.campaign.store import open_store
 from springback.errors import InputError
-from springback.results.sealed_json import sealed
+from springback.results.sealed_json import with_digest
 
 
 def names(folder: Path) -> set[str]:
@@ -193,7 +193,7 @@ def rewrite(folder: Path, versions: dict[str, str] | None = None, **changes: Any
     """Have campaign.json say something else, as if it had been begun so."""
     about = json.loads((folder / store.ABOUT).read_text()) | changes
     about["versions"] |= versions or {}
-    (folder / store.ABOUT).write_text(json.dumps(sealed(about)))
+    (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
 
 
 def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Path) -> None:

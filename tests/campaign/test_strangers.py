@@ -22,8 +22,8 @@ from springback.campaign.manifest import Part
 from springback.campaign.store import open_store
 from springback.errors import InputError
 from springback.files import atomic_file
-from springback.results.database import in_database, locked
-from springback.results.sealed_json import sealed
+from springback.results.database import in_database, sandbox
+from springback.results.sealed_json import with_digest
 
 # -- SQL ------------------------------------------------------------------------------------------
 
@@ -111,7 +111,7 @@ def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
         about = json.loads((folder / store.ABOUT).read_text())
         about["plan_sha256"] = plan_from(given).digest()
         about["plan_file_sha256"] = store.hashlib.sha256(data).hexdigest()
-        (folder / store.ABOUT).write_text(json.dumps(sealed(about)))
+        (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
         campaign = Campaign(folder)
         if not parts:
             with pytest.raises(InputError, match="success: must be one condition"):
@@ -124,7 +124,7 @@ def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
 
 
 def test_the_lock_holds_for_what_is_written_too(tmp_path: Path) -> None:
-    connection = locked(folders=[tmp_path / "a"])
+    connection = sandbox(folders=[tmp_path / "a"])
     (tmp_path / "a").mkdir()
 
     def write(opened: Any) -> None:
@@ -181,7 +181,7 @@ def test_a_ledgers_numbers_are_numbers(tmp_path: Path, first: Any, last: Any) ->
         "last": last,
     }
     with (tmp_path / manifest.NAME).open("a") as file:
-        file.write(json.dumps(sealed(data)) + "\n")
+        file.write(json.dumps(with_digest(data)) + "\n")
     with pytest.raises(InputError, match=r":4: is not a line of a ledger"):
         Campaign(tmp_path)
 

@@ -31,7 +31,7 @@ from springback.paper.choices import (
 )
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS
 from springback.results.flight import fly
-from springback.scenario.presets import expanded
+from springback.scenario.presets import expand_presets
 from springback.scenario.scenario import scenario_from
 from springback.sensing.library import ESTIMATORS, PX4_EKF2, SOURCES
 from springback.studies.run_ups import CONDITIONS, run_up_scenario
@@ -81,11 +81,11 @@ def test_the_preset_of_ekf2_has_its_published_defaults() -> None:
 
 def test_a_preset_leaves_what_it_does_not_say_to_the_user() -> None:
     tables = {"estimator": {"preset": "px4-ekf2", "kalman": {"inflation": 10.0}}}
-    told = expanded(tables)["estimator"]["kalman"]
+    told = expand_presets(tables)["estimator"]["kalman"]
     assert (told["inflation"], told["position_noise"]) == (10.0, 0.1)
     assert "offset" not in told  # which the sensors know better
     with pytest.raises(InputError, match=r"unknown estimator preset 'px4-ekf'.*did you mean"):
-        expanded({"estimator": "px4-ekf"})
+        expand_presets({"estimator": "px4-ekf"})
 
 
 def test_a_preset_flies_the_same_alone_and_among_many() -> None:

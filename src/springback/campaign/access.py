@@ -27,11 +27,11 @@ from springback.files import atomic_file, json_text, write_atomically
 from springback.results.database import (
     in_database,
     in_one_line,
-    locked,
+    literal,
     one_expression,
     one_select,
     parquet,
-    quoted,
+    sandbox,
 )
 from springback.results.flight import Flight, fly
 from springback.results.parquet import write_parquet
@@ -132,7 +132,7 @@ class Campaign:
             with in_words():
                 return found(connection.execute(sql, list(parameters)))
 
-        return in_database(ask, locked([*files, *writes]))
+        return in_database(ask, sandbox([*files, *writes]))
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
         """Ask in SQL; the table is ``flights``.
@@ -198,7 +198,7 @@ class Campaign:
         path.parent.mkdir(parents=True, exist_ok=True)
         with atomic_file(path) as draft:
             copy = (
-                f"COPY (\n{select}\n) TO {quoted(str(draft))} "
+                f"COPY (\n{select}\n) TO {literal(str(draft))} "
                 "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
             )
             return self._asked(copy, (), lambda found: int(found.fetchone()[0]), [draft])

@@ -13,7 +13,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from springback.errors import InputError
-from springback.results.sealed_json import SEAL, file_digest, is_sealed, sealed
+from springback.results.sealed_json import SEAL, file_digest, is_sealed, with_digest
 
 NAME, PARTS = "ledger.jsonl", "parts"
 
@@ -155,7 +155,7 @@ def append(path: Path, part: Part) -> None:
     with path.open("ab") as file:
         size = file.tell()
         try:
-            file.write(json.dumps(sealed(asdict(part))).encode() + b"\n")
+            file.write(json.dumps(with_digest(asdict(part))).encode() + b"\n")
             file.flush()
             os.fsync(file.fileno())
         except OSError:

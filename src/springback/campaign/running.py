@@ -20,7 +20,7 @@ from springback.campaign.flying import Chunk, ChunkRows
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
-from springback.scenario.user_pilots import as_written
+from springback.scenario.user_pilots import source_text
 
 if TYPE_CHECKING:
     from springback.campaign.cluster import Tls
@@ -146,7 +146,7 @@ def run_campaign(
             were kept stay, and ``resume`` goes on from them.
     """
     if not isinstance(plan, Plan | Design):
-        raise InputError(f"plan must be a springback.Plan (got {as_written(plan)})")
+        raise InputError(f"plan must be a springback.Plan (got {source_text(plan)})")
     design = plan if isinstance(plan, Design) else lay_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"

@@ -34,10 +34,10 @@ from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import PARTS, file_of
 from springback.errors import InputError
 from springback.files import DRAFT, atomic_file, json_text, write_atomically
-from springback.results.database import named, one_expression
+from springback.results.database import identifier, one_expression
 from springback.results.parquet import write_parquet
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.results.sealed_json import file_digest, is_sealed, read_object, sealed
+from springback.results.sealed_json import file_digest, is_sealed, read_object, with_digest
 from springback.simulation.measures import MEASURES
 from springback.version import __version__
 
@@ -177,9 +177,9 @@ def arrays(columns: Columns, design: Design) -> dict[str, Any]:
 
 def rows_of(design: Design) -> str:
     """The rows of a campaign in SQL, from columns as they were flown."""
-    head = ", ".join(named(name) for name in (*HEAD, *design.units))
+    head = ", ".join(identifier(name) for name in (*HEAD, *design.units))
     measures = ", ".join(
-        f"nullif({named(name)}, 'NaN'::DOUBLE) AS {named(name)}"
+        f"nullif({identifier(name)}, 'NaN'::DOUBLE) AS {identifier(name)}"
         for name in (MEASURES | RECOVERY_MEASURES)
     )
     flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
@@ -189,7 +189,7 @@ def rows_of(design: Design) -> str:
         raise InputError(f"success: {error}") from None
     won = f"CASE WHEN outcome <> 'refused' THEN {condition} END"
     success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
-    rest = ", ".join(named(name) for name in (MEASURES | RECOVERY_MEASURES))
+    rest = ", ".join(identifier(name) for name in (MEASURES | RECOVERY_MEASURES))
     return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
 
 
@@ -297,7 +297,7 @@ def _begin(folder: Path, design: Design) -> None:
         "units": design.units, "scenarios_sha256": design.digest,
         "scenarios": dict(zip(design.robots, design.full_scenarios, strict=True)),
     }  # fmt: skip
-    write_atomically(folder / ABOUT, json_text(sealed(about)), durable=True)
+    write_atomically(folder / ABOUT, json_text(with_digest(about)), durable=True)
 
 
 def _cpu() -> str:

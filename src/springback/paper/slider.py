@@ -27,7 +27,7 @@ from springback.paper.printed import (
     PrintedImpact,
 )
 from springback.results.flight import Flight, fly
-from springback.scenario.files import overridden
+from springback.scenario.files import apply_overrides
 from springback.scenario.presets import vehicle_table
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 from springback.vehicle.parameters import Vehicle
@@ -63,7 +63,7 @@ class Interpretation:
     def arms_mass(self) -> float:
         """Mass of all arms [kg]."""
         own = [word for word in self.overrides if word.startswith("vehicle.")]
-        tables = overridden({"vehicle": {"preset": self.vehicle}}, own)
+        tables = apply_overrides({"vehicle": {"preset": self.vehicle}}, own)
         vehicle = Vehicle.model_validate(vehicle_table(tables["vehicle"]))
         return float(vehicle.mass - vehicle.body.mass)
 

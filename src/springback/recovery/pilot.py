@@ -16,7 +16,7 @@ from springback.control.cascade import (
     Offboard,
     fly_on,
     hear,
-    steered,
+    position_loop,
 )
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
@@ -144,10 +144,10 @@ def _followed(
     """The way of the leg."""
     c, phase = pilot.cascade, recovery_state.phase
     if phase <= LOOK:
-        return steered(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
+        return position_loop(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
     if phase <= RECOVER:
-        return steered(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
-    return steered(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
+        return position_loop(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
+    return position_loop(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
 
 
 @kernel
@@ -224,7 +224,7 @@ def _steered(
     """The position loop of one lane on some way."""
     flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
     at, before = load(flight.estimate, g, w, i), load(flight.offboard, g, w, i)
-    return steered(load(pilot.cascade, g, w, i), way, tick, time, at, before)
+    return position_loop(load(pilot.cascade, g, w, i), way, tick, time, at, before)
 
 
 @steer.register(Staged)

@@ -61,7 +61,7 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
     )
 
 
-def felt_force(flight: Flight) -> Array:
+def specific_force(flight: Flight) -> Array:
     """Mean specific force over each tick along the body axes, shape (ticks, 3) [m/s²].
 
     From the velocities at the ticks and the attitude at the later one; zero at the first.  It is
@@ -84,6 +84,6 @@ def clipped_area(flight: Flight, full_scale: float) -> float:
         flight: Flight with its trajectory.
         full_scale: Range of each axis [m/s²].
     """
-    force = felt_force(flight)
+    force = specific_force(flight)
     beyond = force - np.clip(force, -full_scale, full_scale)
     return float(np.linalg.norm(beyond.sum(axis=0)) / float(flight.scenario.clock))

@@ -20,7 +20,7 @@ from springback.frames import attitude_from_euler
 from springback.kernels.memo import FOREVER, Build, uncached
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Mat3, Quat, Vec
-from springback.quantities import checked
+from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
     ModelSettings,
@@ -68,7 +68,7 @@ def thrusts_of(
         raise problem(f"has {len(thrust)} entries for {count} rotors", "thrust")
     given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
     with naming("thrust"):
-        return tuple(checked(entry, "N", least=0.0) for entry in given)
+        return tuple(si_number(entry, "N", least=0.0) for entry in given)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------
@@ -224,18 +224,18 @@ def flight_model(
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
     world = build(world_numbers, s.world, own, build, place=FOREVER)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
-    point, guide, timing = build(_chosen, s.model, s.simulation, s.vehicle)
+    point, guide, timing = build(_flight_options, s.model, s.simulation, s.vehicle)
     return Model(airframe, world, point, guide, build(AirSettings.air, s.air), thrust, timing)
 
 
-def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
+def _flight_options(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
     """Contact point, guide and timing."""
     return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
 
 
 def start_state(start: Start, vehicle: Vehicle, build: Build = uncached) -> State:
     """State at time 0, arms at their free length."""
-    s, arms = start, build(_unpressed, vehicle)
+    s, arms = start, build(_arms_at_rest, vehicle)
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
     spin = build(_vector, s.angular_velocity)
     return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
@@ -245,7 +245,7 @@ def _vector(given: tuple[float, float, float]) -> Vec:
     return Vec(*given)
 
 
-def _unpressed(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _arms_at_rest(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Lengths and rates of arms at rest."""
     lengths = vehicle.lengths()
     return lengths, (0.0,) * len(lengths)

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.scenario.scenario import merged
+from springback.scenario.scenario import merge
 from springback.sensing.parameters import STANDARD_GRAVITY
 from springback.studies.run_ups import CONDITIONS, PAPER_WALL
 from springback.studies.trials import Condition, Trial, fly_trials
@@ -110,13 +110,13 @@ VARIANTS = (
     Ablation("estimator", "complementary, PX4-like",
             same({"estimator": {"type": "complementary"}})),
     Ablation("PX4 EKF2", "the noise it assumes", same(_ekf2())),
-    Ablation("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
+    Ablation("PX4 EKF2", "and an accelerometer of 200 g", same(merge(LARGE_RANGE, _ekf2()))),
     Ablation("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
     Ablation("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
         _ekf2(distrust_clipped=True, clipping=LATER_CLIPPING))),
     Ablation("PX4 EKF2", "and friction along both tangents",
-            same(merged(surface_of(axes="both"), _ekf2()))),
-    Ablation("PX4 EKF2", "and ARQ's arms locked", lambda robot: merged(
+            same(merge(surface_of(axes="both"), _ekf2()))),
+    Ablation("PX4 EKF2", "and ARQ's arms locked", lambda robot: merge(
         _ekf2(), {"vehicle": {"preset": robot, "arms": {"compliant": False}}}), ("arq",)),
     Ablation("rate limit", "110 deg/s", same(degrees(110.0))),
     Ablation("rate limit", "1000 deg/s", same(degrees(1000.0))),
@@ -336,7 +336,7 @@ def why(
             progress((done + 1) / count)
     for done, (one, value) in enumerate(walked):
         tests = [
-            Condition(robot, pitch, speed, merged({}, one.changes(robot, value)))
+            Condition(robot, pitch, speed, merge({}, one.changes(robot, value)))
             for robot in ROBOTS
             for pitch, speed in conditions
         ]

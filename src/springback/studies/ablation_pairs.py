@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from itertools import combinations_with_replacement
 from typing import Any, NamedTuple
 
-from springback.scenario.presets import merged
+from springback.scenario.presets import merge
 from springback.studies.ablation import (
     LARGE_RANGE,
     ROBOTS,
@@ -123,7 +123,7 @@ def fly_pairs(
             tables: Mapping[str, Any] = {}
             for change in (one, other):
                 if robot in change.robots:
-                    tables = merged(tables, change.changes(robot))
+                    tables = merge(tables, change.changes(robot))
             asked.append((one.cause, other.cause, robot, tables))
     tests = [Condition(robot, *FASTEST, tables) for _, _, robot, tables in asked]
     flown = iter(fly_trials(tests, trials, seed=seed, progress=progress))

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
-from springback.scenario.scenario import Scenario, merged, scenario_from
+from springback.scenario.scenario import Scenario, merge, scenario_from
 from springback.simulation.measures import Outcome, scalars_of
 from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
@@ -93,7 +93,7 @@ def trial_tables(
         noise_stream: Of the trial.
         changes: Tables laid over those of the test, the same in every trial.
     """
-    base = merged(run_up_scenario(robot, pitch, speed), changes or {})
+    base = merge(run_up_scenario(robot, pitch, speed), changes or {})
     control = dict(base.get("control", {}))
     defaults = Scenario.model_fields["control"].default
     names = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")

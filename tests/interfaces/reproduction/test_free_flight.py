@@ -29,7 +29,7 @@ from springback.frames import attitude_from_euler, euler_from_attitude
 from springback.interfaces.cli.app import cli
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import guided, style
-from springback.interfaces.figures.panels import POINTS, thinned
+from springback.interfaces.figures.panels import POINTS, thin_curve
 from springback.interfaces.reports import flight_files
 from springback.interfaces.reproduction import report
 from springback.interfaces.reproduction.figures import drawings, free_flight, resilience
@@ -137,14 +137,14 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
     t = np.linspace(0.0, 20.0, 20_003)
     values = np.sin(t)
     values[7777], values[13] = 50.0, -50.0
-    few, shown = thinned(t, values)
+    few, shown = thin_curve(t, values)
     assert len(few) < 2.2 * POINTS
     assert (shown.max(), shown.min()) == (50.0, -50.0)
     assert (few[0], few[-1]) == (t[0], t[-1])
     assert np.all(np.diff(few) > 0.0)
     assert np.array_equal(shown, values[np.searchsorted(t, few)])
-    assert thinned(t[:100], values[:100])[0] is not None
-    assert len(thinned(t[:100], values[:100])[0]) == 100
+    assert thin_curve(t[:100], values[:100])[0] is not None
+    assert len(thin_curve(t[:100], values[:100])[0]) == 100
 
 
 def test_the_telemetry_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:

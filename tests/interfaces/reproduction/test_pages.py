@@ -132,7 +132,7 @@ def test_every_number_that_nothing_was_fitted_to_is_in_one_part() -> None:
     rows = [*fake_slider_results().rows, *fake_free_flight_results().rows()]
     parts = overview.groups(rows)
     found = [id(one) for group in parts.values() for one in group]
-    assert sorted(found) == sorted(id(one) for one in overview.untouched(rows))
+    assert sorted(found) == sorted(id(one) for one in overview.unfitted_rows(rows))
 
 
 # -- in a browser

@@ -36,7 +36,7 @@ from springback.campaign.design.sampling import (
 from springback.campaign.design.targets import in_numbers
 from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
-from springback.problems import dotted, problem_paths
+from springback.problems import dotted_path, problem_paths
 from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
@@ -386,7 +386,7 @@ def _problem(tables: Tables, one: Dimension) -> str:
         scenario_from(tables | hold, False)
     except ValidationError as error:
         [(path, what), *_] = problem_paths(error)
-        return f"{dotted(path)}: {what}"
+        return f"{dotted_path(path)}: {what}"
     except InputError as error:
         line = error.problems[0]
         weak = line.startswith("reference: ") or "each rotor's share of the true weight" in line

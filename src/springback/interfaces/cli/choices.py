@@ -93,12 +93,12 @@ def choices(
         write_csv(folder / "agreement.csv", data["agreement"])
         write_csv(folder / "hidden.csv", data["hidden"])
         if figures:
-            from springback.interfaces.figures.friction import hidden_figure
+            from springback.interfaces.figures.friction import clipping_figure
             from springback.interfaces.figures.style import save
             from springback.interfaces.reproduction.figures.choices import choices_figure
 
             save(choices_figure(results), folder / "choices", numbers=False)
-            save(hidden_figure(hidden), folder / "hidden", numbers=False)
+            save(clipping_figure(hidden), folder / "hidden", numbers=False)
     print_result(data if as_json else "\n".join(said), as_json)
     note(f"written to {out}", quiet)
 

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, ROBOTS
 from springback.studies.ablation import RANGES, VARIANTS, WhyResults
 from springback.studies.ablation import ROBOTS as FLOWN
@@ -28,7 +28,7 @@ def _small(ax: Axes, title: str, xlabel: str) -> None:
     ax.set_xlabel(xlabel, size=8)
 
 
-@styled
+@in_style
 def ablation_figure(results: WhyResults) -> Figure:
     """Successes of each test, robot by robot, variant by variant."""
     rows = [v for v in VARIANTS if any(results.successes(v, robot) for robot in FLOWN)]
@@ -50,7 +50,7 @@ def ablation_figure(results: WhyResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def ranges_figure(results: WhyResults) -> Figure:
     """Share of all trials that succeed along each number that the paper does not print."""
     figure = StyledFigure(figsize=(WIDTH * 1.5, 5.6), layout="constrained")
@@ -71,7 +71,7 @@ def ranges_figure(results: WhyResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def pairs_figure(results: PairResults) -> Figure:
     """Recovered trials under every two changes at the paper's fastest; one change on the edge."""
     causes, names = [c.cause for c in CHANGES], [c.name for c in CHANGES]

@@ -14,7 +14,7 @@ from matplotlib.ticker import NullLocator
 from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.envelope import SCALE
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
 SHARE = "Share that succeeds [-]"
@@ -26,12 +26,12 @@ LONG = 22
 ENOUGH, MOST_TICKS = 3, 5
 
 
-def shown_unit(unit: str) -> str:
+def display_unit(unit: str) -> str:
     """As people read it: angles in degrees."""
     return {"rad": "deg", "": "-"}.get(unit, unit).replace("^2", "²")
 
 
-def shown(scale: Scale, values: Any) -> Any:
+def display_values(scale: Scale, values: Any) -> Any:
     """Values in the shown unit."""
     return np.degrees(values) if scale.unit == "rad" else np.asarray(values)
 
@@ -39,10 +39,10 @@ def shown(scale: Scale, values: Any) -> Any:
 def label(scale: Scale) -> str:
     """Name of a field and its unit."""
     name = scale.name.replace("_", " ")
-    return name if scale.labels and not scale.edges else f"{name} [{shown_unit(scale.unit)}]"
+    return name if scale.labels and not scale.edges else f"{name} [{display_unit(scale.unit)}]"
 
 
-@styled
+@in_style
 def marginals_figure(found: Sequence[Marginal]) -> Figure:
     """Share of flights that succeed along each field, with Wilson's intervals.
 
@@ -75,7 +75,7 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
 def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
     """One robot along one field: points with bars at levels, else a line in a band."""
     cells = one.robots[robot]
-    x = shown(one.scale, [cell.place for cell in cells])
+    x = display_values(one.scale, [cell.place for cell in cells])
     y, low, high = np.array(
         [(cell.success.value, cell.success.low, cell.success.high) for cell in cells], float
     ).T
@@ -106,7 +106,7 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.set_xlim(-0.6, len(scale.labels) - 0.4)
         axes.grid(visible=False, axis="x")
     elif scale.labels and len(scale.labels) <= 7:
-        axes.set_xticks(shown(scale, scale.edges))
+        axes.set_xticks(display_values(scale, scale.edges))
 
 
 def round_ticks(low: float, high: float) -> list[float]:
@@ -128,7 +128,7 @@ def round_ticks(low: float, high: float) -> list[float]:
     return found[:: math.ceil(len(found) / MOST_TICKS)]
 
 
-def written(tick: float) -> str:
+def tick_label(tick: float) -> str:
     """A tick in plain digits, or as a power of ten where those would be many."""
     if 1e-3 <= abs(tick) < 1e5:
         return f"{tick:.3g}" if abs(tick) < 1e3 else f"{tick:.0f}"
@@ -139,13 +139,13 @@ def written(tick: float) -> str:
 
 def _log_ticks(axis: Any, scale: Scale) -> None:
     """Round numbers along a logarithmic field."""
-    low, *_, high = (float(edge) for edge in shown(scale, scale.edges))
+    low, *_, high = (float(edge) for edge in display_values(scale, scale.edges))
     ticks = round_ticks(*sorted((low, high)))
-    axis.set_ticks(ticks, [written(tick) for tick in ticks])
+    axis.set_ticks(ticks, [tick_label(tick) for tick in ticks])
     axis.set_minor_locator(NullLocator())
 
 
-@styled
+@in_style
 def field_map_figure(found: FieldMap) -> Figure:
     """Share of flights that succeed over two fields, robot by robot.
 
@@ -183,21 +183,21 @@ def _edges(scale: Scale) -> Any:
     """Bounds of cells: of levels by their number, else in the shown unit."""
     if scale.labels:
         return np.arange(len(scale.labels) + 1) - 0.5
-    return shown(scale, scale.edges)
+    return display_values(scale, scale.edges)
 
 
 def _middles(scale: Scale) -> Any:
     """Middles of cells, those of levels by their words."""
     if scale.labels:
         return _level_words(scale)
-    edges = shown(scale, scale.edges)
+    edges = display_values(scale, scale.edges)
     return 0.5 * (edges[1:] + edges[:-1])
 
 
 def _level_words(scale: Scale) -> tuple[str, ...]:
     """Levels as they are written: numbers in the shown unit."""
     if scale.edges:
-        return tuple(f"{value:.4g}" for value in shown(scale, scale.edges))
+        return tuple(f"{value:.4g}" for value in display_values(scale, scale.edges))
     return scale.labels
 
 

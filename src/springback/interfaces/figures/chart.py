@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 
-from springback.interfaces.figures.style import StyledFigure, as_written
+from springback.interfaces.figures.style import StyledFigure, escape
 from springback.interfaces.output.robots import GREY, INK, SHADE
 
 LOW, HIGH = ", low", ", high"
@@ -41,7 +41,7 @@ class Chart:
             if label.endswith("]") and axis.get_tick_params().get(which, True):
                 axis.set_label_text(label)
         if panel and titled:
-            ax.set_title(as_written(panel))
+            ax.set_title(escape(panel))
 
     def record(self, series: str, columns: Columns) -> None:
         """Add rows to the figure's table."""
@@ -55,7 +55,7 @@ class Chart:
     ) -> Any:  # fmt: skip
         """Draw a line or marks; ``columns`` replace or join those of x and y in the table."""
         self.record(series, {self.x: x, self.y: y, **(columns or {})})
-        return self.ax.plot(x, y, label=_named(series, key), **look)[0]
+        return self.ax.plot(x, y, label=_label(series, key), **look)[0]
 
     def errorbars(
         self, series: str, x: Any, y: Any, low: Any, high: Any, *, across: bool = False,
@@ -67,31 +67,31 @@ class Chart:
         self.record(series, {self.x: x, self.y: y, **bounds, **(columns or {})})
         reach = np.clip([np.subtract(middle, low), np.subtract(high, middle)], 0.0, None)
         look["xerr" if across else "yerr"] = reach.reshape(2, -1)
-        return self.ax.errorbar(x, y, label=_named(series), **look)
+        return self.ax.errorbar(x, y, label=_label(series), **look)
 
     def band(self, series: str, x: Any, low: Any, high: Any, **look: Any) -> None:
         """Shade between two curves."""
         self.record(series, {self.x: x, self.y + LOW: low, self.y + HIGH: high})
-        self.ax.fill_between(x, low, high, lw=0.0, label=_named(series, False), **look)
+        self.ax.fill_between(x, low, high, lw=0.0, label=_label(series, False), **look)
 
     def vline(self, series: str, x: float, *, key: bool = False, **look: Any) -> None:
         """Draw a line across the panel at an x."""
         self.record(series, {self.x: x})
-        self.ax.axvline(x, label=_named(series, key), **RULE | look)
+        self.ax.axvline(x, label=_label(series, key), **RULE | look)
 
     def hline(self, series: str, y: float, *, key: bool = False, **look: Any) -> None:
         """Draw a line across the panel at a y."""
         self.record(series, {self.y: y})
-        self.ax.axhline(y, label=_named(series, key), **RULE | look)
+        self.ax.axhline(y, label=_label(series, key), **RULE | look)
 
     def span(self, series: str, low: float, high: float, *, key: bool = False, **look: Any) -> None:
         """Shade the panel between two x."""
         self.record(series, {self.x + LOW: low, self.x + HIGH: high})
-        self.ax.axvspan(low, high, label=_named(series, key), **AREA | look)
+        self.ax.axvspan(low, high, label=_label(series, key), **AREA | look)
 
     def key(self, name: str, **look: Any) -> None:
         """Explain a look in the legend."""
-        self.ax.plot([], [], label=as_written(name), **look)
+        self.ax.plot([], [], label=escape(name), **look)
 
     def heat_map(
         self, head: str, shares: Any, words: Sequence[Sequence[str]], rows: Sequence[str],
@@ -125,6 +125,6 @@ class Chart:
             edge.set_visible(False)
 
 
-def _named(series: str, key: bool = True) -> str:
+def _label(series: str, key: bool = True) -> str:
     """The label of an artist; matplotlib keeps those with an underscore out of legends."""
-    return as_written(series) if key else f"_{series}"
+    return escape(series) if key else f"_{series}"

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import LOOKS, WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import LOOKS, WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.studies.detection import (
     CHARACTERISED_FROM,
@@ -66,13 +66,13 @@ def _charts(
             ax.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _bounded(points: Sequence[RocPoint]) -> tuple[list[float], list[float]]:
+def _curve(points: Sequence[RocPoint]) -> tuple[list[float], list[float]]:
     """False alarms an hour and probabilities, falling; where none was seen, the bound."""
     kept = [p for p in points if p.bound <= MANY]
     return [p.bound for p in kept], [p.probability for p in kept]
 
 
-@styled
+@in_style
 def roc_figure(results: DetectionResults) -> Figure:
     """Receiver operating curves of every trigger, a curve for each speed; the default is a dot.
 
@@ -84,7 +84,7 @@ def roc_figure(results: DetectionResults) -> Figure:
     for robot, trigger, chart in _charts(results, figure, x="False alarms [1/h]", y=noticed):
         for look, speed in zip(LOOKS, SPEEDS, strict=False):
             points = results.curve(robot, trigger, speed)
-            chart.curve(f"{speed:g} m/s", *_bounded(points), **look)
+            chart.curve(f"{speed:g} m/s", *_curve(points), **look)
             usual = min(points, key=lambda p: abs(np.log(p.threshold / default_threshold(trigger))))
             chart.curve(
                 f"{speed:g} m/s, default threshold", usual.bound, usual.probability, key=False,
@@ -98,7 +98,7 @@ def roc_figure(results: DetectionResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def delay_figure(results: DetectionResults) -> Figure:
     """Delay against threshold, a curve for each speed; shaded are thresholds of false alarms.
 
@@ -145,7 +145,7 @@ SHORT = ("arms", "accel.", "wrench", "fused")
 """Labels of the sources, in their order."""
 
 
-@styled
+@in_style
 def direction_figure(results: DetectionResults) -> Figure:
     """Errors of the direction by source, robot and speed, each collision a dot; and 5 degrees.
 

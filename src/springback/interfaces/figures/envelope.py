@@ -15,7 +15,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
 from springback.campaign.analysis.intervals import Values
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE
 from springback.studies.run_ups import CONDITIONS
 
@@ -43,7 +43,7 @@ PANEL = (3.5, 3.5)
 """Of one robot [in]."""
 
 
-@styled
+@in_style
 def map_figure(envelope: Envelope, printed: Printed) -> Figure:
     """Success share over both axes, the line of 95 %, and the paper's tests where they lie.
 
@@ -61,7 +61,7 @@ def map_figure(envelope: Envelope, printed: Printed) -> Figure:
     keys: dict[str, Line2D | Patch] = {}
     for ax, robot in zip(axes, envelope.robots, strict=True):
         image = _cells(ax, envelope, robot)
-        keys |= _line(ax, envelope, robot) | _grounded(ax, envelope, robot)
+        keys |= _line(ax, envelope, robot) | _hatch_infeasible(ax, envelope, robot)
         keys |= _tests(ax, envelope, robot, printed)
         ax.set_title(ROBOTS.get(robot, robot))
         ax.set_xlabel(_meaning(envelope.x))
@@ -125,7 +125,7 @@ def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]
     return {f"{100.0 * LEVEL:g} % succeed": key}
 
 
-def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
+def _hatch_infeasible(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
     """Cells that were not flown, hatched."""
     missing = np.argwhere(np.isnan(envelope.shares(robot)))
     if not len(missing):

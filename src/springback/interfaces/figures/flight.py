@@ -23,14 +23,14 @@ from springback.interfaces.figures.panels import (
     body_curves,
     contacts,
     short,
-    stacked,
+    stacked_panels,
 )
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
 
 
-@styled
+@in_style
 def flight_figure(flight: Flight) -> Figure:
     """A flight over time.
 
@@ -47,11 +47,11 @@ def flight_figure(flight: Flight) -> Figure:
         raise InputError("this flight kept no trajectory: fly it with trajectory=True")
     if flight.telemetry:
         shades = contacts(flight.columns)
-        return stacked(guided_panels(flight), "Time [s]", shades, height=1.15)
+        return stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
     return _motion(flight)
 
 
-@styled
+@in_style
 def impact_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
@@ -98,7 +98,7 @@ def _motion(flight: Flight) -> Figure:
         panels.append(panel("Contact force [N]", forces + friction + body))
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
-    return stacked(panels, time, shades)
+    return stacked_panels(panels, time, shades)
 
 
 def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
@@ -118,7 +118,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
 
 
-@styled
+@in_style
 def energy_figure(*flights: Flight) -> Figure:
     """The energy balance of flights: input, losses, and what remains.
 

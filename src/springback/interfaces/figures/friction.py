@@ -8,7 +8,7 @@ from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import INK, ROBOTS, SKY
 from springback.studies.clipping import ClippingLoss
 from springback.studies.friction import PRINTED_FRICTION, FrictionResults
@@ -28,7 +28,7 @@ LOOKS = {
 """Name and look of a robot with an axis of friction."""
 
 
-@styled
+@in_style
 def friction_figure(results: FrictionResults) -> Figure:
     """Stroke and peak of ARQ over the yaw, for some coefficients, and over the coefficient."""
     figure = StyledFigure(figsize=(1.5 * WIDTH, 5.6), layout="constrained")
@@ -73,8 +73,8 @@ def friction_figure(results: FrictionResults) -> Figure:
     return figure
 
 
-@styled
-def hidden_figure(found: Sequence[ClippingLoss]) -> Figure:
+@in_style
+def clipping_figure(found: Sequence[ClippingLoss]) -> Figure:
     """Velocity hidden by clipping over the speed of the impact, both robots."""
     figure = StyledFigure(figsize=(WIDTH, 2.9), layout="constrained")
     chart = Chart(figure.subplots(), "Speed at contact [m/s]", "Hidden by ±16 g [m/s]")

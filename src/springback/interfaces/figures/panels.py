@@ -43,7 +43,7 @@ class Panel(NamedTuple):
     """True for a panel with a legend."""
 
 
-def stacked(
+def stacked_panels(
     panels: Sequence[Panel], time: str, shades: Iterable[tuple[float, float]], height: float = 1.4
 ) -> Figure:
     """Panels over one axis of time.
@@ -75,8 +75,8 @@ def stacked(
 def _draw(chart: Chart, panel: Panel) -> None:
     looks = cycle(LOOKS)
     for curve in panel.curves:
-        chart.curve(curve.name, *thinned(curve.t, curve.values), **(curve.look or next(looks)))
-    spread(chart.ax, panel.min_span, panel.flat)
+        chart.curve(curve.name, *thin_curve(curve.t, curve.values), **(curve.look or next(looks)))
+    widen_flat_axis(chart.ax, panel.min_span, panel.flat)
     if panel.explained:
         chart.ax.legend(
             loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.3,
@@ -84,7 +84,7 @@ def _draw(chart: Chart, panel: Panel) -> None:
         )  # fmt: skip
 
 
-def thinned(t: Array, values: Array) -> tuple[Array, Array]:
+def thin_curve(t: Array, values: Array) -> tuple[Array, Array]:
     """A long curve with as many points as can be distinguished, its extremes kept.
 
     Of every few neighbouring points the least and the greatest stay, in their order.
@@ -100,7 +100,7 @@ def thinned(t: Array, values: Array) -> tuple[Array, Array]:
     return t[kept], values[kept]
 
 
-def spread(ax: Axes, least: float, flat: float = ROUNDING) -> None:
+def widen_flat_axis(ax: Axes, least: float, flat: float = ROUNDING) -> None:
     """Let the vertical axis span at least ``least`` where its curves are flat."""
     low, high = ax.get_ylim()
     if high - low < flat:

@@ -71,7 +71,7 @@ def _plain(value: Any) -> Any:
     return " ".join(value.split()).replace("−", "-") if isinstance(value, str) else value
 
 
-def as_written(text: str) -> str:
+def escape(text: str) -> str:
     r"""User text for a figure, in which ``$`` begins no formula.
 
     Otherwise the typesetter would fail on a scenario named ``a $\foo$ b``.
@@ -79,7 +79,7 @@ def as_written(text: str) -> str:
     return text.replace("$", r"\$")
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
+def in_style(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
     """Draw in springback's style, whatever the user's settings are, and leave those untouched."""
 
     @functools.wraps(draw)

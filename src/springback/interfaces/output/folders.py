@@ -61,13 +61,13 @@ def output_folder(
         remove_abandoned(anchor, folder.name)
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-    draft = _hidden(anchor, folder.name)
+    draft = _hidden_path(anchor, folder.name)
     try:  # it is removed from here on, whatever happens when
         try:
             draft.mkdir(0o700)
         except OSError as error:
             raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-        with _held(draft):
+        with _locked_folder(draft):
             yield draft
             _replace(draft, folder, set(replaces))
             interrupts.say(f"interrupted; {folder} was written before")
@@ -79,7 +79,7 @@ def output_folder(
         _remove(draft)
 
 
-def _hidden(anchor: Path, name: str) -> Path:
+def _hidden_path(anchor: Path, name: str) -> Path:
     """A new name, which `remove_abandoned` knows."""
     return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
 
@@ -100,7 +100,7 @@ def _remove(draft: Path) -> None:
 
 
 @contextmanager
-def _held(folder: Path) -> Iterator[None]:
+def _locked_folder(folder: Path) -> Iterator[None]:
     """Lock a folder: the system unlocks it when this process ends, however it ends."""
     if sys.platform == "win32":
         yield
@@ -157,9 +157,9 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
         _move_into(draft, folder, replaces)
         return
     _keep_others(folder, draft, replaces)
-    if _exchanged(draft, folder):
+    if _exchange(draft, folder):
         return
-    old = _hidden(draft.parent, folder.name)
+    old = _hidden_path(draft.parent, folder.name)
     try:
         os.rename(folder, old)
         os.rename(draft, folder)
@@ -189,7 +189,7 @@ def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
                 shutil.copy2(path, target, follow_symlinks=False)
 
 
-def _exchanged(one: Path, other: Path) -> bool:
+def _exchange(one: Path, other: Path) -> bool:
     """Exchange two folders in one step; False where the system cannot."""
     import ctypes
 

@@ -21,17 +21,17 @@ def say(words: str) -> None:
     _words[0] = words
 
 
-def words() -> str:
+def message() -> str:
     """The message."""
     return _words[0]
 
 
-def came() -> bool:
+def occurred() -> bool:
     """True once Ctrl-C was pressed: later errors are its consequences."""
     return _came.is_set()
 
 
-def listen() -> None:
+def install_handler() -> None:
     """Let Ctrl-C end this process whatever it is doing, and remember it.
 
     Python drops exceptions raised while an object is taken apart or a library calls back; one that
@@ -44,7 +44,7 @@ def listen() -> None:
             again = threading.Timer(SOON, _once_more)  # not in here, where it is dropped
             again.daemon = True
             again.start()
-        elif not came():
+        elif not occurred():
             before(info)
 
     def interrupted(number: int, frame: FrameType | None) -> None:
@@ -65,6 +65,6 @@ def _once_more() -> None:
         _thread.interrupt_main()
 
 
-def deafen() -> None:
+def ignore() -> None:
     """Ignore Ctrl-C from here on: one is being handled."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

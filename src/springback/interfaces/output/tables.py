@@ -41,7 +41,7 @@ def lines_of(
         yield csv_text([columns]).rstrip("\n")
     for rows in stretches:
         if rows and form == "markdown":
-            yield "\n".join(_markdown_line([shown(v) for v in row]) for row in rows)
+            yield "\n".join(_markdown_line([cell_text(v) for v in row]) for row in rows)
         elif rows:
             yield csv_text(rows).rstrip("\n")
 
@@ -72,20 +72,20 @@ def _more(count: int) -> str:
     return f"... {count} more rows; --format or --out gives all"
 
 
-def shown(value: Any) -> str:
+def cell_text(value: Any) -> str:
     """A value for people."""
     if value is None:
         return "-"
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(shown, value)) + "]"
+        return "[" + ", ".join(map(cell_text, value)) + "]"
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def as_text(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """A table with aligned columns; of many rows the first."""
-    cells = [[_short(shown(value)) for value in row] for row in rows[:MOST_ROWS]]
+    cells = [[_short(cell_text(value)) for value in row] for row in rows[:MOST_ROWS]]
     widths = [max(map(len, column)) for column in zip(columns, *cells, strict=True)]
     numbers = [
         all(isinstance(row[k], int | float | None) for row in rows[:MOST_ROWS])
@@ -109,7 +109,7 @@ def _short(text: str) -> str:
 
 def as_markdown(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """A Markdown table."""
-    lines = [columns, ["---"] * len(columns), *([shown(v) for v in row] for row in rows)]
+    lines = [columns, ["---"] * len(columns), *([cell_text(v) for v in row] for row in rows)]
     return "\n".join(map(_markdown_line, lines))
 
 

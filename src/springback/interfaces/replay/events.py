@@ -39,7 +39,7 @@ class Event(NamedTuple):
 def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
     """First touch and last separation of every impact [s]."""
     t = flight.columns["t"]
-    found = intervals(t, _felt(flight), flight.scenario.simulation.dwell)
+    found = intervals(t, _specific_force(flight), flight.scenario.simulation.dwell)
     ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
     if ends:  # of the first, the measures know the very instants; columns, the step
         begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
@@ -48,7 +48,7 @@ def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
     return tuple(ends)
 
 
-def _felt(flight: Flight) -> Any:
+def _specific_force(flight: Flight) -> Any:
     return touching(flight.columns)
 
 
@@ -62,7 +62,7 @@ def events_of(flight: Flight) -> tuple[Event, ...]:
 
 def _contacts(flight: Flight) -> list[Event]:
     c = flight.columns
-    felt = _felt(flight)
+    felt = _specific_force(flight)
     found: list[Event] = []
     impacts = impacts_of(flight)
     for number, (begin, end) in enumerate(impacts[:MOST], start=1):

@@ -40,20 +40,20 @@ class Drawable(NamedTuple):
     normals: Array | None = None  # at the vertices, shape (vertices, 3)
 
 
-class Drawn(NamedTuple):
+class DrawnWorld(NamedTuple):
     """Obstacles as things to draw, and what is to be said about them."""
 
     drawables: tuple[Drawable, ...]
     notes: tuple[str, ...]
 
 
-def drawn(
+def drawables(
     obstacles: Sequence[Wall | Ground | Mat],
     own: Sequence[Own],
     flown: Array,
     near: Array,
     kept: Sequence[Mesh] = (),
-) -> Drawn:
+) -> DrawnWorld:
     """Everything that can be hit, as things to draw.
 
     Args:
@@ -73,7 +73,7 @@ def drawn(
                                    triangles=one.triangles, normals=one.normals))  # fmt: skip
         else:
             notes.append(f"{one.name} is not drawn: none of its surface was found near the flight")
-    return Drawn(tuple(things), tuple(notes))
+    return DrawnWorld(tuple(things), tuple(notes))
 
 
 def _face(entry: Wall | Ground | Mat, flown: Array, floor: float | None) -> Drawable:
@@ -98,12 +98,12 @@ def _face(entry: Wall | Ground | Mat, flown: Array, floor: float | None) -> Draw
             side = min(max(side, middle + 0.5 * side - foot), LARGEST_SIDE)
             middle = foot + 0.5 * side
         centre = centre + middle * axis
-        halves.append(_told(0.5 * side * axis))
+        halves.append(_floats(0.5 * side * axis))
     across, along = halves
-    return Drawable(entry.type, entry.type, _told(centre), _told(n), across, along, thickness)
+    return Drawable(entry.type, entry.type, _floats(centre), _floats(n), across, along, thickness)
 
 
-def _told(v: Array) -> tuple[float, ...]:
+def _floats(v: Array) -> tuple[float, ...]:
     return tuple(map(float, v))
 
 

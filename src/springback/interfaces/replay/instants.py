@@ -62,7 +62,7 @@ def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
     return found
 
 
-def _bounded(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
+def _curves(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
     """What is drawn, shape (instants, quantities), and the bound of each."""
     names = dict.fromkeys("xyz", BOUNDS["m"])
     names |= {f"q{part}": BOUNDS[""] for part in "wxyz"}
@@ -99,7 +99,7 @@ def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
     `APART` allow, found by halving groups of steps until each is near enough to a line.
     """
     t = columns["t"]
-    values, bounds = _bounded(columns, arms)
+    values, bounds = _curves(columns, arms)
     values = values / bounds
     keep = np.zeros(len(t), dtype=bool)
     keep[[0, -1]] = True
@@ -111,10 +111,10 @@ def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
         if end > begin:
             keep[begin:end] = True
             close += end - int(begin)
-    return np.flatnonzero(keep | _needed(t, values))
+    return np.flatnonzero(keep | _vertices(t, values))
 
 
-def _needed(t: Array, values: Array) -> Any:
+def _vertices(t: Array, values: Array) -> Any:
     """Ends of the lines that are near enough to everything between."""
     keep = np.zeros(len(t), dtype=bool)
     steps = len(t) - 1

@@ -28,7 +28,7 @@ from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.events import Event, events_of, impacts_of
-from springback.interfaces.replay.geometry import Drawable, drawn
+from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
@@ -141,7 +141,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     world = flight.scenario.world
-    things = drawn(world.obstacles, own, place, touches, flight.own_surfaces)
+    things = drawables(world.obstacles, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
@@ -257,17 +257,17 @@ def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
 def plain(scene: Scene) -> dict[str, Any]:
     """A scene as plain data for JSON; the format is that of the module's docstring."""
     told = {field.name: _plain(getattr(scene, field.name)) for field in fields(scene)}
-    told["t"] = _packed(scene.t, "f8")
+    told["t"] = _pack(scene.t, "f8")
     at = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
     for name in ("force", "point"):
         rows = getattr(scene, name)[at]
-        told[name] = {"at": _packed(at, "i4"), "of": _packed(rows, "f4")}
+        told[name] = {"at": _pack(at, "i4"), "of": _pack(rows, "f4")}
     return told
 
 
 def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
-        return _packed(value, "i4" if value.dtype.kind in "iu" else "f4")
+        return _pack(value, "i4" if value.dtype.kind in "iu" else "f4")
     if is_dataclass(value):
         return {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
@@ -279,7 +279,7 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _packed(values: Any, kind: str) -> dict[str, Any]:
+def _pack(values: Any, kind: str) -> dict[str, Any]:
     """An array as text: type, shape and the numbers in base64."""
     data = np.ascontiguousarray(values, dtype=f"<{kind}")
     text = base64.b64encode(data.tobytes()).decode("ascii")

@@ -75,7 +75,7 @@ def replay_page(scenes: Sequence[Scene]) -> Page:
     return page_of(f"{names} – springback", "replay", data)
 
 
-def exported(page: Page, path: Path, *, force: bool = False) -> None:
+def export_page(page: Page, path: Path, *, force: bool = False) -> None:
     """Write a page, whole or not at all.
 
     Raises:

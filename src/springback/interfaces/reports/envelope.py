@@ -27,7 +27,7 @@ def map_page(envelope: Envelope, printed: Printed) -> str:
     """
     axes = {"x": envelope.x.label, "y": envelope.y.label}
     picture = WORDS.say("picture", level=plain(100 * LEVEL), **axes)
-    reaches = tuple(_named(envelope.sentence(robot) + ".") for robot in envelope.robots)
+    reaches = tuple(_with_labels(envelope.sentence(robot) + ".") for robot in envelope.robots)
     asked = WORDS.say("asked", robots=_names(envelope), trials=envelope.trials, **axes)
     short: Blocks = (asked, *reaches, FigureBlock("map", picture, map_figure(envelope, printed)))
     tables = tuple(_table(envelope, robot) for robot in envelope.robots)
@@ -39,7 +39,7 @@ def map_page(envelope: Envelope, printed: Printed) -> str:
     return page(WORDS.say("title", **axes), sections, lead=WORDS.say("lead"))
 
 
-def _named(sentence: str) -> str:
+def _with_labels(sentence: str) -> str:
     preset, _, rest = sentence.partition(":")
     return f"{ROBOTS.get(preset, preset)}:{rest}"
 

@@ -8,7 +8,7 @@ from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
-from springback.results.sealed_json import file_digest, sealed
+from springback.results.sealed_json import file_digest, with_digest
 
 #: Files that a flight leaves: those of an earlier one go when it is replaced.
 FLIGHT_FILES = (
@@ -52,7 +52,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             written[-2].write_bytes(picture)
             written[-1].write_text(numbers, encoding="utf-8")
     files = {path.name: file_digest(path) for path in written}
-    write_json(folder / SUMMARY, sealed(summary | {"files": files}))
+    write_json(folder / SUMMARY, with_digest(summary | {"files": files}))
     return [folder / SUMMARY, *written]
 
 

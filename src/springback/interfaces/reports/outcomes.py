@@ -34,15 +34,15 @@ def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tupl
         for robot in robots:
             if name in robot.measures:
                 count, (low, middle, high) = robot.measures[name]
-                numbers = [_scaled(e.value, factor) for e in (low, middle, high)]
-                bounds = [_scaled(middle.low, factor), _scaled(middle.high, factor)]
+                numbers = [_scale(e.value, factor) for e in (low, middle, high)]
+                bounds = [_scale(middle.low, factor), _scale(middle.high, factor)]
                 interval = " to ".join("?" if b is None else f"{b:.4g}" for b in bounds)
                 shown = [None if n is None else float(f"{n:.4g}") for n in numbers]
                 rows.append((f"{name} [{unit or '-'}]", robot.robot, count, *shown, interval))
     return ["measure", "robot", "flights", "10 %", "50 %", "90 %", "median, 95 %"], rows
 
 
-def _scaled(value: float | None, factor: float) -> float | None:
+def _scale(value: float | None, factor: float) -> float | None:
     return None if value is None else value * factor
 
 

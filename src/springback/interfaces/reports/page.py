@@ -156,7 +156,7 @@ class Wording:
 
     def say(self, key: str, **values: Any) -> str:
         """A paragraph, with its numbers put in."""
-        return _said(self.text[key], values)
+        return _fill(self.text[key], values)
 
     def head(self, key: str) -> tuple[str, ...]:
         """The heads of a table's columns."""
@@ -190,28 +190,28 @@ class Wording:
         return found
 
 
-def _said(words: str, values: Mapping[str, Any]) -> str:
+def _fill(words: str, values: Mapping[str, Any]) -> str:
     return _PageFormatter().vformat(words.strip("\n").replace("\n", " "), (), values)
 
 
 def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks:
     """The blocks that an entry of a section's file describes."""
     if isinstance(entry, str):
-        return (_said(entry, values),)
+        return (_fill(entry, values),)
     kind = next(key for key in ("text", "table", "figure", "blocks") if key in entry)
     needed = [entry[key] for key in ("when", kind) if key in entry and key != "text"]
     if not all(values.get(name) for name in needed):
         return ()
     if kind == "text":
-        return (_said(entry["text"], values),)
+        return (_fill(entry["text"], values),)
     if kind == "blocks":
         return tuple(values[entry["blocks"]])
-    caption = _said(entry["caption"], values)
+    caption = _fill(entry["caption"], values)
     if kind == "figure":
         return (FigureBlock(entry["figure"], caption, values[entry["figure"]]),)
     lines = values[entry["table"]]
     if "head" in entry:
-        lines = [[_said(word, values) for word in entry["head"]], *lines]
+        lines = [[_fill(word, values) for word in entry["head"]], *lines]
     return (table(caption, lines[0], lines[1:], folded=entry.get("folded", False)),)
 
 
@@ -239,7 +239,7 @@ def _symbols(text: str) -> Markup:
     return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
 
 
-def rounded(value: float | None, decimals: int) -> str:
+def decimal(value: float | None, decimals: int) -> str:
     """A number, rounded as print would."""
     return "–" if value is None else f"{value:.{decimals}f}".replace("-", "−")
 
@@ -263,7 +263,7 @@ def percent(share: float | None) -> str:
     return f"{round(100.0 * share, 1) + 0.0:+.1f} %".replace("-", "−")
 
 
-def listed(words: Iterable[str]) -> str:
+def join(words: Iterable[str]) -> str:
     """Words as one says them: a, b and c."""
     *most, last = [*words] or ["none"]
     return f"{', '.join(most)} and {last}" if most else last

@@ -11,7 +11,7 @@ from springback.interfaces.figures import envelope as plots_map
 from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import Content, Entry, TableCell, Wording, number, plain
 from springback.interfaces.reproduction.figures import choices
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import printed_success
@@ -22,7 +22,7 @@ WORDS = Wording.of("resilience")
 
 def condition(pitch: float, speed: float) -> str:
     """A condition in words."""
-    return f"{signed(pitch)}°, {plain(speed)} m/s"
+    return f"{signed_angle(pitch)}°, {plain(speed)} m/s"
 
 
 def choices_content(results: ResilienceResults) -> Content:

@@ -19,7 +19,7 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    join,
     percent,
     plain,
     words_of_power,
@@ -110,7 +110,7 @@ def _named(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
     words = []
     for line in _by_line([row for row in rows if row.mark is Mark.CONTRADICTED]).values():
         first = next(iter(line.values()))
-        who = listed(
+        who = join(
             f"{robots.get(robot, robot)} ({percent(row.deviation)})" for robot, row in line.items()
         )
         words.append(f"{_label(first, '')} of {who}")

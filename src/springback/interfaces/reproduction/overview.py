@@ -33,7 +33,7 @@ OWN = "ARQ's own"
 Groups = dict[str, list[Row]]
 
 
-def untouched(rows: Sequence[Row]) -> list[Row]:
+def unfitted_rows(rows: Sequence[Row]) -> list[Row]:
     """Compared numbers to which nothing was fitted, directly or through c_a of their own test.
 
     Args:
@@ -44,14 +44,14 @@ def untouched(rows: Sequence[Row]) -> list[Row]:
 
 
 def groups(rows: Sequence[Row]) -> Groups:
-    """`untouched` numbers by the part of the paper they belong to; readings apart.
+    """`unfitted_rows` by the part of the paper they belong to; readings apart.
 
     Args:
         rows: All compared numbers.
     """
     found: Groups = {}
     for part in WORDS.text["parts"].values():
-        for row in untouched(rows):
+        for row in unfitted_rows(rows):
             if _belongs(row, part):
                 found.setdefault(part["name"].format(reading=row.reading), []).append(row)
     return found
@@ -92,7 +92,7 @@ def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
         rows: All compared numbers.
     """
     found: dict[tuple[str, ...], list[Row]] = {}
-    for row in untouched(rows):
+    for row in unfitted_rows(rows):
         if row.experiment == "Table III" and row.quantity not in COUNTED:
             continue
         if "asked for" in row.quantity:
@@ -116,12 +116,12 @@ def counts(rows: Sequence[Row], share: float = AGREEMENT) -> Counts:
 
     def agreeing(slider: str, estimator: str) -> int:
         return sum(
-            any(_agrees(row, share) for row in some if _taken(row, slider, estimator))
+            any(_agrees(row, share) for row in some if _of_choices(row, slider, estimator))
             for some in numbers.values()
         )
 
     sliders = dict.fromkeys(
-        [DEFAULT, *(r.reading for r in untouched(rows) if r.robot in ("arq", "quad - arq")
+        [DEFAULT, *(r.reading for r in unfitted_rows(rows) if r.robot in ("arq", "quad - arq")
                     and r.experiment in ("Table III", "Sweep"))]
     )  # fmt: skip
     others = dict.fromkeys(r.reading.split("; ")[1] for r in rows if "; " in r.reading)
@@ -143,7 +143,7 @@ def _agrees(row: Row, share: float) -> bool:
     return abs(row.deviation) <= share
 
 
-def _taken(row: Row, slider: str, estimator: str) -> bool:
+def _of_choices(row: Row, slider: str, estimator: str) -> bool:
     """True for a row of a set of choices; one without alternatives belongs to all."""
     if row.experiment in ("Table III", "Sweep"):
         return row.reading in ("Quad", slider)

@@ -19,10 +19,10 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    decimal,
+    join,
     page,
     percent,
-    rounded,
 )
 from springback.interfaces.reproduction.figure_list import figure_rows
 from springback.interfaces.reproduction.free_flight import (
@@ -138,7 +138,7 @@ def _everything(results: Results, about: Mapping[str, Any]) -> Content:
         for r in results.rows
     ]  # fmt: skip
     tables = list(_tables(results))
-    curves = f", the curves and points of the figures in {listed(tables)}" if tables else ""
+    curves = f", the curves and points of the figures in {join(tables)}" if tables else ""
     made_with = [(str(key), str(value)) for key, value in about.items()]
     return {"count": len(rows), "all": rows, "made_with": made_with, "curves": curves}
 
@@ -147,7 +147,7 @@ def _c_a(row: Row) -> TableCell | None:
     """c_a of a test in which something was hit; other numbers have none."""
     if not row.dissipation_from:
         return None
-    return TableCell(rounded(row.dissipation, 3), row.dissipation)
+    return TableCell(decimal(row.dissipation, 3), row.dissipation)
 
 
 def _tables(results: Results) -> dict[str, Rows]:

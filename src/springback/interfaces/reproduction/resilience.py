@@ -20,14 +20,14 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    join,
     number,
     plain,
     words_of_power,
 )
 from springback.interfaces.reproduction.choices import choices_content, condition, map_content
 from springback.interfaces.reproduction.figures import resilience
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.interfaces.reproduction.figures.resilience import POSES, SEEN
 from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
@@ -83,10 +83,10 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
         "resilience": _answer(results),
         "choices": choices_content(results),
         "map": map_content(results),
-        "recovery": {**_fast(results, rows), **_recovery(results), **_compared(results)},
-        "detection": {**_detection(results), **_where(results)},
+        "recovery": {**_fast(results, rows), **_recovery(results), **_comparison(results)},
+        "detection": {**_detection(results), **_places(results)},
         "energy_of_hits": _energy(results),
-        "repeated": _repeated(results) if results.repeats else {},
+        "repeated": _repeats(results) if results.repeats else {},
         "resilience_method": {"scatter": _scatter(results)},
     })  # fmt: skip
 
@@ -154,13 +154,13 @@ def _answer(results: ResilienceResults) -> Content:
     return {
         "conditions": len({t[1:3] for t in tallies}), "trials": results.trials,
         "fast": FASTEST[1], "verdict": _verdict(tallies, results.ekf2_conditions()),
-        "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed(STEEPEST),
+        "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed_angle(STEEPEST),
         "good": SUCCESS_WORDS["quad", *SLOW], "drops": SUCCESS_WORDS["quad", STEEPEST, SLOW[1]],
-        "least": signed(min(gentle)), "most": signed(max(gentle)),
+        "least": signed_angle(min(gentle)), "most": signed_angle(max(gentle)),
         "tolerance": settled.tolerance, "speed": settled.speed, "dwell": settled.dwell,
         "low": 100 * wilson(results.trials, results.trials)[0],
         "success": _success(tallies), "resilience": resilience.success_figure(results),
-        "ways": listed(f"{w} ({count})" for w, count in sorted(ways.items())) if ways else "",
+        "ways": join(f"{w} ({count})" for w, count in sorted(ways.items())) if ways else "",
         "unfailing": not ways, "lost": sum(ways.values()), "all": len(results.flown),
     }  # fmt: skip
 
@@ -232,7 +232,7 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
         "collision": resilience.fast_figure(sample),
         "orientation": resilience.side_figure([sample]),
     }  # fmt: skip
-    content["up"], content["down"] = (signed(value) for value in RECOVERY_PITCH)
+    content["up"], content["down"] = (signed_angle(value) for value in RECOVERY_PITCH)
     if (aimed := command_extremes(sample.flight, "aimed_pitch")) is not None:
         content["asked_up"] = _row(rows, "pitch asked for, nose up")
         content["asked_down"] = _row(rows, "pitch asked for, nose down")
@@ -256,7 +256,7 @@ def _recovery(results: ResilienceResults) -> Content:
     }  # fmt: skip
 
 
-def _compared(results: ResilienceResults) -> Content:
+def _comparison(results: ResilienceResults) -> Content:
     """Both robots in the same collision."""
     samples = [s for robot in ROBOTS if (s := results.sample(robot, *SLOW)) is not None]
     if len(samples) < len(ROBOTS):
@@ -267,7 +267,7 @@ def _compared(results: ResilienceResults) -> Content:
         for name, measure in (("far", "excursion"), ("time", "recovery_time"))
     }
     return medians | {
-        "slow": SLOW[1], "level": SLOW[0], "robots": resilience.compared_figure(samples),
+        "slow": SLOW[1], "level": SLOW[0], "robots": resilience.comparison_figure(samples),
         "orientations": resilience.side_figure(samples),
     }  # fmt: skip
 
@@ -283,22 +283,22 @@ def _detection(results: ResilienceResults) -> Content:
         if found:
             delays = (_middle(results, of, f"{trigger}_delay", 1e3) for trigger in TRIGGERS)
             name = f"{LOOKS[of[0]].label}, {plain(of[2])} m/s"
-            lines.append((name, *delays, *_unnoticed(found)))
-    missed, false_alarms = _unnoticed(everyone)
+            lines.append((name, *delays, *_detection_counts(found)))
+    missed, false_alarms = _detection_counts(everyone)
     return {
         "slowest": SLOWEST[1], "level": SLOW[0], "missed": missed, "false_alarms": false_alarms,
         "delays": lines,
     }  # fmt: skip
 
 
-def _unnoticed(trials: Sequence[Trial]) -> tuple[int, float]:
+def _detection_counts(trials: Sequence[Trial]) -> tuple[int, float]:
     """Collisions without an alarm, and alarms without a collision."""
     measures = [trial.measures for trial in trials]
     missed = sum(m["detection_delay"] is None for m in measures)
     return missed, sum(m["false_alarms"] or 0.0 for m in measures)
 
 
-def _where(results: ResilienceResults) -> Content:
+def _places(results: ResilienceResults) -> Content:
     columns = (
         ("position_error", 1e3, 1), ("direction_error", DEGREES, 1),
         ("arms_direction_error", DEGREES, 1), ("acceleration_direction_error", DEGREES, 1),
@@ -333,7 +333,7 @@ def _energy(results: ResilienceResults) -> Content:
     }  # fmt: skip
 
 
-def _repeated(results: ResilienceResults) -> Content:
+def _repeats(results: ResilienceResults) -> Content:
     arq, quad = results.repeats_of("arq"), results.repeats_of("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
     lines: list[Sequence[Entry]] = []
@@ -346,12 +346,12 @@ def _repeated(results: ResilienceResults) -> Content:
             "yes" if repeat.success else "no",
         ))  # fmt: skip
     return {
-        "collisions": results.repeats[0].asked, "steep": signed(REPEATED[0]),
+        "collisions": results.repeats[0].asked, "steep": signed_angle(REPEATED[0]),
         "arq_flights": len(arq), "won": sum(r.success for r in arq), "quad_flights": len(quad),
         "quad_won": sum(r.success for r in quad), "both": len(results.repeats),
         "worst": 1e3 * max(gaps) if gaps else None,
         "swung": sum(r.alarms > r.collisions for r in results.repeats), "flights": lines,
-        "repeated": resilience.repeated_figure(results) if any(r.flight for r in arq) else None,
+        "repeated": resilience.repeat_figure(results) if any(r.flight for r in arq) else None,
     }  # fmt: skip
 
 
@@ -391,7 +391,7 @@ def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, An
     tables = {
         "trials.csv": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "collisions.csv": _sample_rows(results),
-        "repeated.csv": _repeated_rows(results),
+        "repeated.csv": _repeat_rows(results),
         "choices.csv": [c.as_dict() for c in results.choices.cells] if results.choices else [],
         "map.csv": results.envelope.rows() if results.envelope else [],
     }
@@ -412,7 +412,7 @@ def _sample_rows(results: ResilienceResults) -> list[dict[str, Any]]:
     return rows
 
 
-def _repeated_rows(results: ResilienceResults) -> list[dict[str, Any]]:
+def _repeat_rows(results: ResilienceResults) -> list[dict[str, Any]]:
     rows = []
     for repeat in results.repeats:
         if repeat.flight is not None:

@@ -21,10 +21,10 @@ from springback.interfaces.reports.page import (
     Table,
     TableCell,
     Wording,
-    listed,
+    decimal,
+    join,
     percent,
     plain,
-    rounded,
     table,
     words_of_power,
 )
@@ -64,7 +64,7 @@ def _ours(row: Row | None) -> TableCell:
         return TableCell("–")
     quantity = QUANTITIES[row.quantity]
     number = None if row.ours is None else row.ours * quantity.scale
-    return TableCell(rounded(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
+    return TableCell(decimal(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
 
 
 def _printed(row: Row, value: float | None) -> TableCell:
@@ -87,7 +87,7 @@ def _c_a(run: Run | None, absent: str = "–") -> TableCell:
     return (
         TableCell(absent)
         if row is None
-        else TableCell(rounded(row.dissipation, 3), row.dissipation)
+        else TableCell(decimal(row.dissipation, 3), row.dissipation)
     )
 
 
@@ -153,7 +153,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
     quads = {s: run for s in slider.SURFACES if (run := _nth(runs, "quad", s, "Quad", 0))}
     for surface, run in quads.items():
         met += sum(_agrees(run, number) for number in free)
-        numbers = listed(_quad_number(number, run) for number in free)
+        numbers = join(_quad_number(number, run) for number in free)
         details.append(WORDS.say("quad", surface=surface, c_a=_c_a(run), numbers=numbers))
     verdict = ""
     if quads:
@@ -167,7 +167,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
             if all(_agrees(_nth(runs, "arq", surface, name, 0), number) for number in PRINTED)
         ]
         key = "verdict_arq_some" if complete else "verdict_arq_none"
-        verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=listed(complete))
+        verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=join(complete))
     return {
         **_gap_words(results), "speed": SLIDER_SPEED, "fastest": SWEEP_SPEEDS[-1],
         "verdict": verdict, "details": details,
@@ -214,8 +214,8 @@ def _differences() -> dict[str, str]:
     gaps = {}
     for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
-        gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
-        gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
+        gaps[robot] = decimal(mat.restitution - wall.restitution, 3)
+        gaps[f"{robot}_test"] = decimal(mat.restitution_test - wall.restitution_test, 3)
     return gaps
 
 
@@ -228,13 +228,13 @@ def _disagreement(results: SliderResults, runs: Runs) -> Content:
     ]
     for number in PRINTED:
         giving = (
-            listed(n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number))
+            join(n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number))
             for surface in slider.SURFACES
         )
         who.append((number, *giving))
     gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
     good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
-    who.append(("gap of the speed sweep", listed(good), None))
+    who.append(("gap of the speed sweep", join(good), None))
     wanted: list[Sequence[Entry]] = [
         ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
     ]
@@ -264,7 +264,7 @@ def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry
             *(TableCell(f"{count} of {len(rows)}", count) for count in near),
             sum(row.mark is Mark.FITTED for row in rows),
             percent(max(known)).lstrip("+") if known else None,
-            None if gap is None else TableCell(rounded(gap.ours, 0), gap.ours),
+            None if gap is None else TableCell(decimal(gap.ours, 0), gap.ours),
         ))  # fmt: skip
     return lines
 
@@ -279,7 +279,7 @@ def _sweep(results: SliderResults) -> Content:
     for speed in sorted({point.speed for point in results.sweep}):
         here = [points[name, speed] for name in names]
         values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
-        rows.append((speed, *(TableCell(rounded(v, 0), v) for v in values)))
+        rows.append((speed, *(TableCell(decimal(v, 0), v) for v in values)))
     return {
         **_gap_words(results), "fastest": SWEEP_SPEEDS[-1], "points": rows,
         "sweep": slider.sweep_figure(results),
@@ -292,7 +292,7 @@ def _gap_words(results: SliderResults) -> Content:
         WORDS.say("sweep_gap", row=row, deviation=percent(row.deviation))
         for row in _gaps(results).values()
     ]
-    return {"printed": SWEEP_GAP, "gaps": listed(gaps) if gaps else ""}
+    return {"printed": SWEEP_GAP, "gaps": join(gaps) if gaps else ""}
 
 
 def _energy(results: SliderResults) -> Content:
@@ -319,7 +319,7 @@ def _energy_row(case: Case) -> tuple[Entry, ...]:
     parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
     shares = (TableCell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
     robot = ROBOTS[case.robot].label + ("" if case.robot == "quad" else f", {case.reading.name}")
-    return (f"{robot} on the {case.surface}", TableCell(rounded(start, 2), start), *shares)
+    return (f"{robot} on the {case.surface}", TableCell(decimal(start, 2), start), *shares)
 
 
 def _method(results: SliderResults) -> Content:

@@ -75,7 +75,7 @@ def is_welcome(header: str, host: str) -> bool:
     return asked in (socket.gethostname().lower(), socket.getfqdn().lower())
 
 
-def guarded(app: App, host: str = LOOPBACK) -> App:
+def guard_requests(app: App, host: str = LOOPBACK) -> App:
     """An application that answers only requests meant for it, with `HEADERS` on every answer.
 
     Args:
@@ -161,7 +161,7 @@ def serve(
     """Serve an application until interrupted, which is a clean end.
 
     Args:
-        app: Any ASGI application; it is `guarded` here.
+        app: Any ASGI application; guarded by `guard_requests` here.
         host: To bind to; anything but loopback is warned about.
         port: 0 takes a free one.
         what: What is served, for people.
@@ -189,7 +189,7 @@ def serve(
 
 
 def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> Any:
-    """The server of an application, which is `guarded` here.
+    """The server of an application, guarded by `guard_requests`.
 
     Args:
         app: Any ASGI application.
@@ -201,7 +201,7 @@ def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> 
 
     patient = type("Patient", (PatientProtocol,), {"patience": patience or HEAD_PATIENCE})
     settings = uvicorn.Config(
-        guarded(app, host), log_level="error", access_log=False, server_header=False,
+        guard_requests(app, host), log_level="error", access_log=False, server_header=False,
         timeout_graceful_shutdown=PATIENCE, lifespan="auto", ws="none", http=patient,
     )  # fmt: skip
     return uvicorn.Server(settings)

@@ -21,7 +21,7 @@ from springback.interfaces.animation.bodies import (
     views,
 )
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, RED, ROBOTS, SHADE
 from springback.interfaces.replay.scene import ArmShape, Scene
 from springback.vehicle.library import VEHICLES
@@ -47,7 +47,7 @@ def shapes(robot: str) -> tuple[ArmShape, ...]:
     )  # fmt: skip
 
 
-@styled
+@in_style
 def robots_figure() -> Figure:
     """Both robots from above, to scale: arms with their directions, springs, cages, rotors."""
     figure = StyledFigure(figsize=(WIDTH, 2.95))
@@ -99,7 +99,7 @@ def _robot(
     chart.ax.fill(*view(body_outline(now)[0]).T, fc=colour, ec=INK, lw=0.8, zorder=5)
 
 
-@styled
+@in_style
 def contact_figure(scene: Scene) -> Figure:
     """A contact from above at the instant of the greatest force, with the force on each cage.
 

@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.panels import Array, spread
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.panels import Array, widen_flat_axis
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREEN, INK, RobotStyle
 from springback.interfaces.output.robots import ROBOTS as KNOWN
 from springback.paper.features import TABLE_I
@@ -93,7 +93,7 @@ def _drawn(t: Array, *curves: Array) -> list[Array]:
     return [np.interp(at, t, curve) for curve in (t, *curves)]
 
 
-@styled
+@in_style
 def steps_figure(results: FlightResults) -> Figure:
     """Each axis from the moment it is asked to step by 1 m, all robots in one panel."""
     figure = StyledFigure(figsize=(WIDTH, 4.6))
@@ -119,7 +119,7 @@ def circle_errors_over_time(flight: Flight) -> dict[str, Array]:
     return {"t": d["t"], **errors}
 
 
-@styled
+@in_style
 def circles_figure(results: FlightResults) -> Figure:
     """Circles from above, and below them the errors of position and velocity over time."""
     figure = StyledFigure(figsize=(WIDTH, 6.6))
@@ -157,7 +157,7 @@ def _circle_column(plane: Chart, column: Sequence[Chart], flown: Mapping[str, Fl
             chart.ax.set_xlim(0.0, t[-1])
     plane.ax.set_aspect("equal")
     for chart in column:
-        spread(chart.ax, 0.02, 0.02)
+        widen_flat_axis(chart.ax, 0.02, 0.02)
         chart.ax.yaxis.set_major_locator(MaxNLocator(4))
 
 
@@ -201,7 +201,7 @@ def table_iv(results: FlightResults) -> list[Ratio]:
     return [cell for cell in kept if cell.ours]
 
 
-@styled
+@in_style
 def table_iv_figure(results: FlightResults) -> Figure:
     """Every number of Table IV: ours over print, 1 is agreement; bars span the trials."""
     cells = table_iv(results)
@@ -260,7 +260,7 @@ def endurance_points(robot: str, count: int = 60) -> tuple[Array, Array]:
     return payloads, endurance_curve(vehicle, payloads)
 
 
-@styled
+@in_style
 def endurance_figure() -> Figure:
     """Hover time against payload; diamonds are printed hover times, lines printed payloads."""
     figure = StyledFigure(figsize=(WIDTH, 2.8))

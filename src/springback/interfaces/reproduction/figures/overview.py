@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, INK, RED
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
@@ -19,7 +19,7 @@ ROWS = 3
 """Rows over which the marks of a line are spread, so that they hide each other less."""
 
 
-@styled
+@in_style
 def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
     """Ours over print, a mark for each compared number, a line for each group of them.
 

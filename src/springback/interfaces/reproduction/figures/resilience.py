@@ -18,10 +18,10 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.panels import Array, contacts, thinned
-from springback.interfaces.figures.style import WIDTH, Look, StyledFigure, styled
+from springback.interfaces.figures.panels import Array, contacts, thin_curve
+from springback.interfaces.figures.style import WIDTH, Look, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, ROBOTS
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS
 from springback.paper.resilience import (
     FASTEST,
@@ -79,13 +79,13 @@ def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
 # -- success --------------------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def success_figure(results: ResilienceResults) -> Figure:
     """Shares of recovered trials with Wilson's intervals, and what the paper prints."""
     figure = StyledFigure(figsize=(WIDTH, 3.0))
     ax = figure.subplots()
     chart = Chart(ax, "Speed and pitch at contact", "Recovered [%]")
-    names = [f"{speed:g} m/s\n{signed(pitch)}°" for pitch, speed in ORDER]
+    names = [f"{speed:g} m/s\n{signed_angle(pitch)}°" for pitch, speed in ORDER]
     for robot, shift in zip(FLOWN, (-0.14, 0.14), strict=True):
         look = ROBOTS[robot]
         found = {ORDER.index((t.pitch, t.speed)): t for t in results.tallies() if t.robot == robot}
@@ -111,13 +111,13 @@ def success_figure(results: ResilienceResults) -> Figure:
 
 
 def _condition(robot: str, pitch: float, speed: float) -> str:
-    return f"{ROBOTS[robot].label}, {speed:g} m/s, {signed(pitch)}°"
+    return f"{ROBOTS[robot].label}, {speed:g} m/s, {signed_angle(pitch)}°"
 
 
 # -- states over time -----------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def fast_figure(sample: Sample) -> Figure:
     """Position, velocity and pitch of one collision: flown and asked for, and a close-up."""
     figure = StyledFigure(figsize=(WIDTH, 5.0))
@@ -177,8 +177,8 @@ def _collision(charts: Sequence[Chart], sample: Sample, view: TimeView) -> None:
                 chart.span("contact", scale * low, scale * high)
 
 
-@styled
-def compared_figure(samples: Sequence[Sample]) -> Figure:
+@in_style
+def comparison_figure(samples: Sequence[Sample]) -> Figure:
     """Position, velocity and pitch of both robots over the same collision."""
     figure = StyledFigure(figsize=(WIDTH, 4.4))
     axes = figure.subplots(3, 1, sharex=True)
@@ -199,7 +199,7 @@ def compared_figure(samples: Sequence[Sample]) -> Figure:
 # -- from the side --------------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def side_figure(samples: Sequence[Sample]) -> Figure:
     """Robots from the side, time as colour: away from the wall above, back to p_r below."""
     seen = [_within(motion(sample.flight), (0.0, SEEN)) for sample in samples]
@@ -255,8 +255,8 @@ def _poses(chart: Chart, sample: Sample, curves: dict[str, Array], scale: Normal
 # -- again and again ------------------------------------------------------------------------------
 
 
-@styled
-def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
+@in_style
+def repeat_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     """Collision after collision without landing; the first second of the first one on the right."""
     flight = next(r.flight for r in results.repeats_of(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
@@ -268,7 +268,7 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     for k, ((name, label, scale), (left, right)) in enumerate(zip(rows, axes, strict=True)):
         whole = Chart(left, "Time [s]", label, _condition(robot, *REPEATED), titled=k == 0)
         zoom = Chart(right, "From touch [s]", label, "The first", titled=k == 0)
-        t, values = thinned(curves["t"] + touch, scale * curves[name])
+        t, values = thin_curve(curves["t"] + touch, scale * curves[name])
         whole.curve("flown", t, values, key=False, color=colour, lw=0.9)
         zoom.curve("flown", close["t"], scale * close[name], key=False, color=colour)
         zoom.vline("first touch", 0.0)

@@ -20,8 +20,8 @@ from springback.interfaces.figures.style import (
     WIDTH,
     Look,
     StyledFigure,
-    as_written,
-    styled,
+    escape,
+    in_style,
 )
 from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
@@ -61,7 +61,7 @@ def _legend_room(readings: int) -> float:
     return 0.2 * max(0, -(-readings // 3) - 1)
 
 
-@styled
+@in_style
 def slider_figure(results: SliderResults, robot: str) -> Figure:
     """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
 
@@ -153,7 +153,7 @@ def _slider_print(charts: Sequence[Chart], robot: str, surface: str) -> None:
     charts[2].hline("printed value", -printed.peak_acceleration, **line)
 
 
-@styled
+@in_style
 def sweep_figure(results: SliderResults) -> Figure:
     """Peak acceleration against speed, without the sliding bar, and how much less ARQ's is."""
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
@@ -191,13 +191,13 @@ def _bars(
         left = [v - 0.42 + (k + 0.5) * width for v in speeds]
         chart.record(name, {chart.x: speeds, chart.y: heights})
         chart.ax.bar(
-            left, heights, 0.92 * width, color=colour, label=as_written(name), edgecolor="white",
+            left, heights, 0.92 * width, color=colour, label=escape(name), edgecolor="white",
             hatch=hatches[k % len(hatches)], linewidth=0.0,
         )  # fmt: skip
     chart.ax.grid(visible=False, axis="x")
 
 
-@styled
+@in_style
 def readings_figure(results: SliderResults) -> Figure:
     """Every reading against the four printed numbers of ARQ: ours over print, 1 is agreement."""
     rows = {
@@ -245,7 +245,7 @@ def readings_figure(results: SliderResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
     """ARQ and Quad hit the wall on the slider: velocity and acceleration, for a front page."""
     cases = predictions(results, "quad", "wall") + [
