@@ -28,7 +28,7 @@ def run() -> None:
         except SystemExit as done:
             code = done.code
         except BaseException:
-            if not interrupts.occurred():
+            if not interrupts.is_interrupted():
                 raise
             interrupts.ignore()
             _last(interrupts.message())

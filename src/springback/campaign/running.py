@@ -51,7 +51,7 @@ class CampaignProgress:
     """Flights per second, lately; 0 while unknown."""
 
     @property
-    def left(self) -> float | None:
+    def time_left(self) -> float | None:
         """Time left [s]; None while unknown."""
         return (self.flights - self.done - self.given_up) / self.rate if self.rate > 0.0 else None
 
@@ -61,8 +61,8 @@ class CampaignProgress:
         parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {self.parts} parts"]
         if self.rate > 0.0:
             parts.append(f"{self.rate:.0f} flights/s")
-        if self.left:
-            parts.append(f"{in_time(self.left)} left")
+        if self.time_left:
+            parts.append(f"{in_time(self.time_left)} left")
         if self.refused:
             parts.append(f"{self.refused} refused")
         if self.ledger_open:

@@ -17,7 +17,7 @@ from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
@@ -89,7 +89,7 @@ def cascade_memory(
     estimator: Any,
     estimate: Estimate,
     thrust: tuple[float, ...],
-    build: Build = uncached,
+    build: Build = plain_build,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust of the start.
 

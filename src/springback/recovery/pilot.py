@@ -21,7 +21,7 @@ from springback.control.cascade import (
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -102,7 +102,7 @@ class RecoveryPilotMemory(NamedTuple):
 
 
 def recovery_pilot_memory(
-    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = uncached
+    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = plain_build
 ) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 

@@ -24,7 +24,7 @@ class EstimateErrors(NamedTuple):
 def _ticks(flight: Flight) -> Array:
     """Instants of the ticks [s]; without a pilot, those of the clock."""
     if not flight.columns:
-        raise InputError("the flight kept no trajectory")
+        raise InputError("the flight has no trajectory")
     if "t" in flight.telemetry:
         return flight.telemetry["t"]
     clock = float(flight.scenario.clock)
@@ -44,7 +44,7 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
         InputError: If the trajectory was not recorded, or there is no estimate.
     """
     if "est_x" not in flight.telemetry:
-        raise InputError("the flight kept no trajectory, or no estimate was made")
+        raise InputError("the flight has no trajectory, or no estimate was made")
     names = ("x", "y", "z"), ("vx", "vy", "vz"), ("qw", "qx", "qy", "qz")
     truth = [_at_ticks(flight, group) for group in names]
     believed = [

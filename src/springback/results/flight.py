@@ -148,7 +148,7 @@ class Flight:
 
     def _need_trajectory(self) -> None:
         if not self.columns:
-            raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+            raise InputError("this flight has no trajectory: fly it with trajectory=True")
 
     def to_dataframe(self) -> pandas.DataFrame:
         """Trajectory as a pandas DataFrame, one row per instant; units in ``attrs``.

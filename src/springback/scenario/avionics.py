@@ -19,7 +19,7 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts
 from springback.errors import InputError
-from springback.kernels.memo import FOREVER, Build, uncached
+from springback.kernels.memo import FOREVER, Build, plain_build
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -120,7 +120,7 @@ class NominalVehicle(NamedTuple):
 
 
 def nominal_vehicle(
-    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = uncached
+    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = plain_build
 ) -> NominalVehicle:
     """A pilot's model of a vehicle."""
     airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
@@ -144,7 +144,7 @@ def reference_of(
     believed: NominalVehicle,
     rate_limit: float,
     point: Any,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> Any:
     """Build a reference.
@@ -277,7 +277,7 @@ def cascade_of(
     scenario: ScenarioTables,
     model: Model,
     start: State,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
@@ -339,7 +339,7 @@ def collision_sensing(
 
 
 def recovery_pilot(
-    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = uncached
+    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = plain_build
 ) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
     s, recovery, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
@@ -360,7 +360,7 @@ def build_avionics(
     pilot: CompiledPilot | None = None,
     relay: bool = False,
     biases: Sequence[float] | None = None,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.

@@ -17,7 +17,7 @@ from springback.contact.parameters import Own, obstacles
 from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
-from springback.kernels.memo import FOREVER, Build, uncached
+from springback.kernels.memo import FOREVER, Build, plain_build
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.quantities import si_number
@@ -99,7 +99,7 @@ def masses_of(vehicle: Vehicle) -> Masses:
 
 
 def true_body(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> TrueBody | None:
     """True main body, with model errors and payload; None if it is the nominal one.
 
@@ -152,7 +152,7 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
 
 
 def true_airframe(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> Airframe:
     """Airframe of the true vehicle, for the equations of motion."""
     airframe = build(Vehicle.airframe, vehicle)
@@ -167,7 +167,9 @@ def true_airframe(
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(world: WorldSettings, own: Sequence[Own] = (), build: Build = uncached) -> World:
+def world_numbers(
+    world: WorldSettings, own: Sequence[Own] = (), build: Build = plain_build
+) -> World:
     """Obstacles and gravity for the equations; ``own`` are the user's own shapes."""
     built = obstacles(world.obstacles, own, build)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
@@ -217,7 +219,7 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
 
 
 def flight_model(
-    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = uncached
+    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = plain_build
 ) -> Model:
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
@@ -233,7 +235,7 @@ def _flight_options(model: ModelSettings, simulation: SimulationSettings, vehicl
     return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
 
 
-def start_state(start: Start, vehicle: Vehicle, build: Build = uncached) -> State:
+def start_state(start: Start, vehicle: Vehicle, build: Build = plain_build) -> State:
     """State at time 0, arms at their free length."""
     s, arms = start, build(_arms_at_rest, vehicle)
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))

@@ -257,7 +257,7 @@ def test_what_cannot_be_gets_one_line_and_leaves_nothing(folder: Path, tmp_path:
     assert "one folder, or two" in refused("--out", out)
     assert "one folder, or two" in refused(folder, folder, folder, "--out", out)
     out.write_text("mine")
-    assert "is there already" in refused(folder, "--out", out)
+    assert "already exists" in refused(folder, "--out", out)
     assert out.read_text() == "mine"
     assert [path.name for path in tmp_path.iterdir()] == ["film.gif"]
 

@@ -220,7 +220,7 @@ def test_events_are_where_the_measures_say(recovery: Flight) -> None:
     m = recovery.measures
     assert when["touch"] == pytest.approx(m["touch_time"], abs=1e-9)
     assert when["off"] == pytest.approx(m["separation_time"], abs=1e-9)
-    assert when["noticed"] == pytest.approx(m["alarm_time"], abs=1.1e-3)
+    assert when["detected"] == pytest.approx(m["alarm_time"], abs=1.1e-3)
     assert when["way back"] == pytest.approx(m["planned_time"], abs=1.1e-3)
     assert [event.t for event in scene.events] == sorted(event.t for event in scene.events)
     assert scene.events[-1].text == recovery.message

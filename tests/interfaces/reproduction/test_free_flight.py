@@ -176,7 +176,7 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:
-    for loss, name in ((1.5, "air"), (-1.5, "wind put in")):
+    for loss, name in ((1.5, "air"), (-1.5, "work of wind")):
         measures = {**flight.measures, "energy_start": 2.0, "loss_air": loss}
         (ax,) = plots.energy_figure(replace(flight, measures=measures)).axes
         bars = {

@@ -123,7 +123,7 @@ class Frame:
     # -- where to look ----------------------------------------------------------------------------
 
     def _aim(self, poses: Sequence[SceneInstant], when: float) -> None:
-        """Set one scale for all views: zoomed in around impacts, following a robot that flies far."""
+        """Set one scale for all views: zoomed in around impacts, following on long flights."""
         half = max(half for column in self.ways for half, _ in column)
         follow, half = half > WIDEST, min(half, WIDEST)
         tall = self.panels[0][1].shape()

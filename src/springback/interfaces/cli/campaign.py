@@ -248,7 +248,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     if out is not None and out.suffix not in SUFFIXES and (out.suffix != ".parquet" or not sql):
         raise InputError(f"--out {out}: must end in .parquet, {', '.join(SUFFIXES)}")
     if out is not None and out.exists() and not force:
-        raise InputError(f"--out {out}: is there already; give another, or --force")
+        raise InputError(f"--out {out}: already exists; give another, or --force")
     if out is not None and sql is not None and out.suffix == ".parquet":
         note(f"{known.save(sql, out)} rows written to {out}", False)
         return

@@ -1,4 +1,4 @@
-"""Figures of campaigns: success along each field, and over two."""
+"""Figures of campaigns: success over one field and over two."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 SHARE = "Share that succeeds [-]"
 #: Panels side by side, and their size [in].
 ABREAST, PANEL = 3, (2.5, 2.0)
-#: Labels of levels longer than this in all are written at a slant (chosen).
+#: Labels of levels are slanted if longer than this in total [characters] (chosen).
 LONG = 22
-#: Ticks along a logarithmic axis: so many are enough, and at most so many are written (chosen).
+#: Smallest number of ticks of a logarithmic axis, and largest number of labels (chosen).
 ENOUGH, MOST_TICKS = 3, 5
 
 
 def display_unit(unit: str) -> str:
-    """As people read it: angles in degrees."""
+    """Unit for display: degrees for angles."""
     return {"rad": "deg", "": "-"}.get(unit, unit).replace("^2", "²")
 
 
 def display_values(scale: Scale, values: Any) -> Any:
-    """Values in the shown unit."""
+    """Values in the displayed unit."""
     return np.degrees(values) if scale.unit == "rad" else np.asarray(values)
 
 
@@ -44,10 +44,10 @@ def label(scale: Scale) -> str:
 
 @in_style
 def marginals_figure(found: Sequence[Marginal]) -> Figure:
-    """Share of flights that succeed along each field, with Wilson's intervals.
+    """Success rate over each field, with Wilson intervals.
 
     Args:
-        found: One for each panel.
+        found: Marginals, one for each panel.
     """
     columns = min(ABREAST, len(found))
     lines = math.ceil(len(found) / columns)
@@ -73,7 +73,7 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
 
 
 def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
-    """One robot along one field: points with bars at levels, else a line in a band."""
+    """One robot over one field: points with bars at levels, else a line in a band."""
     cells = one.robots[robot]
     x = display_values(one.scale, [cell.place for cell in cells])
     y, low, high = np.array(
@@ -112,8 +112,8 @@ def _ticks(axes: Axes, scale: Scale) -> None:
 def round_ticks(low: float, high: float) -> list[float]:
     """A few round numbers between two of the same sign, for a logarithmic axis.
 
-    They are powers of ten where there are enough, else 1, 2 and 5 times these; if a range holds
-    fewer than two of those, its ends.
+    They are powers of ten if there are enough, else also 2 and 5 times these; if there are fewer
+    than two, the ends of the range.
     """
     if high < 0.0:
         return [-tick for tick in reversed(round_ticks(-high, -low))]
@@ -129,7 +129,7 @@ def round_ticks(low: float, high: float) -> list[float]:
 
 
 def tick_label(tick: float) -> str:
-    """A tick in plain digits, or as a power of ten where those would be many."""
+    """Label of a tick: plain digits, or a power of ten if those would be many."""
     if 1e-3 <= abs(tick) < 1e5:
         return f"{tick:.3g}" if abs(tick) < 1e3 else f"{tick:.0f}"
     power = math.floor(math.log10(abs(tick)))
@@ -138,7 +138,7 @@ def tick_label(tick: float) -> str:
 
 
 def _log_ticks(axis: Any, scale: Scale) -> None:
-    """Round numbers along a logarithmic field."""
+    """Set ticks at round numbers of a logarithmic field."""
     low, *_, high = (float(edge) for edge in display_values(scale, scale.edges))
     ticks = round_ticks(*sorted((low, high)))
     axis.set_ticks(ticks, [tick_label(tick) for tick in ticks])
@@ -147,10 +147,10 @@ def _log_ticks(axis: Any, scale: Scale) -> None:
 
 @in_style
 def field_map_figure(found: FieldMap) -> Figure:
-    """Share of flights that succeed over two fields, robot by robot.
+    """Success rate over two fields, by robot.
 
     Args:
-        found: The shares.
+        found: Success rates.
     """
     robots = list(found.flights)
     figure = StyledFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
@@ -180,14 +180,14 @@ def field_map_figure(found: FieldMap) -> Figure:
 
 
 def _edges(scale: Scale) -> Any:
-    """Bounds of cells: of levels by their number, else in the shown unit."""
+    """Bounds of cells: indices of levels, else values in the displayed unit."""
     if scale.labels:
         return np.arange(len(scale.labels) + 1) - 0.5
     return display_values(scale, scale.edges)
 
 
 def _middles(scale: Scale) -> Any:
-    """Middles of cells, those of levels by their words."""
+    """Centres of cells; words for levels."""
     if scale.labels:
         return _level_words(scale)
     edges = display_values(scale, scale.edges)
@@ -195,7 +195,7 @@ def _middles(scale: Scale) -> Any:
 
 
 def _level_words(scale: Scale) -> tuple[str, ...]:
-    """Levels as they are written: numbers in the shown unit."""
+    """Labels of levels: words, or numbers in the displayed unit."""
     if scale.edges:
         return tuple(f"{value:.4g}" for value in display_values(scale, scale.edges))
     return scale.labels

@@ -1,7 +1,7 @@
-"""Axes that draw tidy columns, and keep these as the table of their figure.
+"""Axes that draw tidy columns, and record them in the table of their figure.
 
-A column is named by the label of its axis, with the unit.  Where the place of a mark only
-represents a word, as on an axis of names, ``columns`` holds the word.
+A column is named by the label of its axis, with the unit.  Where a position stands for a word, as
+on an axis of names, ``columns`` holds the word.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from springback.interfaces.figures.style import StyledFigure, escape
 from springback.interfaces.output.robots import GREY, INK, SHADE
 
 LOW, HIGH = ", low", ", high"
-"""Ends of the heads of bounds."""
+"""Suffixes of the column names of bounds."""
 RULE: dict[str, Any] = {"color": GREY, "lw": 0.9, "ls": (0, (3, 2)), "zorder": 1.5}
-"""A line across a panel."""
+"""Look of a line across a panel."""
 AREA: dict[str, Any] = {"color": SHADE, "lw": 0.0, "zorder": 0.1}
-#: Light to dark with failures: colours of one hue, distinguishable in grey, too.
+#: Light to dark with failures: one hue, distinguishable in grey.
 SHADES = ListedColormap(np.linspace((0.55, 0.16, 0.05), (0.97, 0.97, 0.97), 11).tolist())
 Columns = Mapping[str, Any]
-"""Values by head: an array, or one value for all rows."""
+"""Values by column name: an array, or one value for all rows."""
 
 
 class Chart:
-    """A panel with the heads of its two axes, which are its labels where they have a unit.
+    """A panel whose axis labels, with units, are the column names of its table.
 
-    Every method that draws takes the name of the series first, and keywords of matplotlib last;
+    Every drawing method takes the name of the series first, and keywords of matplotlib last;
     without ``key`` the series is in the table, but not in the legend.
     """
 
     def __init__(self, ax: Axes, x: str, y: str, panel: str = "", *, titled: bool = True) -> None:
-        """Label the axes whose ticks carry numbers, and set the title."""
+        """Label the axes whose ticks are numbers, and set the title."""
         self.ax, self.x, self.y, self.panel = ax, x, y, panel
         for axis, label, which in ((ax.xaxis, x, "labelbottom"), (ax.yaxis, y, "labelleft")):
             if label.endswith("]") and axis.get_tick_params().get(which, True):
@@ -53,7 +53,7 @@ class Chart:
         self, series: str, x: Any, y: Any, *, key: bool = True, columns: Columns | None = None,
         **look: Any,
     ) -> Any:  # fmt: skip
-        """Draw a line or marks; ``columns`` replace or join those of x and y in the table."""
+        """Draw a line or marks; ``columns`` replace or extend those of x and y in the table."""
         self.record(series, {self.x: x, self.y: y, **(columns or {})})
         return self.ax.plot(x, y, label=_label(series, key), **look)[0]
 
@@ -90,7 +90,7 @@ class Chart:
         self.ax.axvspan(low, high, label=_label(series, key), **AREA | look)
 
     def key(self, name: str, **look: Any) -> None:
-        """Explain a look in the legend."""
+        """Add a look to the legend."""
         self.ax.plot([], [], label=escape(name), **look)
 
     def heat_map(
@@ -100,11 +100,11 @@ class Chart:
         """Draw shares as colours with a word in each cell.
 
         Args:
-            head: Of the shares in the table, in percent if it says so.
-            shares: From 0 to 1; rows by columns, NaN where there is none.
-            words: Of each cell.
-            rows: Their names, from the top.
-            columns: Their names.
+            head: Column name of the shares, which are in percent if it contains ``%``.
+            shares: From 0 to 1, shape (rows, columns); NaN for missing ones.
+            words: Text of each cell.
+            rows: Names of the rows, from the top.
+            columns: Names of the columns.
         """
         shares, scale = np.asarray(shares), 100.0 if head.endswith("[%]") else 1.0
         self.ax.imshow(shares, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
@@ -126,5 +126,5 @@ class Chart:
 
 
 def _label(series: str, key: bool = True) -> str:
-    """The label of an artist; matplotlib keeps those with an underscore out of legends."""
+    """Label of an artist; matplotlib leaves those with an underscore out of legends."""
     return escape(series) if key else f"_{series}"

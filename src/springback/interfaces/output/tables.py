@@ -15,17 +15,17 @@ from springback.files import atomic_file, csv_text
 Row = tuple[Any, ...]
 #: Suffixes of files of results, and their formats.
 SUFFIXES = {".csv": "csv", ".json": "json", ".md": "markdown"}
-#: Rows and characters of a column that a table shows at most (chosen).
+#: Most rows, and most characters of a column, that a table shows (chosen).
 MOST_ROWS, WIDEST = 200, 48
 
 
 def lines_of(
     columns: Sequence[str], stretches: Iterable[Sequence[Row]], form: str
 ) -> Iterator[str]:
-    """A result as lines of text, as it arrives: never more than a chunk of it is kept.
+    """Lines of text of a result, as it arrives; at most one chunk is held in memory.
 
     Args:
-        columns: Names.
+        columns: Names of the columns.
         stretches: Values, some rows at a time.
         form: ``table``, ``csv``, ``json`` or ``markdown``.
     """
@@ -47,7 +47,7 @@ def lines_of(
 
 
 def _table_lines(columns: Sequence[str], stretches: Iterable[Sequence[Row]]) -> Iterator[str]:
-    """The first rows as a table, and how many more there are."""
+    """The first rows as a table, and the number of further rows."""
     shown_rows: list[Row] = []
     count = 0
     for rows in stretches:
@@ -69,11 +69,11 @@ def _json_lines(columns: Sequence[str], rows: Iterable[Row]) -> Iterator[str]:
 
 
 def _more(count: int) -> str:
-    return f"... {count} more rows; --format or --out gives all"
+    return f"... {count} more rows; use --format or --out for all"
 
 
 def cell_text(value: Any) -> str:
-    """A value for people."""
+    """Value as text for people."""
     if value is None:
         return "-"
     if isinstance(value, float):
@@ -84,7 +84,7 @@ def cell_text(value: Any) -> str:
 
 
 def as_text(columns: Sequence[str], rows: Sequence[Row]) -> str:
-    """A table with aligned columns; of many rows the first."""
+    """Table with aligned columns; of many rows only the first."""
     cells = [[_short(cell_text(value)) for value in row] for row in rows[:MOST_ROWS]]
     widths = [max(map(len, column)) for column in zip(columns, *cells, strict=True)]
     numbers = [
@@ -118,7 +118,7 @@ def _markdown_line(entries: Sequence[str]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value for JSON: numbers that are not finite are null."""
+    """Value for JSON: numbers that are not finite become null."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
     if isinstance(value, dict):
@@ -129,12 +129,12 @@ def _plain(value: Any) -> Any:
 
 
 def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], path: Path) -> int:
-    """Write a result to a file as it arrives, whole or not at all.
+    """Write a result to a file as it arrives, completely or not at all.
 
     Args:
-        columns: Names.
+        columns: Names of the columns.
         stretches: Values, some rows at a time.
-        path: Whose suffix is one of `SUFFIXES`.
+        path: File, whose suffix is one of `SUFFIXES`.
 
     Returns:
         Number of rows.
