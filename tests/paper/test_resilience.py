@@ -132,7 +132,7 @@ def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -
         assert f"{tallies[of].successes} of 2" in row.note
     where = ("arq", resilience.condition_name(*FASTEST))
     for side, printed in zip(("nose up", "nose down"), RECOVERY_PITCH, strict=True):
-        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"pitch asked for, {side}")]
+        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"commanded pitch, {side}")]
         assert flown.printed == asked.printed == printed
         assert (flown.mark is Mark.PREDICTED) == (abs(flown.deviation or 0.0) <= 0.05)
         assert asked.mark is (Mark.FITTED if side == "nose up" else Mark.PREDICTED)

@@ -256,7 +256,7 @@ class ResilienceResults:
         if asked is not None:
             (up, down), (least, most) = asked, RECOVERY_PITCH
             mark = predicted_or_contradicted(down, most)
-            what = "pitch asked for"
+            what = "commanded pitch"
             rows += [
                 _row("arq", name, f"{what}, nose up", "deg", up, least, Mark.FITTED, PACE),
                 _row("arq", name, f"{what}, nose down", "deg", down, most, mark, PACE),
@@ -343,7 +343,7 @@ def motion(flight: Flight) -> dict[str, Array]:
 
 
 def command_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
-    """Smallest and largest pitch asked for on the way to p_r [deg]; None if there was no way."""
+    """Smallest and largest commanded pitch on the way to p_r [deg]; None if there was no way."""
     pitch = np.degrees(motion(flight)[curve][flight.telemetry["phase"] == RECOVER])
     return (float(pitch.min()), float(pitch.max())) if len(pitch) else None
 

@@ -321,7 +321,7 @@ def test_table_i_shows_every_feature_with_its_mark(page: Any) -> None:
 
 def test_the_verdict_follows_the_results(results: FlightResults, page: Any) -> None:
     # Made up: ARQ's rise times are 2 % off, its errors 20 %; circles are at half of print.
-    assert "6 come out within 10 %; of the 12 of ARQ's, which are predicted, 6 do." in page.words
+    assert "6 agree within 10 %; of the 12 of ARQ's, which are predicted, 6 do." in page.words
     assert "Of the 24 numbers of the circles" in page.words
     assert "0 do, and 24 are within a factor of two." in page.words
     marks = [row.mark for row in results.rows() if row.printed is not None]

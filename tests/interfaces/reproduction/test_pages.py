@@ -122,7 +122,7 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
         "with the default choices and 1 in one reading or another (2 within 10 %)."
     )
     words = " ".join(block for block in section.blocks if isinstance(block, str))
-    assert "1 further numbers were put in as printed and 1 fitted" in words
+    assert "1 further numbers were used as inputs and 1 fitted" in words
     (worse,) = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
     assert worse.answer.startswith("Of 6 printed numbers")
     assert "Nothing was compared" in str(overview.overview([])[0].blocks[0])

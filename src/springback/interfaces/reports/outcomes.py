@@ -1,4 +1,4 @@
-"""Tables of a campaign: outcomes of each robot, and quantiles of its measures."""
+"""Tables of a campaign: outcomes and quantiles of measures of each robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from springback.campaign.columns import known_columns
 
 
 def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Flights, success and outcomes, a row for each robot."""
+    """Table of flights, success and outcomes, a row for each robot."""
     words = sorted({word for robot in robots for word in robot.outcomes})
     rows = [
         (
@@ -25,7 +25,7 @@ def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple
 
 
 def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Quantiles of measures, a row for each measure and robot."""
+    """Table of quantiles, a row for each measure and robot."""
     rows: list[tuple[Any, ...]] = []
     names = dict.fromkeys(name for robot in robots for name in robot.measures)
     for name in names:
@@ -47,7 +47,7 @@ def _scale(value: float | None, factor: float) -> float | None:
 
 
 def share_text(estimate: IntervalEstimate) -> str:
-    """A share with its interval, in percent."""
+    """Share with its interval, in percent."""
     if estimate.value is None or estimate.low is None or estimate.high is None:
         return "-"
     value, low, high = (100.0 * x for x in (estimate.value, estimate.low, estimate.high))

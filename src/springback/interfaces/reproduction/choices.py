@@ -1,6 +1,6 @@
-"""Assumptions that decide the collisions in flight, and the limits of both robots.
+"""Effect of open assumptions on the collisions in flight, and the limits of both robots.
 
-The words are in ``templates/resilience.toml``.
+The text is in ``templates/resilience.toml``.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ WORDS = Wording.of("resilience")
 
 
 def condition(pitch: float, speed: float) -> str:
-    """A condition in words."""
+    """Label of a condition."""
     return f"{signed_angle(pitch)}°, {plain(speed)} m/s"
 
 
 def choices_content(results: ResilienceResults) -> Content:
-    """The table under each set of choices, and how much of print each gives."""
+    """Content on the table under each set of choices, and its agreement with print."""
     found = results.choices
     if found is None or not found.cells:
         return {}
@@ -53,7 +53,7 @@ def choices_content(results: ResilienceResults) -> Content:
 
 
 def _fate(cell: Chosen | None) -> TableCell | None:
-    """Recovered of the trials; medians of height lost, distance and time."""
+    """Recovered trials; medians of height loss, distance and time."""
     if cell is None:
         return None
     loss, far, time = (
@@ -65,7 +65,7 @@ def _fate(cell: Chosen | None) -> TableCell | None:
 
 
 def map_content(results: ResilienceResults) -> Content:
-    """Recoveries of each robot over speed and pitch."""
+    """Content on the recoveries of each robot over speed and pitch."""
     envelope = results.envelope
     if envelope is None:
         return {}

@@ -1,6 +1,6 @@
-"""Collisions in flight in the report: which robot survives which, and how.
+"""Collisions in flight in the report.
 
-The words are in ``templates/resilience.toml``.
+The text is in ``templates/resilience.toml``.
 """
 
 from __future__ import annotations
@@ -57,16 +57,16 @@ SLOW = (0.0, 2.0)
 """Pitch [deg] and speed [m/s] at which the paper draws both robots."""
 STEEPEST = -45.0
 PLACE, ANGLE = 0.02, math.radians(5.0)
-"""Chosen: errors of position [m] and direction [rad] that are called small."""
+"""Chosen: errors of position [m] and direction [rad] that count as small."""
 CURVE_STEP = {"collisions.csv": 0.005, "repeated.csv": 0.05}
-"""[s], chosen: between the points of curves in CSV files."""
+"""Chosen: spacing of the points of curves in CSV files [s]."""
 CURVE_SPAN = (-0.3, 3.0)
-"""[s], chosen: since first touch, what of a collision is in a CSV file."""
+"""Chosen: time since first touch of the curves in CSV files [s]."""
 CURVES = {
     "x": "x [m]", "z": "z [m]", "vx": "vx [m/s]", "pitch": "pitch [rad]",
-    "asked_x": "x asked for [m]", "asked_vx": "vx asked for [m/s]",
-    "asked_pitch": "pitch asked for [rad]",
-    "aimed_pitch": "pitch asked for, with feedback [rad]",
+    "asked_x": "reference x [m]", "asked_vx": "reference vx [m/s]",
+    "asked_pitch": "reference pitch [rad]",
+    "aimed_pitch": "commanded pitch, with feedback [rad]",
 }  # fmt: skip
 """Columns of a collision in a CSV file, and their heads."""
 DEGREES = math.degrees(1.0)
@@ -75,7 +75,7 @@ LOSSES = ("loss_contact", "loss_friction", "loss_arm")
 
 
 def resilience_sections(results: ResilienceResults) -> list[Section]:
-    """The part of collisions in flight, section by section; what was not flown is left out."""
+    """Sections on collisions in flight; parts that were not flown are left out."""
     if not results.flown:
         return []
     rows = results.rows()
@@ -102,7 +102,7 @@ def _middle(
     results: ResilienceResults, of: tuple[str, float, float], measure: str,
     scale: float = 1.0, decimals: int = 1,
 ) -> TableCell | None:  # fmt: skip
-    """Median of the trials of a condition, in the unit that is shown, with least and most."""
+    """Median of the trials of a condition in the displayed unit, with minimum and maximum."""
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
         return None
@@ -114,7 +114,7 @@ def _middle(
 def _middles(
     results: ResilienceResults, columns: Sequence[tuple[str, float, int]]
 ) -> list[Sequence[Entry]]:
-    """A row of medians for each condition: measure, scale and decimals of each column."""
+    """Rows of medians by condition; ``columns`` are measure, scale and decimals."""
     return [
         (_name(of), *(_middle(results, of, *column) for column in columns))
         for of in _conditions(results)
@@ -127,7 +127,7 @@ def _median(results: ResilienceResults, of: tuple[str, float, float], measure: s
 
 
 def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
-    """Robot, pitch and speed of what was flown, robot by robot."""
+    """Robot, pitch and speed of all conditions flown, by robot."""
     flown = {(t.robot, t.pitch, t.speed) for t in results.flown}
     return [(robot, *c) for robot in ROBOTS for c in ORDER if (robot, *c) in flown]
 
@@ -137,7 +137,7 @@ def _name(of: tuple[str, float, float]) -> str:
 
 
 def _row(rows: Sequence[Row], quantity: str) -> TableCell:
-    """A compared pitch for a text."""
+    """Values of a compared pitch for a text."""
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return TableCell("–", mark=Mark.CONTRADICTED)
@@ -221,7 +221,7 @@ def _tally(tally: Tally | None, printed: float | None) -> TableCell | None:
 
 
 def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
-    """ARQ at its fastest."""
+    """Content on ARQ at its highest speed."""
     flown = results.values("arq", *FASTEST, "nose_up")
     sample = results.sample("arq", *FASTEST)
     if not flown or sample is None:
@@ -234,8 +234,8 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
     }  # fmt: skip
     content["up"], content["down"] = (signed_angle(value) for value in RECOVERY_PITCH)
     if (aimed := command_extremes(sample.flight, "aimed_pitch")) is not None:
-        content["asked_up"] = _row(rows, "pitch asked for, nose up")
-        content["asked_down"] = _row(rows, "pitch asked for, nose down")
+        content["asked_up"] = _row(rows, "commanded pitch, nose up")
+        content["asked_down"] = _row(rows, "commanded pitch, nose down")
         content["aimed_up"], content["aimed_down"] = aimed
     return content
 
@@ -257,7 +257,7 @@ def _recovery(results: ResilienceResults) -> Content:
 
 
 def _comparison(results: ResilienceResults) -> Content:
-    """Both robots in the same collision."""
+    """Content on both robots in the same collision."""
     samples = [s for robot in ROBOTS if (s := results.sample(robot, *SLOW)) is not None]
     if len(samples) < len(ROBOTS):
         return {}
@@ -292,7 +292,7 @@ def _detection(results: ResilienceResults) -> Content:
 
 
 def _detection_counts(trials: Sequence[Trial]) -> tuple[int, float]:
-    """Collisions without an alarm, and alarms without a collision."""
+    """Numbers of collisions without an alarm, and of alarms without a collision."""
     measures = [trial.measures for trial in trials]
     missed = sum(m["detection_delay"] is None for m in measures)
     return missed, sum(m["false_alarms"] or 0.0 for m in measures)
@@ -387,7 +387,7 @@ def resilience_data(results: ResilienceResults) -> dict[str, Any]:
 
 
 def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, Any]]]:
-    """Every trial, and what the figures show, by the name of a CSV file."""
+    """Trials and data of the figures by CSV file name."""
     tables = {
         "trials.csv": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "collisions.csv": _sample_rows(results),

@@ -1,6 +1,6 @@
 """The slider tests in the report: Table III, the readings, the sweep, the energy.
 
-The words are in ``templates/slider.toml``.
+The text is in ``templates/slider.toml``.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("slider")
 DRAWN = DEFAULT
-"""The reading whose contact is drawn: the one with arms at an angle."""
+"""Reading whose contact is drawn: the one with arms at an angle."""
 NEAR = (AGREEMENT, 0.10)
-"""Chosen: shares of the printed value within which agreement is counted."""
+"""Chosen: relative deviations from the printed value within which agreement is counted."""
 
 
 class Quantity(NamedTuple):
-    """The name and format of a compared quantity; the scale takes SI to the unit."""
+    """Name and format of a compared quantity; ``scale`` converts SI to the unit."""
 
     name: str
     unit: str = ""
@@ -52,11 +52,11 @@ class Quantity(NamedTuple):
 
 QUANTITIES = {key: Quantity(**entry) for key, entry in WORDS.text["quantities"].items()}
 PRINTED: dict[str, list[str]] = WORDS.text["printed"]
-"""The printed numbers of a test, and what of ours each may be compared with."""
+"""Printed numbers of a test, and the measures that each may be compared with."""
 Run = Mapping[str, Row]
 """Rows of one flown test by quantity."""
 Runs = dict[tuple[str, str, str], list[Run]]
-"""Runs by robot, surface and reading: the first with Quad's c_a."""
+"""Runs by robot, surface and reading; the first with Quad's c_a."""
 
 
 def _ours(row: Row | None) -> TableCell:
@@ -74,7 +74,7 @@ def _printed(row: Row, value: float | None) -> TableCell:
 
 
 def _tested(row: Row) -> TableCell:
-    """The physical test's number, and how far it is from the paper's own simulation."""
+    """Number of the physical test, with its deviation from the paper's own simulation."""
     cell = _printed(row, row.printed_test)
     if row.scatter is None:
         return cell
@@ -105,7 +105,7 @@ def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | No
 
 
 def _agrees(run: Run | None, number: str) -> bool:
-    """True if a printed number comes out, in any of its definitions."""
+    """True if a printed number agrees in any of its definitions."""
     rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
@@ -120,7 +120,7 @@ def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
 
 
 def slider_sections(results: SliderResults) -> list[Section]:
-    """The part of the slider tests, section by section; what was not flown is left out."""
+    """Sections on the slider tests; parts that were not flown are left out."""
     runs = _runs(results)
     given = [
         (r.quantity, r.ours, r.unit or None, r.note) for r in results.rows if r.mark is Mark.GIVEN
@@ -210,7 +210,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Content:
 
 
 def _differences() -> dict[str, str]:
-    """Differences of restitution between both surfaces, in the paper's own numbers."""
+    """Differences of restitution between the surfaces in the paper's own numbers."""
     gaps = {}
     for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
@@ -252,7 +252,7 @@ def _disagreement(results: SliderResults, runs: Runs) -> Content:
 
 
 def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry]]:
-    """Counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
+    """Rows of counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
     gaps, lines = _gaps(results), list[Sequence[Entry]]()
     for reading in (r for r in results.readings if r.name in names):
         rows = results.unique_rows(reading.name)
@@ -287,7 +287,7 @@ def _sweep(results: SliderResults) -> Content:
 
 
 def _gap_words(results: SliderResults) -> Content:
-    """The gap of the sweep as each reading gives it, if it was flown."""
+    """Content on the gap of the sweep in each reading, if flown."""
     gaps = [
         WORDS.say("sweep_gap", row=row, deviation=percent(row.deviation))
         for row in _gaps(results).values()
@@ -345,7 +345,7 @@ def _method(results: SliderResults) -> Content:
 
 
 def _contact(results: SliderResults) -> Blocks:
-    """ARQ as it hits the wall in the default reading."""
+    """Figure of ARQ hitting the wall in the default reading."""
     for case in slider.predictions(results, "arq", "wall"):
         hit = case.flight
         if case.reading.name == DRAWN and hit.measures["touch_time"] is not None:
@@ -358,7 +358,7 @@ def _contact(results: SliderResults) -> Blocks:
 
 
 def slider_data(results: SliderResults) -> dict[str, Any]:
-    """The slider tests besides the compared numbers, as plain data."""
+    """Slider tests without the compared numbers, as plain data."""
     cases = [
         {
             "robot": c.robot, "surface": c.surface, "reading": c.reading.name,
@@ -376,7 +376,7 @@ def slider_data(results: SliderResults) -> dict[str, Any]:
 
 
 def sweep_rows(results: SliderResults) -> list[dict[str, Any]]:
-    """The points of the sweep, for CSV."""
+    """Rows of the points of the sweep, for CSV."""
     return [
         {
             "reading": p.reading, "speed [m/s]": p.speed, "quad [m/s^2]": p.quad,

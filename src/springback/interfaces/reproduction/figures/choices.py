@@ -15,20 +15,20 @@ from springback.studies.run_ups import CONDITIONS
 
 ORDER = tuple(sorted(CONDITIONS, key=lambda c: (c[1], c[0])))
 SHORT = {"fairly good": "good"}
-"""Words of the paper that a cell has no room for."""
+"""Short forms of the paper's words for cells."""
 
 
 TESTS = "Speed [m/s] and pitch at contact [°]"
 
 
 def signed_angle(degrees: float) -> str:
-    """An angle with its sign, as in a text."""
+    """Angle with its sign, as in a text."""
     return f"{degrees:+g}".replace("-", "−") if degrees else "0"
 
 
 @in_style
 def choices_figure(results: ChoiceResults) -> Figure:
-    """Recovered of all trials, a row for each set of choices, and what is printed on top."""
+    """Share of recovered trials, a row for each set of choices below the printed one."""
     sets = results.combinations
     several = len({duration for _, duration in sets}) > 1
     labels = ["printed", *(
@@ -52,7 +52,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
 
 
 def _printed(robot: str, test: tuple[float, float]) -> str:
-    """The printed result of a test, short enough for a cell."""
+    """Printed result of a test, short enough for a cell."""
     if (robot, *test) in SUCCESS:
         return f"{100 * SUCCESS[robot, *test]:g}"
     word = SUCCESS_WORDS.get((robot, *test), "")
