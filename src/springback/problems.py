@@ -1,4 +1,4 @@
-"""Where and what the problems of a scenario are, in words."""
+"""Problems of a scenario as path and message."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from pydantic import ValidationError
 
 from springback.errors import excerpt, shown_value
 
-#: Tables of which there are several kinds, by the name of the key that holds them.
+#: Types of tables that have several, by key.
 _KINDS = {
     "obstacles": ("wall", "ground", "mat"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
 
 
-#: Of an entry of a list.
+#: Index of an entry of a list.
 _INDEX = re.compile(r"[0-9]{1,6}")
 
 
@@ -25,7 +25,7 @@ def _choice(words: Sequence[str]) -> str:
 
 
 def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
-    """A path without the names of kinds, which are no keys."""
+    """Path without the names of types, which are not keys."""
     path: list[str | int] = []
     for part in where:
         holder = next((key for key in reversed(path) if isinstance(key, str)), "")
@@ -35,7 +35,7 @@ def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
 
 
 def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
-    """Where and what each problem is."""
+    """Path and message of each problem."""
     found = []
     for detail in error.errors(include_url=False):
         path = _without_kinds(detail["loc"])
@@ -65,13 +65,13 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
 
 
 def key_path(text: str) -> tuple[str | int, ...]:
-    """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
+    """Keys and indices of ``world.obstacles.0.distance`` or ``world.obstacles[0].distance``."""
     words = [word for word in re.split(r"[.\[\]]+", text) if word]
     return tuple(int(word) if _INDEX.fullmatch(word) else word for word in words)
 
 
 def dotted_path(path: tuple[str | int, ...]) -> str:
-    """``world.obstacles[0].distance`` of a path."""
+    """Path as text, such as ``world.obstacles[0].distance``."""
     text = ""
     for key in path:
         part = key if isinstance(key, int) else excerpt(key)
