@@ -18,7 +18,7 @@ from springback.kernels.vectors import (
     Vec,
     inverse_symmetric,
     quaternion_rate,
-    renormalised,
+    renormalise,
     rotation,
 )
 from springback.vehicle.state import Airframe, Arm, PlanarInverse, arm_direction, arms_inertia
@@ -160,7 +160,7 @@ def stepped(
     rate = axpy(axpy(axpy(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
     new = axpy(x, rate, h / 6.0)
     after = RigidState(
-        new.position, renormalised(new.attitude), new.velocity, new.angular_velocity,
+        new.position, renormalise(new.attitude), new.velocity, new.angular_velocity,
         new.thrust_work, new.air_work,
     )  # fmt: skip
     return RigidStep(first, after)
@@ -249,7 +249,7 @@ def _freely_in_still_air(
 
     turning = axpy(axpy(first.turning, second.turning, 2.0), third.turning, 2.0)
     end = axpy(now, axpy(turning, fourth.turning, 1.0), sixth)
-    q, spin = renormalised(end.attitude), end.angular_velocity
+    q, spin = renormalise(end.attitude), end.angular_velocity
     after, between = rotation(q), a2 + a3
     work = sixth * (first.power + 2.0 * (second.power + third.power) + fourth.power)
     new = RigidState(
