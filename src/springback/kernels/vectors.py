@@ -202,6 +202,18 @@ _teach(operator.xor, [((Vec, Vec), _cross)])
 
 
 @kernel
+def larger(a: float, b: float) -> float:
+    """The larger of two floats."""
+    return a if a > b else b
+
+
+@kernel
+def smaller(a: float, b: float) -> float:
+    """The smaller of two floats."""
+    return a if a < b else b
+
+
+@kernel
 def positive_part(x: float) -> float:
     """The positive part of x: max(x, 0)."""
     return x if x > 0.0 else 0.0

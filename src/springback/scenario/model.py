@@ -33,7 +33,7 @@ from springback.scenario.tables import (
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, State
+from springback.vehicle.state import Airframe, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -161,7 +161,7 @@ def true_airframe(
         return airframe
     inertia = Mat3(*(Vec(*row) for row in body.inertia))
     mass = body.mass + build(masses_of, vehicle).arms
-    return Airframe(mass, 1.0 / mass, inertia, airframe.arms, airframe.hull)
+    return build_airframe(mass, inertia, airframe.arms, airframe.hull)
 
 
 # -- the rest -------------------------------------------------------------------------------------

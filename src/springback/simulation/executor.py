@@ -402,6 +402,10 @@ def advance(
     lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
     flying = 1
     while flying > 0 and budget > 0 and logged[0] < lines:
+        # All look first, for a group takes only flights over that are known to cruise.
+        for group in range(first, last if several else first):
+            if classify(shape, buffers[group], w, early).looking > 0:
+                check_clearance(shape, buffers[group], w)
         for turn in range(2 * groups):
             group, cruising = first + turn % groups, turn < groups
             wanted = CRUISES if cruising else STEERS

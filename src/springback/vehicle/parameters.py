@@ -13,7 +13,7 @@ from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
-from springback.vehicle.state import Airframe, Arm, Sphere
+from springback.vehicle.state import Airframe, Arm, Sphere, build_airframe
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -305,7 +305,7 @@ class Vehicle(Settings):
         i, given = self.body.inertia, self.hull
         hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
         inertia = Mat3(*(Vec(*row) for row in i))
-        return Airframe(self.mass, 1.0 / self.mass, inertia, tuple(built), hull)
+        return build_airframe(self.mass, inertia, tuple(built), hull)
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""
