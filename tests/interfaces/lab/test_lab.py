@@ -88,7 +88,11 @@ def test_defaults_and_the_papers_values_are_in_range(name: str) -> None:
     assert slider.least <= getattr(DEFAULTS, name) <= slider.most
     assert all(slider.least <= mark.value <= slider.most for mark in slider.marks)
     assert setting(
-        **{name: f"{slider.most} {slider.unit}" if slider.unit in ("m/s", "deg", "g") else slider.most}
+        **{
+            name: f"{slider.most} {slider.unit}"
+            if slider.unit in ("m/s", "deg", "g")
+            else slider.most
+        }
     )
 
 
