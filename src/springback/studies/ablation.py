@@ -344,3 +344,36 @@ def why(
         if progress is not None:
             progress((len(variants) + done + 1) / count)
     return results
+
+
+def why_sentences(results: WhyResults, pairs: Sequence[str] = ()) -> list[str]:
+    """Results of the study, a line each.
+
+    Args:
+        results: Of `why`.
+        pairs: Sentences on pairs of changes, to be put before those on ranges.
+    """
+    said = []
+    for robot in ROBOTS:
+        cells = results.successes(VARIANTS[0], robot)
+        counts = ", ".join(
+            f"{p:+g} deg {v:g} m/s {c.successes}/{c.trials}" for (p, v), c in cells.items()
+        )
+        said.append(f"{robot}, all as documented: {counts}")
+        for variant, more, unflown in results.moves(robot):
+            cannot = ", ".join(f"{p:+g} deg {v:g} m/s" for p, v in unflown)
+            reason = f"; run-up cannot be flown: {cannot}" if unflown else ""
+            said.append(f"  {variant.cause}, {variant.name}: {more:+d} successes{reason}")
+    found = results.printed_by()
+    names = ", ".join(f"{v.cause} {v.name}" for v in found) or "none of these changes"
+    said.append(f"ARQ always and Quad never at 3.5 m/s, as printed: {names}")
+    if pairs:
+        said.append("two changes at a time, 0 deg 3.5 m/s, that tell the robots apart:")
+        said += [f"  {sentence}" for sentence in pairs]
+    for one in RANGES if results.ranges else ():
+        interval = results.holds(one)
+        unit = f" {one.unit}" if one.unit else ""
+        span = f"{interval[0]:.4g} to {interval[1]:.4g}{unit}" if interval else ""
+        where = span or "not even at its default"
+        said.append(f"ARQ survives every trial with {one.name} {where} (default {one.default:.4g})")
+    return said

@@ -90,6 +90,14 @@ def characterisation_rows(results: DetectionResults) -> Rows:
     return rows
 
 
+def detection_rows(results: DetectionResults) -> dict[str, Rows]:
+    """All tables of the study by name."""
+    return {
+        "roc": roc_rows(results), "delays": delay_rows(results),
+        "characterisation": characterisation_rows(results),
+    }  # fmt: skip
+
+
 def sizes(found: list[CharacterisationError], source: str, to: str) -> list[float]:
     """Sizes of a source's direction errors [deg]: ``to`` the impulse or the normal."""
     angles = [(one.to_impulse if to == "impulse" else one.to_normal)[source] for one in found]
