@@ -134,7 +134,7 @@ class ChoiceResults:
         return {c.condition: c for c in self.cells if (c.choice, c.duration) == (choice, duration)}
 
     @property
-    def flown(self) -> list[tuple[AssumptionSet, float]]:
+    def combinations(self) -> list[tuple[AssumptionSet, float]]:
         """Choices and durations that were flown, in their order."""
         return list(dict.fromkeys((c.choice, c.duration) for c in self.cells))
 
@@ -155,7 +155,9 @@ class ChoiceResults:
 
     def best(self) -> Agreement:
         """The set of choices that gives most of the printed table; the first of equals."""
-        return max((self.agreement(*one) for one in self.flown), key=lambda a: (a.total, a.close))
+        return max(
+            (self.agreement(*one) for one in self.combinations), key=lambda a: (a.total, a.close)
+        )
 
 
 def is_plausible(share: float, printed: float) -> bool:
@@ -219,7 +221,7 @@ def fly_choices(
 def choices_sentences(results: ChoiceResults) -> list[str]:
     """Results of the sets of choices, a line each; the best set last."""
     said = []
-    for one in results.flown:
+    for one in results.combinations:
         count, fast = results.agreement(*one), results.table(*one)
         shares = ", ".join(
             f"{robot} {fast[robot, 0.0, 3.5].successes} of {fast[robot, 0.0, 3.5].trials}"
@@ -240,7 +242,7 @@ def choices_sentences(results: ChoiceResults) -> list[str]:
 
 def choices_data(results: ChoiceResults) -> dict[str, Any]:
     """Counts and medians of every condition, and how much of the printed table each set gives."""
-    sets = [results.agreement(*one) for one in results.flown]
+    sets = [results.agreement(*one) for one in results.combinations]
     return {
         "trials": results.trials,
         "seed": results.seed,

@@ -14,7 +14,7 @@ import numpy as np
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
 from springback.progress import Progress, silent
-from springback.scenario.scenario import Scenario, merged, scenario_from
+from springback.scenario.scenario import Scenario, merge, scenario_from
 from springback.simulation.measures import Outcome, scalars_of
 from springback.simulation.noise import Purpose, stream
 from springback.studies.proportions import wilson
@@ -42,7 +42,7 @@ class Scatter(NamedTuple):
     inertia: float = 0.05  # true over believed
     gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
 
-    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
+    def draw(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
         """Random numbers of one trial, which depend on these arguments alone.
 
         Both robots get the same (common random numbers): ``robot`` only names the trial.
@@ -98,7 +98,7 @@ def trial_tables(
         noise_stream: Of the trial.
         changes: Tables merged over those of the test, the same in every trial.
     """
-    base = merged(run_up_scenario(robot, pitch, speed), changes or {})
+    base = merge(run_up_scenario(robot, pitch, speed), changes or {})
     control = dict(base.get("control", {}))
     defaults = Scenario.model_fields["control"].default
     names = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
@@ -262,7 +262,7 @@ def fly_trials(
 def _tables(condition: Condition, scatter: Scatter, number: int, seed: int) -> dict[str, Any]:
     """The scenario of a trial of a condition."""
     robot, pitch, speed, changes = condition
-    noise_stream = scatter.drawn(robot, pitch, speed, number, seed)
+    noise_stream = scatter.draw(robot, pitch, speed, number, seed)
     return trial_tables(robot, pitch, speed, noise_stream, changes)
 
 

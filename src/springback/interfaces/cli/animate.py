@@ -53,7 +53,7 @@ def animate(
     out = output.out
     assert out is not None  # it is required
     if out.exists() and (out.is_dir() or not output.force):
-        ending = "is a folder" if out.is_dir() else "is there already; give another, or --force"
+        ending = "is a folder" if out.is_dir() else "already exists; give another, or --force"
         raise InputError(f"--out {out}: {ending}")
     wanted = _size(size)
     from springback.interfaces.animation.film import check, write_film

@@ -98,7 +98,7 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.paper.choices import choices_data, choices_sentences, fly_choices
-    from springback.studies.clipping import hidden_velocity
+    from springback.studies.clipping import clipping_losses
 
     times, figures = _durations(durations), output.wants_figures()
     with output.folder() as folder:
@@ -106,15 +106,15 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
         with output.progress_bar("sets of choices") as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
         with output.progress_bar("velocity hidden by clipping") as show:
-            hidden = hidden_velocity(progress=show)
+            hidden = clipping_losses(progress=show)
         data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
         said = choices_sentences(results)
         drawn = {}
         if figures:
-            from springback.interfaces.figures.friction import hidden_figure
+            from springback.interfaces.figures.friction import clipping_figure
             from springback.interfaces.reproduction.figures.choices import choices_figure
 
-            drawn = {"choices": choices_figure(results), "hidden": hidden_figure(hidden)}
+            drawn = {"choices": choices_figure(results), "hidden": clipping_figure(hidden)}
         tables = {name: data[name] for name in ("agreement", "hidden")}
         tables["choices"] = data["cells"]
         write_study(folder, "choices", data | {"sentences": said}, tables, drawn)

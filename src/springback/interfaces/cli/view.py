@@ -44,7 +44,7 @@ def view(
     springback view examples/collision.toml --twin --export collision.html
     """
     from springback.extras import needs
-    from springback.interfaces.replay.viewer import exported, flights_of, replay_app, replay_of
+    from springback.interfaces.replay.viewer import export_page, flights_of, replay_app, replay_of
 
     if export is None:
         needs("uvicorn", "web")
@@ -52,7 +52,7 @@ def view(
     with terminal.spinner(f"reading and {FIRST}"):
         page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
-        exported(page, export, force=force)
+        export_page(page, export, force=force)
         size = len(page.text) / 1e6
         terminal.note(f"written: {export} ({size:.1f} MB); open it in any browser")
         return

@@ -1,4 +1,4 @@
-"""The resilience envelope as a figure: a map of success for each robot, side by side."""
+"""Figure of the resilience envelope: maps of success of the robots, side by side."""
 
 from __future__ import annotations
 
@@ -14,41 +14,41 @@ from matplotlib.patches import Rectangle
 from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
 from springback.campaign.analysis.intervals import Values
 from springback.interfaces.figures.chart import Chart, add_share_bar, draw_shares
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE, robot_label
 from springback.studies.run_ups import CONDITIONS
 
-#: Words for what is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of
-#: `PRINTED_MARKS`, or nothing.
+#: Printed result of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
+#: or empty.
 Printed = Callable[[str, float, float], str]
 
-#: What an axis means, for parameters whose name does not say it.
+#: Axis labels of parameters whose names need an explanation.
 MEANINGS = {
     "speed": "Speed at contact [m/s]",
     "pitch": "Pitch at contact, nose down [deg]",
 }
-#: Marks of what is printed of tests.
+#: Marks of printed results.
 PRINTED_MARKS = {
     "all succeed": "o", "“fairly good”": "D", "success rate “drops”": "v", "none succeed": "X",
 }  # fmt: skip
-#: Number of cells up to which each carries its successes (chosen: more are too small).
+#: Largest number of cells that show their number of successes (chosen: more are too small).
 NUMBERED = 200
-#: Values of an axis up to which each has its tick (chosen).
+#: Largest number of values of an axis that all have a tick (chosen).
 LABELLED = 9
 PANEL = (3.5, 3.5)
-"""Of one robot [in]."""
+"""Size of a robot's panel [in]."""
 
 
-@styled
+@in_style
 def map_figure(envelope: Envelope, printed: Printed) -> Figure:
-    """Success share over both axes, the line of 95 %, and the paper's tests where they lie.
+    """Success rate over both axes, its 95 % contour, and the paper's tests.
 
-    The line is linear between the centres of neighbouring cells, and ends where a neighbour was not
+    The contour is interpolated linearly between cell centres, and ends at cells that were not
     flown.
 
     Args:
-        envelope: Of one or more robots.
-        printed: What the paper prints of its tests.
+        envelope: Envelope of one or more robots.
+        printed: Function that returns the paper's result of a test.
     """
     count = len(envelope.robots)
     figure = StyledFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))

@@ -1,21 +1,21 @@
-"""A map of success on one page; its words and their order are in ``templates/map.toml``."""
+"""Page of a map of success; its text and order are in ``templates/map.toml``."""
 
 from __future__ import annotations
 
 from springback.campaign.analysis.envelope import LEVEL, Envelope, Place
 from springback.interfaces.figures.style import StyledFigure
 from springback.interfaces.output.robots import robot_label, with_labels
-from springback.interfaces.reports.page import Content, Table, TableCell, Wording, listed, page
+from springback.interfaces.reports.page import Content, Table, TableCell, Wording, join, page
 
 WORDS = Wording.of("map")
 
 
 def map_page(envelope: Envelope, figure: StyledFigure) -> str:
-    """The HTML page of a map, which refers to nothing outside itself.
+    """Self-contained HTML page of a map.
 
     Args:
-        envelope: Of one or more robots.
-        figure: Of the same; see `springback.interfaces.figures.envelope.map_figure`.
+        envelope: Envelope of one or more robots.
+        figure: Its figure; see `springback.interfaces.figures.envelope.map_figure`.
     """
     axes = {"x": envelope.x.label, "y": envelope.y.label}
     reasons = dict.fromkeys(
@@ -24,7 +24,7 @@ def map_page(envelope: Envelope, figure: StyledFigure) -> str:
     )  # fmt: skip
     content: dict[str, Content] = {
         "overview": {
-            **axes, "robots": listed(map(robot_label, envelope.robots)),
+            **axes, "robots": join(map(robot_label, envelope.robots)),
             "trials": envelope.trials, "level": 100 * LEVEL, "map": figure,
             "reaches": [with_labels(envelope.sentence(robot)) + "." for robot in envelope.robots],
         },
@@ -38,7 +38,7 @@ def map_page(envelope: Envelope, figure: StyledFigure) -> str:
 
 
 def _table(envelope: Envelope, robot: str) -> Table:
-    """Successes, a row for each value of y, the largest on top."""
+    """Table of successes, a row for each value of y, the largest on top."""
     lines = []
     for row in envelope.rows_from_top:
         cells = [envelope.cells[Place(robot, i, row)] for i in range(len(envelope.x.values))]
