@@ -26,7 +26,7 @@ def scattered(robot: str, changes: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Trials with scattered starts and noise."""
     scatter, tables = Scatter(), []
     for k in range(COUNT):
-        tables.append(trial_tables(robot, 0.0, 2.0, scatter.drawn(robot, 0.0, 2.0, k, 0), changes))
+        tables.append(trial_tables(robot, 0.0, 2.0, scatter.draw(robot, 0.0, 2.0, k, 0), changes))
     shared = {name: tables[0][name] for name in ("vehicle", "reference", "recovery", "simulation")}
     return [table | shared for table in tables]
 
@@ -230,8 +230,8 @@ def test_a_template_takes_numbers_and_gives_them_back() -> None:
     found = numbers_in(template, other)
     assert found == [3.0, 4.0, 5.0, 0.0]
     assert numbers_in(template, first) == template.own == [0.0, 1.0, 2.0, 0.1]
-    assert template.filled(iter(found)) == other
-    assert math.copysign(1.0, template.filled(iter(found))["yaw"]) == -1.0
+    assert template.with_numbers(iter(found)) == other
+    assert math.copysign(1.0, template.with_numbers(iter(found))["yaw"]) == -1.0
 
 
 def test_tables_that_differ_in_more_than_numbers_are_not_alike() -> None:

@@ -42,7 +42,7 @@ def shifted(table: Any, factor: float) -> Any:
 
 def trial() -> dict[str, Any]:
     """A trial of a recovery."""
-    return trial_tables("arq", 0.0, 2.0, Scatter().drawn("arq", 0.0, 2.0, 0, 0))
+    return trial_tables("arq", 0.0, 2.0, Scatter().draw("arq", 0.0, 2.0, 0, 0))
 
 
 #: One value after another of every table, some of which cannot be.

@@ -25,15 +25,15 @@ from springback.paper.resilience import (
     SAMPLES,
     SLOWEST,
     ResilienceResults,
-    asked_extremes,
+    command_extremes,
     motion,
     pitch_of,
     rate_mark,
     resilience_experiments,
-    wilson,
 )
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark
+from springback.studies.proportions import wilson
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import HOME, Scatter
 
@@ -58,7 +58,7 @@ def test_arq_recovers_everywhere(results: ResilienceResults) -> None:
     """Printed: 100 %; asked of the model: the same, with one set of parameters."""
     for tally in nonempty(results.tallies()):
         if tally.robot == "arq":
-            assert tally.rate == 1.0, tally
+            assert tally.share == 1.0, tally
 
 
 def test_print_has_a_number_or_words_for_every_condition() -> None:
@@ -70,7 +70,7 @@ def test_print_has_a_number_or_words_for_every_condition() -> None:
 def test_both_robots_are_dealt_the_same_luck(results: ResilienceResults) -> None:
     for condition in CONDITIONS:
         for trial in range(3):
-            first, second = (Scatter().drawn(robot, *condition, trial, 0) for robot in ROBOTS)
+            first, second = (Scatter().draw(robot, *condition, trial, 0) for robot in ROBOTS)
             assert first == second
     arq, quad = (results.sample(robot, 0.0, 2.0) for robot in ROBOTS)
     assert arq is not None
@@ -78,7 +78,7 @@ def test_both_robots_are_dealt_the_same_luck(results: ResilienceResults) -> None
     assert arq.noise_stream == quad.noise_stream
     for name in ("x", "y", "z", "vx", "vy", "vz"):
         assert arq.flight.columns[name][0] == quad.flight.columns[name][0]
-    assert arq.noise_stream != Scatter().drawn("arq", 0.0, 2.0, 1, 0)
+    assert arq.noise_stream != Scatter().draw("arq", 0.0, 2.0, 1, 0)
 
 
 def test_a_sample_is_the_first_trial_once_more(results: ResilienceResults) -> None:
@@ -96,7 +96,7 @@ def test_a_sample_is_the_first_trial_once_more(results: ResilienceResults) -> No
 
 def test_the_repeated_test_comes_home_every_time(results: ResilienceResults) -> None:
     for robot in nonempty(ROBOTS):
-        (repeat,) = results.repeated(robot)
+        (repeat,) = results.repeats_of(robot)
         assert (repeat.collisions, repeat.recovered, repeat.success) == (2, 2, True)
         assert len(repeat.returns) == 2
         assert max(repeat.returns) < RETURN_TOLERANCE
@@ -120,11 +120,11 @@ def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -
     assert {row.robot for row in beside} == set(ROBOTS)
     assert len(beside) == len(SUCCESS)
     assert len(rows) == len(results.rows()) == 2 * len(SUCCESS) + 4 + len(given)
-    tallies = {tally[:3]: tally for tally in results.tallies()}
+    tallies = {tally.condition: tally for tally in results.tallies()}
     for of, printed in SUCCESS.items():
         row, rate = (
             rows[of[0], resilience.condition_name(*of[1:]), "success rate"],
-            tallies[of].rate,
+            tallies[of].share,
         )
         assert (row.printed, row.ours) == (printed, rate)
         assert (row.mark is Mark.PREDICTED) == (abs(rate - printed) <= 0.05 * printed)
@@ -132,7 +132,7 @@ def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -
         assert f"{tallies[of].successes} of 2" in row.note
     where = ("arq", resilience.condition_name(*FASTEST))
     for side, printed in zip(("nose up", "nose down"), RECOVERY_PITCH, strict=True):
-        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"pitch asked for, {side}")]
+        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"commanded pitch, {side}")]
         assert flown.printed == asked.printed == printed
         assert (flown.mark is Mark.PREDICTED) == (abs(flown.deviation or 0.0) <= 0.05)
         assert asked.mark is (Mark.FITTED if side == "nose up" else Mark.PREDICTED)
@@ -153,9 +153,9 @@ def test_a_failed_trial_counts_and_is_named(results: ResilienceResults) -> None:
         for t in results.flown
     ]
     worse = replace(results, flown=flown)
-    (tally,) = [t for t in worse.tallies() if t[:3] == ("quad", *FASTEST)]
-    assert (tally.rate, tally.low) == (0.0, 0.0)
-    assert tally.failures == {Outcome.HIT_GROUND.value: 2}
+    (tally,) = [t for t in worse.tallies() if t.condition == ("quad", *FASTEST)]
+    assert (tally.share, tally.interval[0]) == (0.0, 0.0)
+    assert tally.outcomes == {Outcome.HIT_GROUND.word: 2}
     (row,) = [r for r in worse.rows() if r.robot == "quad" and "; " not in r.reading]
     assert row.mark is Mark.PREDICTED  # none printed, none ours
 
@@ -201,7 +201,7 @@ def test_the_way_back_asks_for_the_pitch_of_its_quintic(results: ResilienceResul
         a = -0.1 * (60 * s - 180 * s**2 + 120 * s**3)
         a += v * duration * (-36 * s + 96 * s**2 - 60 * s**3)
         pitch = np.degrees(np.arctan(a / duration**2 / 9.81))
-        assert asked_extremes(sample.flight) == pytest.approx((pitch.min(), pitch.max()), abs=1.0)
+        assert command_extremes(sample.flight) == pytest.approx((pitch.min(), pitch.max()), abs=1.0)
 
 
 def test_time_counts_from_first_touch(results: ResilienceResults) -> None:

@@ -17,7 +17,7 @@ from springback.kernels.memo import Memo
 from springback.kernels.tracing import NO_FORMULA, Tape, Traced
 from springback.kernels.trees import leaves
 from springback.scenario.build import ReadyFlight, build_flight
-from springback.scenario.presets import expanded
+from springback.scenario.presets import expand_presets
 from springback.scenario.tables import ScenarioTables
 from springback.simulation.flight import first_phase
 from springback.simulation.loading import NO_LEAVES, Leaves
@@ -57,13 +57,13 @@ class Template:
             return False
         return all(branch.takes(other[key], found) for key, branch in self._branches.items())
 
-    def filled(self, numbers: Iterator[Any]) -> Any:
+    def with_numbers(self, numbers: Iterator[Any]) -> Any:
         """The first table with other numbers, in order; traced numbers are accepted."""
         if not self.own:
             return self.first
         if type(self.first) is float:
             return next(numbers)
-        changed = {key: branch.filled(numbers) for key, branch in self._branches.items()}
+        changed = {key: branch.with_numbers(numbers) for key, branch in self._branches.items()}
         return changed if isinstance(self.first, dict) else type(self.first)(changed.values())
 
 
@@ -157,7 +157,7 @@ def _built(
     tape, differs = Tape(numbers), (bits != bits[0]).any(axis=0).tolist()
     cells = iter([cell if d else cell.value for cell, d in zip(tape.first, differs, strict=True)])
     try:
-        traced = _traced_flight(template.filled(cells), [*cells])
+        traced = _traced_flight(template.with_numbers(cells), [*cells])
         held = np.flatnonzero(tape.holds)
         last = one(int(flights[held[-1]]))
     except (*NO_FORMULA, ValueError):  # of tables that no flight has, too
@@ -172,7 +172,7 @@ def _built(
 def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFlight:
     """A flight read and built from tables with traced numbers."""
     # The seed is not traced, so that noise cannot become a formula.
-    scenario = ScenarioTables.model_validate(expanded(tables)).with_checked(seed=object())
+    scenario = ScenarioTables.model_validate(expand_presets(tables)).with_checked(seed=object())
     traced = build_flight(scenario, build=Memo(), normals=normals, advises=False)
     first_phase(traced.model, traced.start)
     return traced

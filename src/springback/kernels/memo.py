@@ -9,13 +9,13 @@ R = TypeVar("R")
 
 
 class Build(Protocol):
-    """Interface of `uncached` and of a `Memo`."""
+    """Interface of `plain_build` and of a `Memo`."""
 
     def __call__(self, function: Callable[..., R], /, *given: Any) -> R:
         """``function(*given)``."""
 
 
-def uncached(function: Callable[..., R], /, *given: Any) -> R:
+def plain_build(function: Callable[..., R], /, *given: Any) -> R:
     """``function(*given)``, computed anew."""
     return function(*given)
 

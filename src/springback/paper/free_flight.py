@@ -8,7 +8,6 @@ its centre and sense, and how often and at which tilt ARQ falls before its last 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, Literal
@@ -22,6 +21,7 @@ from springback.paper.responses import (
     rise_time,
     step_response,
 )
+from springback.progress import Progress, silent
 from springback.results.flight import Flight, fly
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 
@@ -33,7 +33,7 @@ ROBOTS: tuple[Robot, ...] = ("quad", "arq", "arq after drops")
 TRIALS = 5
 """Section IV-C: five repeated trials of each test."""
 SEEDS_APART = 1000
-"""Between the first seeds of two columns: no two trials share their luck."""
+"""Between the first seeds of two columns: no two trials share their noise."""
 DWELL = 5.0
 """[s], section IV-C, between set-points."""
 STEP_BEGINS: dict[Axis, float] = {"x": 2.0 * DWELL, "y": 3.0 * DWELL, "z": 1.0 * DWELL}
@@ -86,7 +86,7 @@ class Drop:
     peak_acceleration: float
     """[m/s²]"""
     lengths: tuple[float, ...]
-    """Of the arms at the end [m]."""
+    """Lengths of the arms at the end [m]."""
     left: float
     """Largest deviation of an arm from its free length at the end [m]."""
 
@@ -240,7 +240,7 @@ def drop_tables(vehicle: Any, roll: float, pitch: float) -> dict[str, Any]:
     }
 
 
-def dropped(vehicle: dict[str, Any]) -> list[Drop]:
+def drop_repeatedly(vehicle: dict[str, Any]) -> list[Drop]:
     """Let a vehicle fall again and again; each fall begins with the arms as the last left them."""
     drops: list[Drop] = []
     for roll, pitch in DROP_TILTS:
@@ -263,7 +263,7 @@ def _with_arms(vehicle: dict[str, Any], drops: list[Drop]) -> dict[str, Any]:
     return {**vehicle, "arms": arms}
 
 
-def flown_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) -> Response:
+def fly_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) -> Response:
     """Fly one trial of the steps and measure it; the flight is kept on demand."""
     flight = fly(step_tables(vehicle, seed))
     rise: dict[Axis, float] = {}
@@ -274,7 +274,7 @@ def flown_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) ->
     return Response(robot, seed, rise, error, flight if keep else None)
 
 
-def flown_circle(
+def fly_circle(
     robot: Robot, vehicle: Any, pace: Pace, seed: int, *, keep: bool = False
 ) -> CircleRun:
     """Fly one trial of a circle and measure it; the flight is kept on demand."""
@@ -284,20 +284,18 @@ def flown_circle(
     return CircleRun(robot, pace, seed, whole, later, flight if keep else None)
 
 
-def flight_experiments(
-    trials: int = TRIALS, progress: Callable[[float], None] | None = None
-) -> FlightResults:
+def flight_experiments(trials: int = TRIALS, progress: Progress = silent) -> FlightResults:
     """Fly all of Table IV with motion capture, inertial unit and Kalman filter.
 
-    Every trial has luck of its own.  After the drops the arms are back at their free length, so the
-    last column differs from the one before it in luck alone.
+    Every trial has noise of its own.  After the drops the arms are back at their free length, so
+    the last column differs from the one before it in its noise alone.
 
     Args:
         trials: Of each test.
-        progress: Called with the share that is done.
+        progress: Called with the fraction done.
     """
     results = FlightResults(trials)
-    results.drops = dropped({"preset": "arq"})
+    results.drops = drop_repeatedly({"preset": "arq"})
     vehicles: dict[Robot, dict[str, Any]] = {
         "quad": {"preset": "quad"},
         "arq": {"preset": "arq"},
@@ -305,9 +303,8 @@ def flight_experiments(
     }
     for done, (k, trial) in enumerate(product(range(len(ROBOTS)), range(trials)), start=1):
         robot, seed, keep = ROBOTS[k], SEEDS_APART * k + trial, trial == 0
-        results.responses.append(flown_steps(robot, vehicles[robot], seed, keep=keep))
+        results.responses.append(fly_steps(robot, vehicles[robot], seed, keep=keep))
         for pace in PERIODS:
-            results.circles.append(flown_circle(robot, vehicles[robot], pace, seed, keep=keep))
-        if progress is not None:
-            progress(done / (len(ROBOTS) * trials))
+            results.circles.append(fly_circle(robot, vehicles[robot], pace, seed, keep=keep))
+        progress(done / (len(ROBOTS) * trials))
     return results

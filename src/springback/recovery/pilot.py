@@ -16,12 +16,12 @@ from springback.control.cascade import (
     Offboard,
     fly_on,
     hear,
-    steered,
+    position_loop,
 )
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import Buffer, TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -102,7 +102,7 @@ class RecoveryPilotMemory(NamedTuple):
 
 
 def recovery_pilot_memory(
-    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = uncached
+    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = plain_build
 ) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 
@@ -144,10 +144,10 @@ def _followed(
     """The way of the leg."""
     c, phase = pilot.cascade, recovery_state.phase
     if phase <= LOOK:
-        return steered(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
+        return position_loop(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
     if phase <= RECOVER:
-        return steered(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
-    return steered(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
+        return position_loop(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
+    return position_loop(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
 
 
 @kernel
@@ -224,7 +224,7 @@ def _steered(
     """The position loop of one lane on some way."""
     flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
     at, before = load(flight.estimate, g, w, i), load(flight.offboard, g, w, i)
-    return steered(load(pilot.cascade, g, w, i), way, tick, time, at, before)
+    return position_loop(load(pilot.cascade, g, w, i), way, tick, time, at, before)
 
 
 @steer.register(Staged)

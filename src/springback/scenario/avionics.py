@@ -19,7 +19,7 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts, first_gust
 from springback.errors import InputError
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
@@ -121,7 +121,7 @@ class NominalVehicle(NamedTuple):
 
 
 def nominal_vehicle(
-    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = uncached
+    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = plain_build
 ) -> NominalVehicle:
     """A pilot's model of a vehicle."""
     airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
@@ -165,20 +165,20 @@ def reference_of(
         ahead = traceable(reach)(believed.airframe, point, settings.pitch)
     with _in_table("reference"):
         given = tuple(settings.__dict__.items())
-        return _made_reference(type(settings), given, limits, ahead, advises)
+        return _build_reference(type(settings), given, limits, ahead, advises)
 
 
 @traceable
-def _made_reference(*given: Any) -> Any:
+def _build_reference(*given: Any) -> Any:
     """Reference of a table, or the problem with it."""
-    made = _searched(*given)
+    made = _search_reference(*given)
     if isinstance(made, InputError):
         raise InputError(*made.problems, path=made.path)
     return made
 
 
 @functools.lru_cache(maxsize=4096)  # flights often share a reference, and some are slow to find
-def _searched(
+def _search_reference(
     table: type[Any], given: tuple[Any, ...], limits: Limits, ahead: float, advises: bool
 ) -> Any:
     """Reference of a table, or the problem with it, which is slowest to find."""
@@ -287,7 +287,7 @@ def cascade_of(
     scenario: ScenarioTables,
     model: Model,
     start: State,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
@@ -372,7 +372,7 @@ def build_avionics(
     pilot: CompiledPilot | None = None,
     relay: bool = False,
     normals: Sequence[float] | None = None,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.
@@ -426,7 +426,7 @@ def _first_gust(weather: Any, normals: tuple[float, ...]) -> Any:
     return first_gust(weather, normals).memory
 
 
-class Blowing(NamedTuple):
+class Atmosphere(NamedTuple):
     """The air around a vehicle with a pilot."""
 
     weather: Any
@@ -434,11 +434,11 @@ class Blowing(NamedTuple):
     noise: Draw
 
 
-def _air_of(air: AirSettings, tick: float) -> Blowing:
+def _air_of(air: AirSettings, tick: float) -> Atmosphere:
     with _in_table("air"):
         weather = air.turbulence(tick)
     noise = Draw(GUST_NOISE, 0 if isinstance(weather, NoGusts) else 1)
-    return Blowing(weather, Vec(*air.wind), noise)
+    return Atmosphere(weather, Vec(*air.wind), noise)
 
 
 #: Tables that only the pilot of the paper reads, and those that apply to every pilot.

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics
 from springback.scenario.checks import (
     blaming_the_clock,
@@ -39,7 +39,7 @@ def build_flight(
     scenario: ScenarioTables,
     own: Sequence[Own] = (),
     pilot: CompiledPilot | str | None = None,
-    build: Build = uncached,
+    build: Build = plain_build,
     normals: Sequence[float] | None = None,
     advises: bool = True,
 ) -> ReadyFlight:

@@ -12,10 +12,10 @@ from springback.contact.obstacles import Forces, Impulses, World
 from springback.contact.parameters import Own, obstacles
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Quat, Vec
-from springback.quantities import checked
+from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
     ModelSettings,
@@ -28,7 +28,7 @@ from springback.scenario.tables import (
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, State
+from springback.vehicle.state import Airframe, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -64,7 +64,7 @@ def thrusts_of(
         raise problem(f"has {len(thrust)} entries for {count} rotors", "thrust")
     given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
     with naming("thrust"):
-        return tuple(checked(entry, "N", least=0.0) for entry in given)
+        return tuple(si_number(entry, "N", least=0.0) for entry in given)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------
@@ -97,7 +97,7 @@ def masses_of(vehicle: Vehicle) -> Masses:
 
 
 def true_body(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> TrueBody | None:
     """True main body, with model errors and payload; None if it is the nominal one.
 
@@ -143,7 +143,7 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
 
 
 def true_airframe(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> Airframe:
     """Airframe of the true vehicle, for the equations of motion."""
     airframe = build(Vehicle.airframe, vehicle)
@@ -152,7 +152,7 @@ def true_airframe(
         return airframe
     inertia = Mat3(*(Vec(*row) for row in body.inertia))
     mass = body.mass + build(masses_of, vehicle).arms
-    return Airframe(mass, 1.0 / mass, inertia, airframe.arms, airframe.hull)
+    return build_airframe(mass, inertia, airframe.arms, airframe.hull)
 
 
 # -- the rest -------------------------------------------------------------------------------------
@@ -208,7 +208,7 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
 
 
 def flight_model(
-    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = uncached
+    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = plain_build
 ) -> Model:
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.dynamics.gusts import NoGusts, first_gust
-from springback.kernels.compiler import Origin, executor, own_executor, rebound
+from springback.kernels.compiler import Origin, executor, rebound, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.executor import advance, to_tick
@@ -237,13 +237,13 @@ def _own_entries(
 ) -> Entries:
     """The functions for types of the user's, of some origin."""
     plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
-    parts["ticked"] = own_executor(plain["ticked"], files, nogil=True)
-    parts["powered"] = own_executor(plain["powered"], files, nogil=True)
+    parts["ticked"] = user_executor(plain["ticked"], files, nogil=True)
+    parts["powered"] = user_executor(plain["powered"], files, nogil=True)
     if own_model:
-        parts["advance"] = own_executor(plain["advance"], files, nogil=True)
+        parts["advance"] = user_executor(plain["advance"], files, nogil=True)
         between = rebound(plain["to_tick"], advance=parts["advance"])
-        parts["to_tick"] = own_executor(between, files, nogil=True)
-    loop = own_executor(rebound(plain["guide"], **parts), files, nogil=True)
+        parts["to_tick"] = user_executor(between, files, nogil=True)
+    loop = user_executor(rebound(plain["guide"], **parts), files, nogil=True)
     return Entries(loop, parts["ticked"])
 
 

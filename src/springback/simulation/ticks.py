@@ -30,7 +30,7 @@ from springback.simulation.onboard import (
     telemetry_of,
 )
 from springback.simulation.record import FINISHED, FLYING, NOT_FINITE
-from springback.vehicle.rotors import all_lagged
+from springback.vehicle.rotors import lagged_thrusts
 from springback.vehicle.state import State
 
 #: Normal numbers that gusts take at each tick, after those of the sensors.
@@ -334,7 +334,7 @@ def powered(
         thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
         period = load(settings.period, g, w, i)
         rotors, lag = load(settings.rotors, g, w, i), load(settings.lag, g, w, i)
-        spun = all_lagged(rotors, thrust, command, lag)
+        spun = lagged_thrusts(rotors, thrust, command, lag)
         store(spun.thrust, memory.thrust, g, w, i)
         store(spun.mean, model.thrust, b, w, i)
         store(min((tick + 1.0) * period, last), model.timing.until, b, w, i)

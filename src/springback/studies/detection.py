@@ -1,35 +1,36 @@
-"""The study of detection and characterisation: how soon, how surely, how well collisions are known.
+"""Study of detection and characterisation: delay, reliability and accuracy.
 
-Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and
-they fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger looks at
-every flight, whether it is in use or not.
+Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and they
+fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger watches every
+flight, whether it is in use or not.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.progress import Progress, silent
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
-from springback.studies.roc import Array, Judged, Quiet, RocPoint, curve, quiet
+from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
 from springback.studies.trials import Scatter, trial_tables
 
 ROBOTS = ("arq", "quad")
 #: Speeds at contact [m/s]; the paper's are 2 and 3.5.
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 3.5)
-#: Below this a collision is there to be noticed, not to be made out [m/s], chosen.
+#: Below this speed a collision is only to be detected, not characterised [m/s], chosen.
 CHARACTERISED_FROM = 1.0
-#: How the wall and how the robot stand [deg]; what was asked for is −30 to 30.
+#: Yaw of the wall and of the robot [deg]; −30 to 30 was required.
 ASKEW = ((0, 0), (-30, 0), (-15, 0), (15, 0), (30, 0), (0, -30), (0, -15), (0, 15), (0, 30))
 #: An alarm later than this after touch counts as a miss [s], chosen: contacts take 26 ms at least.
 IN_TIME = 0.03
@@ -84,12 +85,12 @@ def approach_tables(
     """The scenario of a flight at a wall: level cruise at the speed asked for, then contact.
 
     Args:
-        approach: What is asked for.
-        seed: Of all luck.
-        changes: Tables laid over those of the test.
+        approach: Speed and yaws.
+        seed: Of all random draws.
+        changes: Tables merged over those of the test.
     """
     robot, speed, wall_yaw, robot_yaw, trial = approach
-    noise_stream = Scatter().drawn(robot, 0.0, speed, trial, seed)
+    noise_stream = Scatter().draw(robot, 0.0, speed, trial, seed)
     noise_stream = noise_stream._replace(wall_yaw=noise_stream.wall_yaw + math.radians(wall_yaw))
     given = trial_tables(robot, 0.0, speed, noise_stream, changes)
     run = RUN if speed > SLOW else SHORT_RUN
@@ -147,15 +148,15 @@ def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) 
 
 
 class ReadyTrial(NamedTuple):
-    """A flight made ready."""
+    """A flight ready to be flown."""
 
     scenario: Scenario
     model: Model
     avionics: Avionics
 
 
-def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
-    """A flight made ready and flown, trajectory, telemetry and all."""
+def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
+    """A flight, flown with its trajectory and telemetry."""
     scenario = scenario_from(tables)
     _, model, start, built = scenario.build()
     assert built is not None  # every flight of the study has a pilot
@@ -165,7 +166,7 @@ def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     return ReadyTrial(scenario, model, avionics), fly_guided(model, start, avionics, noise)
 
 
-def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, Judged]:
+def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSignal]:
     """The signal of every trigger, tick by tick."""
     assert guided.telemetry is not None  # asked only of flights that keep one
     sensors, tick = ready.scenario.sensors, 1.0 / ready.scenario.clock
@@ -175,12 +176,12 @@ def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, Judged]:
         column, pace = SIGNALS[name], paces[SIGNALS[name]]
         every = 1 if pace.perfect else round(1.0 / (pace.rate * tick))
         values = np.ascontiguousarray(guided.telemetry[f"told.{column}"])
-        found[name] = Judged(values, tick, every)
+        found[name] = TriggerSignal(values, tick, every)
     return found
 
 
 class CharacterisationError(NamedTuple):
-    """How well one collision was made out, against the truth."""
+    """Errors of the characterisation of one collision."""
 
     approach: Approach
     clipped: bool  # the accelerometer was at its range
@@ -195,15 +196,15 @@ class CharacterisationError(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Encounter:
-    """One collision: when it was noticed, and as what."""
+class CollisionTrial:
+    """One collision, its detection and characterisation."""
 
     approach: Approach
     touch: float
     """Time of first touch [s]."""
     delays: dict[str, float | None]
-    """Of each trigger at its threshold, after touch [s]; None if it missed."""
-    signals: dict[str, Judged] = field(repr=False)
+    """Delay after touch of each trigger at its threshold [s]; None if it missed."""
+    signals: dict[str, TriggerSignal] = field(repr=False)
     characterisation_error: CharacterisationError | None = None
 
 
@@ -219,7 +220,7 @@ def _vectors(columns: Any, stem: str, axes: str = "xyz") -> Array:
     return np.stack([columns[f"{stem}.{axis}"] for axis in axes], axis=1)
 
 
-def _turned(quaternion: Array) -> Array:
+def _rotation_matrix(quaternion: Array) -> Array:
     """Rotation matrix, body to world, of a quaternion wxyz."""
     w, (x, y, z) = quaternion[0], quaternion[1:]
     skewed = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
@@ -237,7 +238,7 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
         normal: Into the obstacle, world.
         arms: Which are hit, true or false.
     """
-    r = _turned(_vectors(trace, "state.attitude", "wxyz")[row])
+    r = _rotation_matrix(_vectors(trace, "state.attitude", "wxyz")[row])
     place = _vectors(trace, "state.position")[row]
     flat = normal - (normal @ r[:, 2]) * r[:, 2]
     rim = flat / np.linalg.norm(flat)
@@ -255,7 +256,7 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
 def characterisation_error(
     approach: Approach, ready: ReadyTrial, guided: GuidedFlown, touch: float
 ) -> CharacterisationError | None:
-    """What the robot made of a collision, against the truth; None if it noticed nothing.
+    """The robot's characterisation of a collision, against the truth; None if it noticed nothing.
 
     Two things count as true: the direction of the impulse of the contact force, with friction, from
     touch to the end of the window; and the wall's normal.
@@ -300,15 +301,17 @@ def characterisation_error(
     )
 
 
-def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = None) -> Encounter:
-    """Fly one approach and look at the collision.
+def fly_collision(
+    approach: Approach, seed: int, changes: dict[str, Any] | None = None
+) -> CollisionTrial:
+    """Fly one approach and evaluate the collision.
 
     Args:
-        approach: What is asked for.
-        seed: Of all luck.
-        changes: Tables laid over those of the test.
+        approach: Speed and yaws.
+        seed: Of all random draws.
+        changes: Tables merged over those of the test.
     """
-    ready, guided = flown(approach_tables(approach, seed, changes))
+    ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
     touch = guided.flown.record.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
@@ -318,7 +321,7 @@ def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = No
         name: one._replace(signal=one.signal[:end].copy())
         for name, one in signals_of(ready, guided).items()
     }
-    return Encounter(
+    return CollisionTrial(
         approach, touch, delays, signals, characterisation_error(approach, ready, guided, touch)
     )
 
@@ -330,34 +333,34 @@ class DetectionResults:
     flights: int
     """Trials of each approach."""
     seed: int
-    encounters: list[Encounter] = field(default_factory=list)
-    on_momentum: list[Encounter] = field(default_factory=list)
-    free: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    collisions: list[CollisionTrial] = field(default_factory=list)
+    on_momentum: list[CollisionTrial] = field(default_factory=list)
+    free: dict[str, list[dict[str, TriggerSignal]]] = field(default_factory=dict)
     """Signals of the free flights of each robot."""
-    free_on_momentum: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    free_on_momentum: dict[str, list[dict[str, TriggerSignal]]] = field(default_factory=dict)
     alarms: dict[str, dict[str, float]] = field(default_factory=dict)
     """Alarms of each trigger in the free flights of each robot, at its default threshold."""
-    _quiet: dict[tuple[str, str, int], Quiet] = field(default_factory=dict, repr=False)
-    """Looked through once: free flight is long."""
+    _false_alarms: dict[tuple[str, str, int], FalseAlarms] = field(default_factory=dict, repr=False)
+    """Cache: free flight is long."""
 
     def free_time(self, robot: str) -> float:
         """Free flight of a robot [s]."""
         return sum(len(one["wrench"].signal) * one["wrench"].period for one in self.free[robot])
 
     def triggers(self, robot: str) -> list[str]:
-        """Triggers that say anything on a robot: where no arm slides, its sensors do not."""
+        """Triggers of a robot; the arms' sensors are useless where no arm slides."""
         return [name for name in SIGNALS if name != "hall" or robot == "arq"]
 
-    def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[Encounter]:
-        """Collisions of a robot, on which a trigger looked."""
-        flights = self.on_momentum if trigger == "momentum" else self.encounters
+    def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[CollisionTrial]:
+        """Collisions of a robot that a trigger watched."""
+        flights = self.on_momentum if trigger == "momentum" else self.collisions
         return [
             one for one in flights
             if one.approach.robot == robot and speed in (None, one.approach.speed)
         ]  # fmt: skip
 
     def delays(self, robot: str, trigger: str, speed: float) -> list[float | None]:
-        """Of a trigger at its default threshold [s]; None where it missed or was late."""
+        """Delays of a trigger at its default threshold [s]; None where it missed or was late."""
         name = "wrench" if trigger == "momentum" else trigger
         found = [one.delays[name] for one in self.hits(robot, trigger, speed)]
         return [x if x is not None and x <= IN_TIME else None for x in found]
@@ -368,12 +371,12 @@ class DetectionResults:
         """The receiver operating curve of a trigger, at one speed or over all."""
         key, name = (robot, trigger, persistence), "wrench" if trigger == "momentum" else trigger
         thresholds = THRESHOLDS[trigger].tolist()
-        if key not in self._quiet:
+        if key not in self._false_alarms:
             free = self.free_on_momentum if trigger == "momentum" else self.free
             signals = [one[name] for one in free[robot]]
-            self._quiet[key] = quiet(signals, thresholds, persistence=persistence)
+            self._false_alarms[key] = false_alarms(signals, thresholds, persistence=persistence)
         return curve(
-            self._quiet[key],
+            self._false_alarms[key],
             [(one.signals[name], one.touch) for one in self.hits(robot, trigger, speed)],
             thresholds, persistence=persistence, within=IN_TIME,
         )  # fmt: skip
@@ -381,9 +384,9 @@ class DetectionResults:
     def characterisation_error(
         self, robot: str | None = None, speed: float | None = None
     ) -> list[CharacterisationError]:
-        """Collisions that were made out, of all or of some."""
+        """Errors of all characterised collisions, or of those of a robot or speed."""
         return [
-            one.characterisation_error for one in self.encounters
+            one.characterisation_error for one in self.collisions
             if one.characterisation_error is not None and robot in (None, one.approach.robot)
             and speed in (None, one.approach.speed) and one.approach.speed >= CHARACTERISED_FROM
         ]  # fmt: skip
@@ -400,16 +403,16 @@ def detection_study(
     free: float = FREE,
     seed: int = 0,
     askew: Sequence[tuple[int, int]] = ASKEW,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> DetectionResults:
     """Fly the study.
 
     Args:
         flights: Trials of each approach.
         free: Free flight of each robot [s], in pieces of `PIECE`.
-        seed: Of all luck.
-        askew: How wall and robot stand [deg].
-        progress: Called with the share done.
+        seed: Of all random draws.
+        askew: Yaws of wall and robot [deg].
+        progress: Called with the fraction done.
     """
     results = DetectionResults(flights, seed)
     hits, straight = list(_approaches(flights, askew)), list(_approaches(flights, askew[:1]))
@@ -420,20 +423,19 @@ def detection_study(
     def step() -> None:
         nonlocal done
         done += 1.0
-        if progress is not None:
-            progress(done / total)
+        progress(done / total)
 
     for approach in hits:
-        results.encounters.append(encounter(approach, seed))
+        results.collisions.append(fly_collision(approach, seed))
         step()
     for approach in straight:
-        results.on_momentum.append(encounter(approach, seed, ON_MOMENTUM))
+        results.on_momentum.append(fly_collision(approach, seed, ON_MOMENTUM))
         step()
     for robot in ROBOTS:
         raised = dict.fromkeys(("hall", "acceleration", "wrench", "momentum"), 0.0)
         for number in range(pieces):
             for changes, kept in ((None, results.free), (ON_MOMENTUM, results.free_on_momentum)):
-                ready, guided = flown(free_tables(robot, number, changes))
+                ready, guided = fly_ready_trial(free_tables(robot, number, changes))
                 kept.setdefault(robot, []).append(signals_of(ready, guided))
                 seen = guided.onboard.pilot.detection
                 if changes is None:

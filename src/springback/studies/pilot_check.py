@@ -1,4 +1,4 @@
-"""What every pilot should keep to, tried on a user's own: short flights, and its own words again.
+"""Checks of a user's own pilot: short flights, and its calls repeated.
 
 All is done with the plain-Python form of a pilot; one that is compiled must then fly the same.
 """
@@ -16,6 +16,7 @@ import numpy as np
 
 from springback.errors import CommandWarning, InputError
 from springback.kernels.trees import leaves, rebuilt
+from springback.progress import Progress, silent
 from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.arguments import chosen_pilot
 from springback.scenario.avionics import CompiledPilot, propulsion_of
@@ -36,7 +37,7 @@ COMPILED = 1e-9  # difference of positions between compiled and plain flights [m
 
 
 class Finding(NamedTuple):
-    """What came out of one property."""
+    """The result for one property."""
 
     name: str
     passed: bool
@@ -44,7 +45,7 @@ class Finding(NamedTuple):
 
 
 class Call(NamedTuple):
-    """A pilot was asked, and said."""
+    """One call of a pilot, and its answer."""
 
     time: float  # [s]
     measurement: Measurement
@@ -58,15 +59,15 @@ def check_pilot(
     pilot: PlainPilot | CompiledPilot | str,
     scenario: Scenario | Mapping[str, Any] | str | Path | None = None,
     *,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> Findings:
-    """Try a pilot on what every pilot should keep to.
+    """Check the properties that every pilot should have.
 
     Args:
         pilot: As for `springback.fly`: a function, an `CompiledPilot`, or ``"file.py:name"``.
         scenario: Whose vehicle, sensors and start are used; at rest at its start the pilot must
             hover.  By default `quad` at [0, 0, 1] m.
-        progress: Called with the share of properties done.
+        progress: Called with the fraction of the properties done.
 
     Raises:
         InputError: If the scenario, or the file of the pilot, cannot be used.
@@ -94,13 +95,12 @@ def check_pilot(
         with warnings.catch_warnings():  # what it commands is a finding of its own
             warnings.simplefilter("ignore", CommandWarning)
             findings.append(tried())
-        if progress is not None:
-            progress(k / len(properties))
+        progress(k / len(properties))
     return findings
 
 
 def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
-    """Any pilot as a plain function whose memory is None at first."""
+    """A pilot as a plain function whose memory is None at first."""
     if not isinstance(pilot, CompiledPilot):
         return pilot
     law, settings, first = pilot_step.dispatch(type(pilot.settings)), pilot.settings, pilot.memory
@@ -114,7 +114,7 @@ def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
 
 
 def _at_rest(scenario: Scenario) -> Scenario:
-    """The scenario as the properties are tried in it."""
+    """The scenario in which the properties are checked."""
     start = scenario.start.with_checked(velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
     simulation = scenario.simulation.with_checked(duration=DURATION)
     changes = {"reference": None, "thrust": "hover", "start": start, "simulation": simulation}
@@ -124,7 +124,7 @@ def _at_rest(scenario: Scenario) -> Scenario:
 # -- in flight ------------------------------------------------------------------------------------
 
 
-def _away(flight: Flight, since: float = 0.0) -> float:
+def _farthest(flight: Flight, since: float = 0.0) -> float:
     """Largest distance from the start [m], from some time on."""
     c, start = flight.columns, flight.scenario.start.position
     offsets = np.stack([c[axis] - begin for axis, begin in zip("xyz", start, strict=True)])
@@ -138,8 +138,8 @@ def _tilt(flight: Flight, since: float) -> float:
     return float(np.arccos(np.clip(cosine, -1.0, 1.0))[c["t"] >= since].max())
 
 
-def _flown(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding:
-    """A finding of a flight, or of why it could not be flown."""
+def _flight_finding(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding:
+    """A finding from a flight, or the reason why it could not be flown."""
     try:
         return Finding(name, *judge())
     except InputError as error:
@@ -153,19 +153,19 @@ def _hovers(pilot: PlainPilot, scenario: Scenario, calls: list[Call]) -> Finding
         return thrusts, after
 
     def judge() -> tuple[bool, str]:
-        flight = fly(scenario, pilot=_marked(noting, pilot))
-        away = _away(flight)
+        flight = fly(scenario, pilot=_with_location(noting, pilot))
+        away = _farthest(flight)
         return (
             flight.is_finite and away <= REACH,
             f"from rest it strays {100.0 * away:.2g} cm in {DURATION:g} s "
             f"(at most {100.0 * REACH:g} cm)",
         )
 
-    return _flown("hovers", judge)
+    return _flight_finding("hovers", judge)
 
 
-def _marked(function: Any, pilot: Any) -> Any:
-    """A function that stands for a pilot: its slips are told with the pilot's file and line."""
+def _with_location(function: Any, pilot: Any) -> Any:
+    """A function in place of a pilot, whose errors name the pilot's file and line."""
     function.__wrapped__ = pilot
     return function
 
@@ -177,7 +177,7 @@ def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
 
     def judge() -> tuple[bool, str]:
         flight = fly(tilted, pilot=pilot)
-        away, tilt = _away(flight, DURATION - LAST), _tilt(flight, DURATION - LAST)
+        away, tilt = _farthest(flight, DURATION - LAST), _tilt(flight, DURATION - LAST)
         return (
             flight.is_finite and away <= REACH and tilt <= UPRIGHT,
             f"released with a tilt of {math.degrees(TILT):g} deg it is {100.0 * away:.2g} cm away "
@@ -185,7 +185,7 @@ def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
             f"most {100.0 * REACH:g} cm and {math.degrees(UPRIGHT):g} deg)",
         )
 
-    return _flown("recovers from a tilt", judge)
+    return _flight_finding("recovers from a tilt", judge)
 
 
 def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
@@ -201,15 +201,15 @@ def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
         return pilot(time, measurement, memory)
 
     def judge() -> tuple[bool, str]:
-        flight = fly(scenario, pilot=_marked(blinded, pilot))
-        away = _away(flight)
+        flight = fly(scenario, pilot=_with_location(blinded, pilot))
+        away = _farthest(flight)
         return (
             flight.is_finite and away <= REACH,
             f"without motion capture for {GAP:g} s it strays {100.0 * away:.2g} cm "
             f"(at most {100.0 * REACH:g} cm)",
         )
 
-    return _flown("bridges a gap of motion capture", judge)
+    return _flight_finding("bridges a gap of motion capture", judge)
 
 
 def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Finding:
@@ -223,10 +223,10 @@ def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Find
             f"compiled and plain flights are {apart:.2g} m apart (at most {COMPILED:g} m)",
         )
 
-    return _flown("compiles to the same flight", judge)
+    return _flight_finding("compiles to the same flight", judge)
 
 
-# -- the same questions again ---------------------------------------------------------------------
+# -- the same calls repeated ----------------------------------------------------------------------
 
 
 def _commands(scenario: Scenario, calls: list[Call]) -> Finding:
@@ -246,7 +246,7 @@ def _commands(scenario: Scenario, calls: list[Call]) -> Finding:
 def _again(
     pilot: PlainPilot, calls: list[Call], changed: Callable[[Call], Call]
 ) -> tuple[float, float]:
-    """Ask all questions of a flight again, changed: largest difference [N], and when first [s]."""
+    """Repeat all calls of a flight, changed: largest difference [N], and time of the first [s]."""
     memory, largest, first = None, 0.0, math.nan
     for call in calls:
         asked = changed(call)
@@ -258,7 +258,7 @@ def _again(
     return largest, first
 
 
-def _asked_again(
+def _repeat_finding(
     name: str,
     pilot: PlainPilot,
     calls: list[Call],
@@ -266,7 +266,7 @@ def _asked_again(
     words: tuple[str, str],
     allowed: float = 0.0,
 ) -> Finding:
-    """A finding on questions asked again: the words for passed, and for failed."""
+    """A finding from repeated calls; the words are for passed, and for failed."""
     if not calls:
         return Finding(name, False, "it was never asked, for it did not take off")
     try:
@@ -279,7 +279,7 @@ def _asked_again(
 
 
 def _repeats(pilot: PlainPilot, calls: list[Call]) -> Finding:
-    return _asked_again(
+    return _repeat_finding(
         "says the same twice", pilot, calls, [lambda call: call],
         ("asked the same again it says the same",
          "asked the same again it says something else, so it remembers outside its memory"),
@@ -288,27 +288,27 @@ def _repeats(pilot: PlainPilot, calls: list[Call]) -> Finding:
 
 def _ignores_truth(pilot: PlainPilot, calls: list[Call]) -> Finding:
     def poisoned(sign: float) -> Callable[[Call], Call]:
-        absurd: Any = _filled(calls[0].measurement.exact, sign * 1e6) if calls else None
+        absurd: Any = _constant_tree(calls[0].measurement.exact, sign * 1e6) if calls else None
 
         def changed(call: Call) -> Call:
             return call._replace(measurement=call.measurement._replace(exact=absurd))
 
         return changed
 
-    return _asked_again(
+    return _repeat_finding(
         "does not look at the truth", pilot, calls, [poisoned(1.0), poisoned(-1.0)],
         ("an absurd measurement.exact changes nothing",
          "measurement.exact, which no robot has, changes its commands"),
     )  # fmt: skip
 
 
-def _filled(like: Any, number: float) -> Any:
+def _constant_tree(like: Any, number: float) -> Any:
     """A tree shaped like another, with one number everywhere."""
     return rebuilt(like, [number] * len(leaves(like)))
 
 
 def _forgets_the_clock(pilot: PlainPilot, calls: list[Call]) -> Finding:
-    return _asked_again(
+    return _repeat_finding(
         "hovers at any time", pilot, calls,
         [lambda call: call._replace(time=call.time + SHIFT)],
         (f"{SHIFT:g} s later it commands the same",

@@ -60,7 +60,7 @@ def shown(browser: Any) -> dict[str, Any]:
         const S = window.springback;
         return {
           query: S.answer.query, settings: S.answer.settings,
-          fields: Object.fromEntries([...document.querySelectorAll(".knob input[type=text]")].map((f) => [f.id, f.value])),
+          fields: Object.fromEntries([...document.querySelectorAll(".slider-control input[type=text]")].map((f) => [f.id, f.value])),
           outcomes: document.querySelector(".outcomes").innerText,
           table: document.querySelector(".measures").innerText,
           peaks: S.plots.curve("Acceleration"), energy: S.plots.curve("Energy, ARQ"),
@@ -90,7 +90,7 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
     opened(browser, lab)
     before = shown(browser)
     assert before["link"] == lab
-    assert "ARQ meets the wall at 1.85 m/s" in before["outcomes"]
+    assert "ARQ hits the wall at 1.85 m/s" in before["outcomes"]
 
     slide(browser, "stiffness", 200)
     until(

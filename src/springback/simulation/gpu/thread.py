@@ -11,14 +11,14 @@ from typing import Any
 
 from springback.kernels.compiler import kernel
 from springback.kernels.gpu.private_memory import (
+    array_view,
+    opaque,
     private,
     private_counters,
     private_floats,
     private_words,
-    reached_over,
-    remembered,
 )
-from springback.kernels.layout import Buffer, Parted, TreeLayout, read, rows, write
+from springback.kernels.layout import Buffer, SplitBuffer, TreeLayout, read, rows, write
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE
 from springback.simulation.lanes import places
@@ -64,10 +64,10 @@ def fly_impact(
     """
     if lane < count:
         size = count * (rows(shape.motion) + rows(shape.record))
-        shared, alone = reached_over(flights, 1, size)[0], private(memory)
+        shared, alone = array_view(flights, 1, size)[0], private(memory)
         write(model, alone[0], 0, 1, 0)
         take_flight(shape, shared, count, lane, alone[0])
-        logged, log = private_counters(1, 1)[0], reached_over(flights, 0, 1)
+        logged, log = private_counters(1, 1)[0], array_view(flights, 0, 1)
         logged[0] = 0
         advance(shape, alone, 0, 1, (0,), log, logged, budget, 0.0)
         put_flight(shape, alone[0], shared, count, lane)
@@ -121,26 +121,26 @@ def fly_ticks(
     """
     if lane < count:
         size = count * (rows(shape.motion) + rows(shape.record))
-        shared, alone = reached_over(flights, 1, size)[0], private(memory)
+        shared, alone = array_view(flights, 1, size)[0], private(memory)
         write(model, alone[0], 0, 1, 0)
         take_flight(shape, shared, count, lane, alone[0])
-        kept = reached_over(onboard, 1, count * rows(avionics.onboard))[0]
+        kept = array_view(onboard, 1, count * rows(avionics.onboard))[0]
         settings, mine = private(avionics.systems), private(avionics.onboard)
         write(systems, settings[0], 0, 1, 0)
         for row in range(rows(avionics.onboard)):  # `write` would leave out parts that are not new
             mine[0, row] = kept[row * count + lane]
         key, number = private_words(1, 1)[0], private_words(1, 1)[0]
-        key[0] = reached_over(keys, 1, count)[0, lane]
-        number[0] = reached_over(numbers, 1, count)[0, lane]
+        key[0] = array_view(keys, 1, count)[0, lane]
+        number[0] = array_view(numbers, 1, count)[0, lane]
         noise = private(drawn)
         for channel in range(rows(drawn)):
             noise[0, channel] = 0.0
         words, pairs = private_words(7, 1), private_floats(2, 1)
         logged = private_counters(1, 1)[0]
         logged[0] = 0
-        log, devices = reached_over(flights, 0, 1), reached_over(plan, device_count, 3)
+        log, devices = array_view(flights, 0, 1), array_view(plan, device_count, 3)
         for k in range(first, end):
-            g: Any = Parted(avionics.systems, settings[0], remembered(mine[0]))
+            g: Any = SplitBuffer(avionics.systems, settings[0], opaque(mine[0]))
             generate(key, number, devices, k, noise, words, pairs)
             ticked(shape, avionics, alone[0], g, (0,), logged, float(k), channels, noise[0], log, k)
             powered(
@@ -151,6 +151,6 @@ def fly_ticks(
             while to_tick(shape, alone, (0,), log, logged, SLICE, early) > 0:
                 pass
         put_flight(shape, alone[0], shared, count, lane)
-        after = remembered(mine[0])
+        after = opaque(mine[0])
         for row in range(rows(avionics.onboard)):
             kept[row * count + lane] = after[row]
