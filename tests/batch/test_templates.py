@@ -163,14 +163,20 @@ def test_flights_that_go_another_way_are_left_out() -> None:
         numbers_alone(tables[5])
 
 
-def test_whatever_no_formula_does_is_built_alone() -> None:
-    """Ticks are counted, a batch has one duration."""
-    varied = {
-        "clock": holding(clock=lambda k: [1000.0, 2000.0][k % 2]),
-        "duration": holding(simulation=lambda k: {"duration": 1.0 + 0.1 * k}),
-    }
-    for tables in varied.values():
-        assert together(tables)[1] == []
+def test_flights_of_one_clock_and_duration_are_built_together() -> None:
+    """Those are of a batch."""
+    for tables in (
+        holding(clock=lambda k: [1000.0, 2000.0][k % 2]),
+        holding(simulation=lambda k: {"duration": [1.0, 2.0][k % 2]}),
+    ):
+        tables = [table | {"seed": k} for k, table in enumerate([*tables, *tables])]
+        groups, built = together(tables)
+        assert [many.flights for many in built] == [group.flights for group in groups]
+        assert [len(group.flights) for group in groups] == [COUNT, COUNT]
+        for many in built:
+            for row, k in enumerate(many.flights):
+                assert numbers(many, row).tobytes() == numbers_alone(tables[k]).tobytes()
+                assert pace_of(many.first) == pace_of(flight_from(tables[k]))
 
 
 def test_each_branch_is_built_together() -> None:

@@ -75,10 +75,11 @@ def _branches(table: Any) -> Iterator[tuple[Any, Any]]:
 
 
 class ScenarioGroup:
-    """Flights whose scenarios differ in numbers and seeds only, while they are collected."""
+    """Flights whose scenarios differ only in numbers, and in seeds, while they are collected."""
 
     def __init__(self, number: int, first: Mapping[str, Any]) -> None:
         """Start with the first flight: its number and its tables."""
+        self._times = _times(first)
         self.template = Template(_without_seed(first))
         self.rows: list[list[float]] = [self.template.own]
         self.flights = [number]
@@ -86,11 +87,18 @@ class ScenarioGroup:
     def takes(self, number: int, tables: Mapping[str, Any]) -> bool:
         """Add a flight if it matches the others; True if it does."""
         found: list[float] = []
-        if not self.template.takes(_without_seed(tables), found):
+        if _times(tables) != self._times or not self.template.takes(_without_seed(tables), found):
             return False
         self.rows.append(found)
         self.flights.append(number)
         return True
+
+
+def _times(tables: Mapping[str, Any]) -> tuple[Any, Any]:
+    """Clock and duration, which flights of one batch share."""
+    simulation = tables.get("simulation")
+    duration = simulation.get("duration") if isinstance(simulation, Mapping) else None
+    return tables.get("clock"), duration
 
 
 def _without_seed(tables: Mapping[str, Any]) -> dict[str, Any]:
