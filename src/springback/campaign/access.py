@@ -1,4 +1,4 @@
-"""Asking a campaign: rows by SQL, and any of its flights flown again."""
+"""Access to the results of a campaign: rows by SQL, and any flight flown again."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
-#: Rows of an answer that are taken at once (chosen).
+#: Rows of a result that are processed at once (chosen).
 STRETCH = 1000
 
 
 class Answer(NamedTuple):
-    """What a query found."""
+    """Result of a query."""
 
     columns: list[str]
     rows: list[tuple[Any, ...]]
@@ -70,7 +70,7 @@ class Campaign:
     """A campaign in a folder, finished or not."""
 
     def __init__(self, folder: str | Path) -> None:
-        """Of a folder that a campaign was flown into; every byte of its parts is checked.
+        """Open the folder of a campaign; every byte of its parts is checked.
 
         Raises:
             InputError: If there is none, or parts of it are missing or damaged.
@@ -93,22 +93,22 @@ class Campaign:
 
     @functools.cached_property
     def design(self) -> Design:
-        """What was flown."""
+        """Design that was flown."""
         return lay_out(stored_plan(self.folder), tried=False)
 
     @property
     def done(self) -> int:
-        """Number of flights that are there."""
+        """Number of flights flown."""
         return manifest.flight_count(self.parts)
 
     @property
     def complete(self) -> bool:
-        """Whether all are."""
+        """True if all flights are flown."""
         return self.done == int(self.about["flights"])
 
     @property
     def units(self) -> dict[str, str]:
-        """Of all columns, SI."""
+        """SI units of all columns."""
         known = {name: unit for name, (unit, _) in known_columns().items()}
         return known | dict(self.about["units"])
 
@@ -119,7 +119,7 @@ class Campaign:
         found: Callable[[Any], T],
         writes: Sequence[Path] = (),
     ) -> T:
-        """What is found in the answer to a question to all rows, the view ``flights``."""
+        """Result of ``found`` for the answer to a query of all rows, the view ``flights``."""
         files = [(self.folder / part.file).absolute() for part in self.parts]
 
         def ask(connection: Any) -> T:
@@ -135,31 +135,31 @@ class Campaign:
         return in_database(ask, sandbox([*files, *writes]))
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
-        """Ask in SQL; the table is ``flights``.
+        """Run a query in SQL; the table is ``flights``.
 
-        All rows of the answer are kept; `stream` keeps few.
+        All rows of the result are in memory; `stream` keeps few.
 
         Args:
             sql: One SELECT.
             parameters: For its question marks.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it cannot be parsed, or is something else.
         """
         return self._asked(one_select(sql), parameters, _answer)
 
     def stream(self, sql: str, taken: Callable[[list[str], Iterator[list[Any]]], T]) -> T:
-        """Ask in SQL, and take the answer in stretches, however long it is.
+        """Run a query in SQL, and process its result in chunks.
 
         Args:
             sql: One SELECT.
-            taken: Given names of columns, and stretches of rows, at most `STRETCH` long.
+            taken: Function of the names of columns, and chunks of at most `STRETCH` rows.
 
         Returns:
-            What ``taken`` returns.
+            The value of ``taken``.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it cannot be parsed, or is something else.
         """
 
         def take(found: Any) -> T:
@@ -169,12 +169,12 @@ class Campaign:
         return self._asked(one_select(sql), (), take)
 
     def count(self, sql: str) -> int:
-        """Number of rows of an answer."""
+        """Number of rows of a result."""
         counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
         return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
-        """What a query finds, as arrays of floats by column; NaN for what is not there."""
+        """Result of a query as arrays of floats by column; NaN for missing values."""
         select = one_select(sql)
         found = self._asked(select, parameters, lambda found: found.fetchnumpy())
         return {
@@ -183,14 +183,14 @@ class Campaign:
         }
 
     def save(self, sql: str, path: Path) -> int:
-        """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
+        """Write the result of a query as Parquet, whole or not at all; returns the number of rows.
 
         Args:
             sql: One SELECT.
             path: Of the file.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it cannot be parsed, or is something else.
             OSError: If the file cannot be written.
         """
         select = one_select(sql)
@@ -252,7 +252,7 @@ class Campaign:
         return Reflown(flight, tuple(different))
 
     def keep(self, remark: Callable[[str], None]) -> None:
-        """Keep the trajectories that the plan asks for, the first so many it holds for."""
+        """Store the trajectories of the first flights that meet the plan's condition."""
         wanted = self.design.plan.keep
         if wanted is None:
             return
@@ -276,7 +276,7 @@ def _answer(found: Any) -> Answer:
 
 
 def _write_kept(flight: Flight, stem: Path) -> None:
-    """Trajectory and telemetry; each is there whole before the summary that names them is."""
+    """Write trajectory and telemetry; both are complete before the summary that names them."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
     for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
@@ -286,7 +286,7 @@ def _write_kept(flight: Flight, stem: Path) -> None:
 
 
 def _same(row: Any, now: Any) -> bool:
-    """Whether both are the same number to the last bit, or both are none."""
+    """True if both are the same number to the last bit, or both are None."""
     if isinstance(row, float) and isinstance(now, int | float):
         return float(row).hex() == float(now).hex()
     return bool(row == now)
@@ -294,7 +294,7 @@ def _same(row: Any, now: Any) -> bool:
 
 @contextmanager
 def in_words(whose: str = "SQL") -> Iterator[None]:
-    """Tell what DuckDB does not understand in one line."""
+    """Turn errors of DuckDB into one line."""
     import duckdb
 
     try:
@@ -306,11 +306,11 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
 
 
 def check_conditions(design: Design, source: Source | None = None) -> None:
-    """Refuse conditions of a plan that SQL does not understand, before anything is flown.
+    """Reject conditions of a plan that are no valid SQL, before anything is flown.
 
     Args:
         design: Of the plan.
-        source: Where the plan stands.
+        source: Source of the plan.
 
     Raises:
         InputError: That names the entry.

@@ -1,7 +1,7 @@
-"""Flying on a Dask cluster: chunks go to its workers, rows come back to the one who writes.
+"""Fly on a Dask cluster: chunks go to its workers, rows come back to this process.
 
 Dask flies the chunk of a worker that dies again on another, three times; the rows are the same
-wherever they fly, given the same versions, which is checked.
+anywhere, given the same versions, which is checked.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from springback.campaign.workers import GivenUp, Remark
 from springback.errors import InputError
 from springback.extras import needs
 
-#: Seconds to wait for a scheduler to answer, and between looks at who is there (chosen).
+#: Seconds to wait for a scheduler to answer, and between checks of its workers (chosen).
 PATIENCE, LOOK = 10.0, 1.0
-#: Chunks handed out ahead for each thread of the cluster (chosen): none waits for the next, and
-#: few rows wait for the writer.
+#: Chunks submitted ahead for each thread of the cluster (chosen): no thread idles, and few rows
+#: wait to be written.
 AHEAD = 2
 _one_at_a_time = threading.Lock()
 #: Versions on this side.
@@ -35,7 +35,7 @@ here = versions
 
 
 def fly_remotely(text: str, chunk: Chunk) -> tuple[dict[str, str], ChunkRows]:
-    """Fly a stretch on a worker; with the versions there.  Threads of a worker take turns."""
+    """Versions of a worker, and the rows of a chunk flown there, one thread at a time."""
     with _one_at_a_time:
         return versions(), fly_chunk(text, chunk)
 
@@ -45,13 +45,13 @@ class Tls:
     """Certificates for a cluster that speaks TLS, as PEM files."""
 
     authority: Path
-    """Whose signature all of the cluster carry."""
+    """Certificate authority that signed those of the cluster."""
     certificate: Path
     key: Path
-    """Of the certificate, private."""
+    """Private key of the certificate."""
 
     def __post_init__(self) -> None:
-        """Refuse files that are not there."""
+        """Reject missing files."""
         for name, path in vars(self).items():
             if not path.is_file():
                 raise InputError(f"TLS {name} {path}: there is no such file")
@@ -61,15 +61,15 @@ class Tls:
 def cluster_client(
     address: str, tls: Tls | None = None, remark: Remark | None = None
 ) -> Iterator[Any]:
-    """A client of a cluster that can fly what we would.
+    """A client of a cluster with the same versions.
 
-    Without TLS Dask neither asks who speaks to it nor hides what is said, and runs what it is sent:
-    whoever reaches its ports runs programs on its machines.
+    Without TLS, Dask neither authenticates nor encrypts, and runs the code that it receives: anyone
+    who reaches its ports can run programs on its machines.
 
     Args:
         address: Of the scheduler.
         tls: Certificates; None leaves it to Dask's own configuration, which usually has none.
-        remark: Told of a connection that others could use.
+        remark: Called with a warning if others could use the connection.
 
     Raises:
         InputError: If there is no scheduler, or its workers have other versions.
@@ -79,8 +79,8 @@ def cluster_client(
         raise InputError(f"--scheduler {address}: certificates belong to tls://HOST:PORT")
     if remark is not None and is_open(address):
         remark(
-            f"{address} is neither encrypted nor asks who speaks: whoever reaches it runs programs "
-            "there; use tls:// with --tls-ca, --tls-cert and --tls-key, or a tunnel"
+            f"{address} is neither encrypted nor authenticated: anyone who reaches it can run "
+            "programs there; use tls:// with --tls-ca, --tls-cert and --tls-key, or a tunnel"
         )
     client = _client(distributed, address, tls)
     try:
@@ -99,7 +99,7 @@ def fly_on_cluster(
         text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
         chunks: To be flown.
         client: From `cluster_client`.
-        remark: Told of workers that come and go.
+        remark: Called with a line about each worker that leaves.
 
     Raises:
         CampaignError: If the scheduler is lost, or a worker that joins has other versions.
@@ -119,11 +119,11 @@ def fly_on_cluster(
             crew.look()
     finally:
         for future in flying:
-            future.release()  # nobody waits for it any more
+            future.release()  # its result is no longer needed
 
 
 def is_open(address: str) -> bool:
-    """Whether others than this machine's own users can use what listens at an address."""
+    """True if anyone but the users of this machine can connect to an address."""
     protocol, sign, rest = address.rpartition("://")
     if sign and protocol not in ("tcp", "ws"):
         return False
@@ -151,7 +151,7 @@ def _client(distributed: Any, address: str, tls: Tls | None) -> Any:
 
 
 class _Crew:
-    """Who is there to fly."""
+    """Workers of a cluster."""
 
     def __init__(self, client: Any, remark: Remark) -> None:
         self.client, self.remark = client, remark
@@ -165,7 +165,7 @@ class _Crew:
         return sum(self.known.values())
 
     def look(self) -> None:
-        """See who left, now and then."""
+        """Check from time to time which workers left."""
         if time.monotonic() - self.looked < LOOK:
             return
         self.looked = time.monotonic()
@@ -195,7 +195,7 @@ def _completed(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
 
 
 def _answer(distributed: Any, future: Any, chunk: Chunk) -> ChunkRows | GivenUp:
-    """What came of a chunk."""
+    """Result of a chunk."""
     if future.status == "finished":
         theirs, rows = future.result()
         if told := version_difference(theirs):
@@ -210,7 +210,7 @@ def _answer(distributed: Any, future: Any, chunk: Chunk) -> ChunkRows | GivenUp:
 
 
 def _check_versions(client: Any, address: str) -> None:
-    """Refuse workers whose rows could differ from ours."""
+    """Reject workers whose rows could differ from ours."""
     try:
         theirs: dict[str, Any] = client.run(versions)
     except Exception as error:  # whatever a worker without springback raises

@@ -1,4 +1,4 @@
-"""What a campaign will take, from a few of its flights."""
+"""Time and space that a campaign will take, from a few of its flights."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TRIED = 64
 
 @dataclass(frozen=True)
 class CostEstimate:
-    """What a campaign will take."""
+    """Time and space that a campaign will take."""
 
     flights: int
     samples: int
@@ -37,18 +37,18 @@ class CostEstimate:
     tried: int
     """Flights that were flown to find out."""
     refused: int
-    """Of these, how many could not be flown."""
+    """Number of these that could not be flown."""
     problem: str
-    """Why the first of them could not."""
+    """Reason for the first of them."""
     kinds: int
-    """Of flight, among those tried; each is compiled once."""
+    """Number of kinds of flight among those tried; each is compiled once."""
     rate: float
     """Flights per second on one core, once compiled."""
     workers: int
     time: float
-    """Of the whole [s], if this machine had nothing else to do."""
+    """Time for the whole campaign on an otherwise idle machine [s]."""
     bytes: int
-    """Of the whole, on the disk."""
+    """Space for the whole campaign on the disk."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -109,7 +109,7 @@ def kinds_of(tables: Sequence[dict[str, Any]]) -> int:
 
 
 def _bytes_each(rows: dict[str, Any], design: Design) -> float:
-    """Bytes of a row on the disk; what is there once for each part is left out."""
+    """Bytes of a row on the disk, without the overhead of a file."""
     few, count = {name: values[:1] for name, values in rows.items()}, len(rows["flight"])
     with tempfile.TemporaryDirectory() as folder:
         sizes = list[int]()

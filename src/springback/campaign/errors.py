@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class CampaignError(RuntimeError):
-    """What halted a campaign, in one line; what was done by then is kept."""
+    """Reason why a campaign stopped, in one line; the flights done by then are kept."""

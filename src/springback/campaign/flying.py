@@ -1,4 +1,4 @@
-"""Flying a stretch of a campaign: from the plan and two numbers to rows, anywhere."""
+"""Fly a chunk of a campaign: from the plan and two numbers to rows, on any machine."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ Chunk = tuple[int, int]
 
 
 class ChunkRows(NamedTuple):
-    """A stretch of flights, flown."""
+    """Rows of a chunk of flights."""
 
     chunk: Chunk
     columns: dict[str, Any]
 
 
 def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
-    """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
+    """Fly a chunk; its rows depend on the plan alone, not on the machine or device.
 
     Args:
         text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
@@ -32,7 +32,7 @@ def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
 def rows(
     design: Design, chunk: Chunk, device: Device = "cpu", *, threads: int = 1
 ) -> dict[str, Any]:
-    """Rows of a stretch of flights, column by column."""
+    """Rows of a chunk of flights, column by column."""
     with no_collection():
         drawn = design.slice(*chunk)
         ended = fly_scenarios(drawn.tables, threads=threads, device=device)

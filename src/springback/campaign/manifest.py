@@ -33,10 +33,10 @@ class Part:
     ledger_open: int = 0
     """Flights whose energy ledger does not close to 1e-4."""
     withdrawn: bool = False
-    """Whether it was found damaged, and is to be flown again."""
+    """True if it was found damaged, and is to be flown again."""
 
     def whole(self, folder: Path) -> bool:
-        """Whether the file is there as it was written, by its digest."""
+        """True if the file has its digest."""
         path = folder / self.file
         try:
             about = path.stat()
@@ -54,12 +54,12 @@ def file_of(first: int) -> str:
 
 @functools.lru_cache(maxsize=65536)
 def _digest(path: Path, changed: int, size: int) -> str:
-    """Digest of a file as it was at a time: worked out once in a process."""
+    """Digest of a file at a time, computed once in a process."""
     return file_digest(path)
 
 
 def damaged_parts(parts: Iterable[Part], folder: Path) -> list[Part]:
-    """Parts that are not as they were written: all bytes are read, on as many cores as there are.
+    """Parts that are damaged or missing; all bytes are read, on all cores.
 
     Args:
         parts: Any.
@@ -122,7 +122,7 @@ def _part(line: bytes) -> Part | None:
 
 
 def _is_sound(part: Part) -> bool:
-    """Whether types fit, and the file is the one where its flights belong: nothing elsewhere."""
+    """True if the types are right, and the file is that of its flights."""
     kinds = {"str": str, "int": int, "bool": bool}
     for one in fields(part):
         if type(getattr(part, one.name)) is not kinds[str(one.type)]:
@@ -131,7 +131,7 @@ def _is_sound(part: Part) -> bool:
 
 
 def _could_be_torn(line: bytes) -> bool:
-    """Whether a line without an end may be the beginning of one that was written whole."""
+    """True if a line without an end may be the beginning of a valid one."""
     if not line.isascii():  # which no line is
         return False
     try:
@@ -142,7 +142,7 @@ def _could_be_torn(line: bytes) -> bool:
     return end == len(text) and _part(line) is not None
 
 
-#: How every line begins.
+#: Beginning of every line.
 _BEGINNING = b'{"first": '
 
 

@@ -1,4 +1,4 @@
-"""Running a campaign: chunks out, parts in, and what happened told as it goes."""
+"""Run a campaign: chunks out, parts in, with progress."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ RECENT = 40
 
 @dataclass(frozen=True)
 class CampaignProgress:
-    """How far a campaign has come."""
+    """Progress of a campaign."""
 
     done: int
-    """Flights that are kept, from before as well."""
+    """Flights stored, including earlier ones."""
     flights: int
     parts: int
     refused: int
@@ -71,7 +71,7 @@ class CampaignProgress:
 
 
 def in_time(seconds: float) -> str:
-    """A time as one says it."""
+    """A time in words."""
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     if hours:
@@ -81,12 +81,12 @@ def in_time(seconds: float) -> str:
 
 @dataclass
 class _Watch:
-    """Counts what comes in."""
+    """Counts of incoming parts."""
 
     store: Store
     given_up: int = 0
     warm: bool = False
-    """Whether the first part, which may have waited for a compiler, is left out of the rate."""
+    """True once the first part, which may include compilation, is left out of the rate."""
     came: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
 
     def now(self) -> CampaignProgress:
@@ -118,15 +118,15 @@ def run_campaign(
     progress: Callable[[CampaignProgress], None] | None = None,
     remark: Remark | None = None,
 ) -> Campaign:
-    """Fly a campaign into a folder, or what is left of it.
+    """Fly a campaign into a folder, or the rest of it.
 
     The rows depend on the plan alone, bit for bit, and on none of the other arguments.  A script
     that calls this must do so under ``if __name__ == "__main__"``, as its workers read it, too.
 
     Args:
-        plan: What to fly.
-        folder: For plan, parts and ledger; is made if it is not there.
-        resume: Whether a campaign in the folder may be gone on with.
+        plan: Plan or design.
+        folder: For plan, parts and ledger; created if it does not exist.
+        resume: Allow a campaign in the folder to be continued.
         workers: Processes; by default as many as there are cores.
         chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
             all workers have some.
@@ -134,11 +134,11 @@ def run_campaign(
         tls: Certificates for it, if it speaks TLS.
         device: Where the workers' flights fly: ``cpu``, or ``gpu`` for an NVIDIA GPU that they
             share.
-        progress: Told how far it is, after each part.
-        remark: Told of what went wrong and was mended, in one line each.
+        progress: Called after each part.
+        remark: Called with a line about each problem that was repaired.
 
     Returns:
-        The campaign, to be asked questions of.
+        The campaign, for queries.
 
     Raises:
         InputError: If the plan or the folder cannot be used.
@@ -186,14 +186,14 @@ def run_campaign(
 
 
 Fly = Callable[[str, list[Chunk], Remark], Generator[ChunkRows | GivenUp]]
-"""A plan and chunks of it to their rows, as they come."""
+"""Function from a plan and chunks of it to their rows, as they come."""
 
 
 @contextlib.contextmanager
 def _team(
     scheduler: str | None, crew: int, device: Device, tls: Tls | None, remark: Remark
 ) -> Iterator[Fly]:
-    """Who flies: processes of this machine, or a cluster that answers."""
+    """The workers: processes of this machine, or a cluster."""
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
@@ -204,7 +204,7 @@ def _team(
 
 
 def _check_gpu(scheduler: str | None) -> None:
-    """Raises InputError where no GPU can be had: better now than in every worker."""
+    """Reject a missing GPU now rather than in every worker."""
     from springback.kernels.gpu.cuda import device
 
     if scheduler is not None:

@@ -47,11 +47,11 @@ PLAN, ABOUT, ASIDE, LOCK, HOLDER = (
 )  # fmt: skip
 #: Packages whose versions can change the last digits of a result.
 NUMERICAL = ("numpy", "scipy", "numba")
-#: What may lie in a folder that no campaign has begun in: what one leaves that died at once.
+#: Files that a campaign leaves that died before it began.
 EARLY = {LOCK, HOLDER, PLAN, PARTS}
 
 
-#: Chapters of the package that no row depends on.
+#: Subpackage that no row depends on.
 SHOWING = "interfaces"
 
 
@@ -59,7 +59,7 @@ SHOWING = "interfaces"
 def source() -> str:
     """Digest of the package's source, as far as rows can depend on it, presets included.
 
-    The version stands still between releases; this does not.
+    The version does not change between releases; this does.
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
@@ -71,7 +71,7 @@ def source() -> str:
 
 
 def versions() -> dict[str, str]:
-    """Of all that decides the bits of a result."""
+    """Versions of all that affects the bits of a result."""
     return {
         "springback": __version__,
         "source": source(),
@@ -84,21 +84,21 @@ class Store:
     """The folder of a campaign that is being flown, held by one process; see `open_store`."""
 
     def __init__(self, folder: Path, design: Design) -> None:
-        """Of a folder that is there."""
+        """Open an existing folder."""
         self.folder, self.design = folder, design
         self.parts: list[manifest.Part] = manifest.read(folder / manifest.NAME)
 
     @property
     def done(self) -> int:
-        """Number of flights that are kept."""
+        """Number of flights stored."""
         return manifest.flight_count(self.parts)
 
     def missing(self, chunk: int) -> list[tuple[int, int]]:
-        """Stretches still to be flown."""
+        """Chunks still to be flown."""
         return manifest.missing(self.parts, self.design.flights, chunk)
 
     def add(self, first: int, last: int, columns: Columns) -> manifest.Part:
-        """Keep the rows of a stretch of flights.
+        """Store the rows of a chunk of flights.
 
         Raises:
             CampaignError: If they cannot be written; nothing half-written is left.
@@ -155,7 +155,7 @@ class Store:
 
 
 def write_rows(path: Path, columns: Columns, design: Design) -> None:
-    """Rows as Parquet: numbers that do not exist are empty, success as the plan has it."""
+    """Write rows as Parquet: undefined numbers are empty, success is defined by the plan."""
     units = {name: unit for name, (unit, _) in known_columns().items()} | design.units
     about = {
         "springback": __version__, "source": source(), "plan": design.plan.digest(),
@@ -200,7 +200,7 @@ def empty_rows(design: Design) -> dict[str, Any]:
 
 
 def is_disk(error: BaseException) -> bool:
-    """Whether the disk is at fault, not the program; DuckDB has errors of its own."""
+    """True if the disk is at fault, not the program; DuckDB has errors of its own."""
     return isinstance(error, OSError) or type(error).__name__ in ("IOException", "FatalException")
 
 
@@ -252,7 +252,7 @@ def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]
 
 @contextlib.contextmanager
 def _lock(folder: Path) -> Iterator[None]:
-    """Hold a folder; the system lets go of it when this process ends, however that comes about."""
+    """Lock a folder; the system unlocks it when this process ends, however it ends."""
     lock, holder = FileLock(folder / LOCK, timeout=0), folder / HOLDER
     try:
         lock.acquire()
@@ -285,7 +285,7 @@ def _in_the_way(folder: Path, design: Design) -> str:
 
 
 def _begin(folder: Path, design: Design) -> None:
-    """Write down what is flown, where, and with what."""
+    """Write the plan and a description of the machine and versions."""
     plan = json_text(json.loads(design.plan.canonical()))
     write_atomically(folder / PLAN, plan, durable=True)
     about = {
@@ -358,7 +358,7 @@ def stored_plan(folder: Path) -> Plan:
 
 
 def _check_same(folder: Path, design: Design) -> None:
-    """Refuse to go on with another plan, seed, version, source or preset."""
+    """Reject continuing with another plan, seed, version, source or preset."""
     known = about(folder)
     pairs = {
         "seed": (known["seed"], design.plan.seed),
@@ -380,7 +380,7 @@ def _check_same(folder: Path, design: Design) -> None:
 
 
 def _difference(folder: Path, design: Design) -> str:
-    """Which entries of two plans differ."""
+    """Entries in which two plans differ."""
     before = json.loads(stored_plan(folder).canonical())
     now = json.loads(design.plan.canonical())
     keys: Sequence[str] = [key for key in now if before.get(key) != now[key]]
@@ -388,7 +388,7 @@ def _difference(folder: Path, design: Design) -> str:
 
 
 def changed_versions(folder: Path) -> list[str]:
-    """What else has changed since the campaign was begun: versions and processor, in words."""
+    """Changes of versions and processor since the campaign was begun, in words."""
     known, now = about(folder), versions()
     before = known["versions"]
     said = [

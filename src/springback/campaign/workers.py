@@ -1,7 +1,7 @@
-"""Flying on the cores of this machine: processes that each fly a chunk at a time.
+"""Fly on the cores of this machine: processes that each fly a chunk at a time.
 
-The parent hands out chunks and knows which worker flies which, so that when one is killed it is
-clear whose chunk it was.  Workers are made anew by ``spawn`` and share nothing.
+The parent assigns chunks to workers, so that it knows which chunk a killed worker was flying.
+Workers are started by ``spawn`` and share nothing.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from springback.campaign.store import source
 from springback.errors import warn_in_one_line
 
 Remark = Callable[[str], None]
-#: A chunk that takes so many workers with it is given up (chosen).
+#: Number of lost workers after which their chunk is given up (chosen).
 STRIKES = 3
-#: One thread in each worker: linear algebra must not take the others' cores.
+#: One thread in each worker: linear algebra must not use the cores of the others.
 SINGLE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 class GivenUp(NamedTuple):
-    """A stretch of flights that could not be flown, and why."""
+    """A chunk that could not be flown, and the reason."""
 
     chunk: Chunk
     why: str
@@ -83,7 +83,7 @@ def _single_threads() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _deaf() -> Iterator[None]:
-    """Children hear no Ctrl-C from their first instant on; this process hears it afterwards."""
+    """Context in which children ignore Ctrl-C; this process receives it afterwards."""
     if sys.platform == "win32":
         yield
         return
@@ -98,7 +98,7 @@ def _deaf() -> Iterator[None]:
 
 
 def serve(line: Connection, text: str, device: Device) -> None:
-    """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
+    """Main function of a worker: fly chunks as they come, and end when the parent does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
     warn_in_one_line()
     threading.Thread(target=_leave_with_parent, daemon=True).start()
@@ -135,7 +135,7 @@ def fly_locally(
         text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
         chunks: To be flown.
         workers: Processes.
-        remark: Told of workers that were lost.
+        remark: Called with a line about each lost worker.
         device: On which they fly.
 
     Raises:
@@ -180,7 +180,7 @@ def fly_locally(
 
 
 def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp | None:
-    """Take note that a worker is dead; its chunk, if that is to be given up."""
+    """Handle the loss of a worker; returns its chunk if that is given up."""
     worker.end()
     pid, how, chunk = worker.process.pid, _ending(worker.process.exitcode), worker.chunk
     if not worker.ready:
@@ -198,7 +198,7 @@ def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp |
 
 
 def _ending(code: int | None) -> str:
-    """How a process ended, in words."""
+    """Reason why a process ended, in words."""
     if code is not None and code < 0:
         with contextlib.suppress(ValueError):
             name = signal.Signals(-code).name

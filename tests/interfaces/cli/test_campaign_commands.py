@@ -229,7 +229,7 @@ def test_questions_and_answers(place: Path, here: Here) -> None:
 def test_a_summary_with_its_page(place: Path, here: Here) -> None:
     done = here("summary", "whole", "--out", "page")
     assert done.returncode == 0, done.stderr
-    assert "arq less quad, over 150 pairs of the same luck" in done.stdout
+    assert "arq less quad, over 150 pairs with the same draws" in done.stdout
     names = {path.name for path in (place / "page").iterdir()}
     assert names == {
         "summary.json", "summary.html", "marginals.png", "marginals.pdf", "marginals.csv",

@@ -1,4 +1,4 @@
-"""Where robots recover: successes over two parameters, and the line at which 95 % do."""
+"""Resilience envelope: successes over two parameters, and their 95 % contour."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Axis(NamedTuple):
 
     name: str
     unit: str
-    """As people read it: deg for angles, - for plain numbers."""
+    """Displayed unit: deg for angles, - for plain numbers."""
     values: tuple[float, ...]
 
     @property
@@ -38,7 +38,7 @@ class Axis(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Of a cell: its robot, and its place along both axes."""
+    """Robot of a cell, and its indices along both axes."""
 
     robot: str
     column: int
@@ -47,12 +47,12 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class EnvelopeCell:
-    """How the trials of a robot at a pair of values ended."""
+    """Outcomes of the trials of a robot at a pair of values."""
 
     outcomes: Mapping[str, int]
     """Number of trials by outcome; none where the test cannot be flown."""
     reason: str = ""
-    """Why the test cannot be flown."""
+    """Reason why the test cannot be flown."""
 
     @property
     def trials(self) -> int:
@@ -66,7 +66,7 @@ class EnvelopeCell:
 
     @property
     def share(self) -> float | None:
-        """Of trials that succeeded."""
+        """Fraction of the trials that succeeded."""
         return self.interval.value
 
     @property
@@ -88,7 +88,7 @@ class Stretch(NamedTuple):
 
 
 def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> list[Stretch]:
-    """Where shares along a line of cells reach a level, linear between neighbouring cell centres.
+    """Intervals in which shares along a line of cells reach a level, linear between cell centres.
 
     Args:
         values: Of the cell centres, rising or falling.
@@ -125,10 +125,10 @@ class Envelope:
     y: Axis
     robots: tuple[str, ...]
     trials: int
-    """Of each cell."""
+    """Number of trials of each cell."""
     seed: int
     settings: tuple[str, ...]
-    """What is the same in all trials, as it was given."""
+    """Settings of all trials, as given."""
     cells: dict[Place, EnvelopeCell]
 
     def shares(self, robot: str) -> Values:
@@ -143,15 +143,15 @@ class Envelope:
         return sorted(range(len(self.y.values)), key=lambda row: -self.y.values[row])
 
     def along_x(self, robot: str, row: int) -> list[Stretch]:
-        """Where along x, in shown units, the level is reached in a row of cells."""
+        """Intervals along x, as displayed, in which a row of cells reaches the level."""
         return stretches(self.x.values, self.shares(robot)[row])
 
     def along_y(self, robot: str, column: int) -> list[Stretch]:
-        """Where along y, in shown units, the level is reached in a column of cells."""
+        """Intervals along y, as displayed, in which a column of cells reaches the level."""
         return stretches(self.y.values, self.shares(robot)[:, column])
 
     def sentence(self, robot: str) -> str:
-        """How far the envelope of a robot reaches, through the middle of the map."""
+        """Extent of the envelope of a robot through the middle of the map, in words."""
         flown = [cell for place, cell in self.cells.items() if place.robot == robot]
         grounded = sum(not cell.trials for cell in flown)
         good = sum((cell.share or 0.0) >= LEVEL for cell in flown)
@@ -187,7 +187,7 @@ class Envelope:
         return "\n".join([title, f"{top}  {self.x.label}", *body, *self.reasons(robot)])
 
     def reasons(self, robot: str) -> list[str]:
-        """Why cells of a robot were not flown: a line for each reason, with a cell it holds for."""
+        """Reasons why cells of a robot were not flown, a line each, with an example."""
         found: dict[str, list[Place]] = {}
         for place, cell in self.cells.items():
             if place.robot == robot and not cell.trials:

@@ -1,8 +1,8 @@
 """Intervals of shares, quantiles and differences, all at 95 %.
 
-They take flights for independent draws.  Sobol' and Latin hypercube designs vary less than that,
-so that their intervals are too wide rather than too narrow; repeats of one sample are alike, so
-that with few samples and many repeats they hold for those samples only.
+Flights are treated as independent draws.  Sobol' and Latin hypercube designs vary less, so their
+intervals are too wide rather than too narrow; repeats of one sample are correlated, so with few
+samples and many repeats the intervals hold for those samples only.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class IntervalEstimate(NamedTuple):
 
 
 def share(successes: int, flights: int) -> IntervalEstimate:
-    """Of successes, with Wilson's interval (1927)."""
+    """Fraction of successes, with Wilson's interval (1927)."""
     if not flights:
         return IntervalEstimate(None, None, None)
     return IntervalEstimate(successes / flights, *wilson(successes, flights))
@@ -38,7 +38,7 @@ def ranks(count: int, part: float) -> tuple[int, int]:
     """Ranks, from 1, of the ordered values that enclose a quantile.
 
     Of any continuous law, with at least the confidence (Conover 1999, section 3.2).  Rank 0 and
-    ``count + 1`` stand for no bound.
+    ``count + 1`` mean no bound.
 
     Args:
         count: Of values.

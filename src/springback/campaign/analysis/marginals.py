@@ -16,37 +16,37 @@ from springback.results.database import identifier
 
 
 class Scale(NamedTuple):
-    """How a field is cut into cells."""
+    """Division of a field into cells."""
 
     name: str
     unit: str
     labels: tuple[str, ...]
-    """Of its levels; none where it is cut evenly."""
+    """Labels of its levels; none if it is divided evenly."""
     edges: tuple[float, ...]
-    """Between cells, SI, one more than there are cells."""
+    """Edges of the cells, SI."""
     logarithmic: bool
     cell: str
-    """In SQL, the number of the cell of a row, from 0."""
+    """SQL expression for the index of the cell of a row."""
 
     @property
     def cells(self) -> int:
-        """How many."""
+        """Number of cells."""
         return len(self.labels) or len(self.edges) - 1
 
 
 def fields_of(campaign: Campaign, *, scatter: bool = False) -> list[str]:
-    """Names of the fields that the plan varies; with ``scatter`` those of luck as well."""
+    """Names of the fields that the plan varies; with ``scatter``, scattered ones, too."""
     return [one.column for one in campaign.design.dimensions if scatter or not one.scatter]
 
 
-#: More levels than this are cut evenly, as if there were none (chosen).
+#: Number of levels above which a field is divided evenly (chosen).
 MOST_LEVELS = 24
 #: Share of the flights beyond each end of a normal law's cells, which end cells hold (chosen).
 TAIL = 0.005
 
 
 def scale(campaign: Campaign, name: str, cells: int) -> Scale:
-    """How to cut a field.
+    """Division of a field into cells.
 
     Args:
         campaign: That varied it.
@@ -90,7 +90,7 @@ class MarginalCell(NamedTuple):
     """Flights of a robot in a cell."""
 
     place: float
-    """Their mean along the field; of levels with words, the number of the level."""
+    """Their mean along the field; for levels that are words, the index of the level."""
     flights: int
     successes: int
     success: IntervalEstimate
@@ -98,11 +98,11 @@ class MarginalCell(NamedTuple):
 
 @dataclass(frozen=True)
 class Marginal:
-    """Success along one field, whatever the others are."""
+    """Success along one field, over all values of the others."""
 
     scale: Scale
     robots: dict[str, tuple[MarginalCell, ...]]
-    """Of each, cells that any flight is in."""
+    """Cells of each robot that contain flights."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -142,11 +142,11 @@ class FieldMap:
     x: Scale
     y: Scale
     flights: dict[str, Values]
-    """Of each robot, by row and column of cells."""
+    """Number of flights of each robot by row and column of cells."""
     successes: dict[str, Values]
 
     def shares(self, robot: str) -> Values:
-        """Of successes; NaN where no flight is."""
+        """Success rates; NaN for cells without flights."""
         with np.errstate(invalid="ignore", divide="ignore"):
             return np.asarray(self.successes[robot] / self.flights[robot], np.float64)
 

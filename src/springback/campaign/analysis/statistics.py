@@ -1,4 +1,4 @@
-"""What a campaign says: shares of success, quantiles of measures, robots in pairs."""
+"""Statistics of a campaign: success rates, quantiles of measures, robots in pairs."""
 
 from __future__ import annotations
 
@@ -25,25 +25,25 @@ MAIN = (
     "direction_error",
 )  # fmt: skip
 PARTS = (0.1, 0.5, 0.9)
-"""Of flights below the quantiles that are shown."""
+"""Fractions of the flights below the quantiles that are shown."""
 
 
 @dataclass(frozen=True)
 class RobotSummary:
-    """Of one robot."""
+    """Statistics of one robot."""
 
     robot: str
     flights: int
-    """That are there."""
+    """Number of flights so far."""
     refused: int
-    """That could not be flown; they count nowhere else."""
+    """Number of flights that could not be flown; they count nowhere else."""
     ledger_open: int
-    """Whose energy ledger does not close to 1e-4."""
+    """Number of flights whose energy ledger does not close to 1e-4."""
     successes: int
     success: IntervalEstimate
     outcomes: dict[str, int]
     measures: dict[str, tuple[int, tuple[IntervalEstimate, ...]]]
-    """Of each: how many flights have it, and its quantiles."""
+    """Number of flights that have each measure, and its quantiles."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -64,20 +64,20 @@ class RobotSummary:
 
 @dataclass(frozen=True)
 class PairSummary:
-    """Two robots that were dealt the same."""
+    """Comparison of two robots that flew the same samples with the same noise."""
 
     robots: tuple[str, str]
     pairs: int
-    """In which both were flown."""
+    """Number of pairs in which both were flown."""
     both: int
     first_only: int
     """Pairs in which the first succeeded alone."""
     second_only: int
     neither: int
     difference: IntervalEstimate
-    """Of the shares of success, the first's less the second's."""
+    """Success rate of the first less that of the second."""
     medians: dict[str, tuple[int, IntervalEstimate]]
-    """Of the difference of each measure: number of pairs that have it, and the median."""
+    """Number of pairs that have each measure, and the median of its difference."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -99,7 +99,7 @@ class PairSummary:
         if d.value is None or d.low is None or d.high is None:
             return f"{first} and {second}: no pair was flown"
         return (
-            f"{first} less {second}, over {self.pairs} pairs of the same luck: "
+            f"{first} less {second}, over {self.pairs} pairs with the same draws: "
             f"{100.0 * d.value:+.2f} percentage points "
             f"({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f}); "
             f"{first} alone succeeds in {self.first_only}, {second} alone in {self.second_only}"
@@ -108,13 +108,13 @@ class PairSummary:
 
 @dataclass(frozen=True)
 class Summary:
-    """Of a whole campaign."""
+    """Statistics of a whole campaign."""
 
     campaign: Campaign = field(repr=False)
     robots: tuple[RobotSummary, ...]
     pairs: tuple[PairSummary, ...]
     refusal: str = ""
-    """How many flights could not be flown, with one of them and the reason; empty if none."""
+    """Number of flights that could not be flown, with an example and its reason; empty if none."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
@@ -132,7 +132,7 @@ class Summary:
 
 
 def summary(campaign: Campaign) -> Summary:
-    """Sum a campaign up.
+    """Statistics of a campaign.
 
     Raises:
         InputError: If nothing of it has been flown.

@@ -1,4 +1,4 @@
-"""How a number from 0 to 1 becomes a value of a field."""
+"""Distributions: from a number in [0, 1) to a value of a field."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from springback.campaign.design.sampling import Numbers, normal_quantiles
 
 
 class Distribution(Protocol):
-    """What a dimension of a plan does with its number."""
+    """Distribution of a dimension of a plan."""
 
     @property
     def levels(self) -> int:
-        """How many there are; 0 for a law without."""
+        """Number of levels; 0 for a distribution without."""
 
     def of(self, us: Numbers) -> list[Any]:
-        """The values that belong to numbers from [0, 1); of levels, which ones.
+        """Values for numbers from [0, 1); for levels, their indices.
 
-        Each is worked out for itself, so that it does not depend on its neighbours.
+        Each is computed alone, so that it does not depend on the others.
         """
 
 
 @dataclass(frozen=True)
 class LevelSet:
-    """Values, all alike likely."""
+    """Values of equal probability."""
 
     values: tuple[Any, ...]
 
@@ -42,7 +42,7 @@ class LevelSet:
 
 @dataclass(frozen=True)
 class UniformDistribution:
-    """Evenly between two values."""
+    """Uniform between two values."""
 
     first: float
     last: float

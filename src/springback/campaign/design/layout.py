@@ -1,4 +1,4 @@
-"""A plan laid out: checked against its scenario, and dealt flight by flight."""
+"""Design of a plan: checked against its scenario, and drawn flight by flight."""
 
 from __future__ import annotations
 
@@ -45,21 +45,21 @@ from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
-#: More flights are a slip of the pen (chosen).
+#: Upper limit of flights, to catch typing errors (chosen).
 MOST_FLIGHTS = 10**9
-#: Of a field with more levels only the first and the last are tried out (chosen).
+#: Number of levels of a field above which only the first and last are checked (chosen).
 MOST_TRIED = 200
-#: Columns of every campaign that say which flight a row is.
+#: Columns that identify the flight of a row.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
 
 class DesignSlice(NamedTuple):
-    """A stretch of flights."""
+    """Some consecutive flights."""
 
     tables: list[Tables]
-    """A whole scenario of each; tables that are alike are the same object."""
+    """Whole scenarios; equal tables are the same object."""
     columns: dict[str, list[Any]]
-    """Which flights they are, and all that differs between them."""
+    """Numbers of the flights, and all that differs between them."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Design:
     plan: Plan
     robots: tuple[str, ...]
     bases: tuple[Tables, ...]
-    """Of each robot, the scenario where nothing is varied."""
+    """Scenario of each robot, with nothing varied."""
     dimensions: tuple[Dimension, ...]
     """In the order of the plan, scatter last."""
     placing: tuple[int, ...]
@@ -83,12 +83,12 @@ class Design:
 
     @property
     def units(self) -> dict[str, str]:
-        """Of the columns of what differs, SI."""
+        """SI units of the columns of the dimensions."""
         return {d.column: d.unit for d in self.dimensions}
 
     @functools.cached_property
     def full_scenarios(self) -> list[dict[str, Any]]:
-        """Of each robot, the scenario with every preset and default as numbers, in SI."""
+        """Scenario of each robot with every preset and default as numbers, in SI."""
         return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
 
     @functools.cached_property
@@ -98,7 +98,7 @@ class Design:
 
     @property
     def success(self) -> str:
-        """What counts as success, in SQL."""
+        """Definition of success, in SQL."""
         if self.plan.success is not None:
             return self.plan.success
         if self.bases[0].get("recovery") is not None:
@@ -107,7 +107,7 @@ class Design:
         return f"outcome NOT IN ({failures})"
 
     def slice(self, first: int, last: int) -> DesignSlice:
-        """Flights from ``first`` to before ``last``, whatever the other slices."""
+        """Flights from ``first`` to before ``last``, independent of other slices."""
         per = self.plan.repeats * len(self.robots)
         begin, end = first // per, -(-last // per)
         numbers = _numbers(self, begin, end - begin)
@@ -206,8 +206,8 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
 
     Args:
         plan: Any; a scenario that is a path is read, relative to the working directory.
-        source: Where the plan stands.
-        tried: Whether extremes are tried out: not those of a plan that was laid out before.
+        source: Source of the plan.
+        tried: Check the extremes; not needed for a plan that was checked before.
 
     Raises:
         InputError: One line for each problem, all that there are.
@@ -274,7 +274,7 @@ def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
 
 
 def _robot_names(plan: Plan) -> tuple[str, ...]:
-    """Names of the robots, as they stand in rows."""
+    """Names of the robots, as in rows."""
     if plan.robots:
         return plan.robots
     assert isinstance(plan.scenario, dict)
@@ -320,7 +320,7 @@ def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario
 def _check_columns(
     plan: Plan, found: Sequence[Found | None], blame: Callable[[Sequence[str | int], str], None]
 ) -> None:
-    """Refuse fields given twice, and columns of one name."""
+    """Reject fields given twice, and columns of the same name."""
     from springback.campaign.columns import known_columns
 
     taken = {name.lower(): "has a meaning of its own" for name in known_columns()}
@@ -348,9 +348,9 @@ def _try_out(
     plan: Plan,
     blame: Callable[[Sequence[str | int], str], None],
 ) -> None:
-    """Blame a field for values with which the scenario, as it is else, cannot be flown.
+    """Report values of a field with which the base scenario cannot be flown.
 
-    Run-ups are not sought, which may take long; a vehicle too weak for one leads to refused rows.
+    Run-ups are not planned, which is slow; a vehicle too weak for one leads to refused rows.
     """
     few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
@@ -365,18 +365,18 @@ def _try_out(
 
 
 def value_text(value: Any) -> str:
-    """A value as one would write it."""
+    """A value as a user would write it."""
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 class _Reference(Settings):
-    """A reference alone, to be checked without seeking a run-up."""
+    """A reference alone, to be checked without planning a run-up."""
 
     reference: ReferenceSettings
 
 
 def _problem(tables: Tables, one: Dimension) -> str:
-    """Why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
+    """Reason why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
     reference = tables.get("reference")
     try:
         if one.table == "reference":

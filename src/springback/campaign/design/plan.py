@@ -1,4 +1,4 @@
-"""A plan: which flights a campaign flies, as a user writes it down."""
+"""A plan: the flights of a campaign, as a user writes them."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
-#: More samples, or repeats, are a slip of the pen (chosen).
+#: Upper limit of samples and repeats, to catch typing errors (chosen).
 MOST_SAMPLES = 10**8
-#: More levels of one field, and more fields, are a slip of the pen (chosen).
+#: Upper limits of levels of one field and of fields, to catch typing errors (chosen).
 MOST_LEVELS, MOST_FIELDS = 100_000, 100
 Count = Annotated[int, Field(ge=1, le=MOST_SAMPLES, strict=True)]
-#: A field whose name is a word of Python is written without the underscore.
+#: Attribute for the key ``from``, a keyword of Python.
 FROM = "from_"
 
 
@@ -34,7 +34,7 @@ class Spaced(Settings):
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, given: Any) -> Any:
-        """As of all settings, but for ``from``."""
+        """Check the keys as in all settings, except for ``from``."""
         if not isinstance(given, dict):
             return given
         known = Settings._known_keys.__func__
@@ -45,19 +45,19 @@ class Normal(Settings):
     """A normal law."""
 
     mean: Any = None
-    """By default the scenario's own value."""
+    """Mean; by default the scenario's own value."""
     deviation: Any
     """Standard deviation."""
 
 
 class FactorLaw(Spaced):
-    """What the scenario's own value is multiplied by."""
+    """Distribution of a factor for the scenario's own value."""
 
     deviation: Annotated[float, Unit("", above=0.0)] | None = None
-    """Of the factor's logarithm, normally distributed: 5 % makes factors of about 0.95 to 1.05."""
+    """Standard deviation of the factor's logarithm: 5 % makes factors of about 0.95 to 1.05."""
     from_: Annotated[float, Unit("", above=0.0)] | None = None
     to: Annotated[float, Unit("", above=0.0)] | None = None
-    """With ``from``: evenly between both."""
+    """With ``from``: uniform between both."""
 
     @model_validator(mode="after")
     def _one_way(self) -> FactorLaw:
@@ -73,13 +73,13 @@ class Vary(Spaced):
     field: str
     """A short name, or the dotted path of any value of the scenario."""
     name: Name | None = None
-    """Of its column; by default that of the field."""
+    """Name of its column; by default that of the field."""
     from_: Any = None
     to: Any = None
     count: Annotated[int, Field(ge=2, le=MOST_LEVELS, strict=True)] | None = None
-    """Of levels from ``from`` to ``to``, both included; a grid needs it, or ``step``."""
+    """Number of levels from ``from`` to ``to``, both included; a grid needs it, or ``step``."""
     step: Any = None
-    """Between levels."""
+    """Difference between levels."""
     spacing: Literal["linear", "logarithmic"] = "linear"
     values: tuple[Any, ...] | None = None
     """Levels, one by one: numbers, names of surfaces, true and false."""
@@ -97,7 +97,7 @@ class Vary(Spaced):
         if not span and (self.count or self.step is not None or self.spacing != "linear"):
             raise problem("count, step and spacing belong to from and to")
         if self.count and self.step is not None:
-            raise problem("stands beside count; give one of them", "step")
+            raise problem("is given besides count; give only one", "step")
         if self.step is not None and self.spacing != "linear":
             raise problem("belongs to linear spacing; give count", "step")
         if self.values is not None and not self.values:
@@ -109,9 +109,9 @@ class Vary(Spaced):
 
 
 class ScatterSettings(Settings):
-    """Standard deviations of a trial's luck, those of `springback.studies.trials.Scatter`.
+    """Standard deviations of the scatter, those of `springback.studies.trials.Scatter`.
 
-    ``"trials"`` stands for those of the trials; what is not given is not scattered.
+    ``"trials"`` are those of the trials; by default nothing is scattered.
     """
 
     position: Annotated[float, Unit("m", least=0.0)] = 0.0
@@ -134,38 +134,38 @@ class ScatterSettings(Settings):
         return Scatter()._asdict() | {key: v for key, v in table.items() if key != "preset"}
 
     def deviations(self) -> Scatter:
-        """As numbers."""
+        """Standard deviations as numbers."""
         return Scatter(**self.model_dump())
 
 
 class Keep(Settings):
-    """Whose trajectories are kept."""
+    """Flights whose trajectories are stored."""
 
     where: str
     """A condition over the columns of a row, in SQL."""
     most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
-    """The first of those that it holds for."""
+    """Largest number of them; the first ones are stored."""
 
 
 class Plan(Settings):
-    """Which flights a campaign flies.
+    """The flights of a campaign.
 
     Flight k is robot ``k % robots``, repeat ``k // robots % repeats`` and sample
-    ``k // robots // repeats``.  All robots are dealt the same samples and the same luck.
+    ``k // robots // repeats``.  All robots fly the same samples with the same random draws.
     """
 
     name: Name = "campaign"
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of samples and luck."""
+    """Seed of samples, scatter and noise."""
     scenario: dict[str, Any] | str
-    """What is flown where nothing else is said: tables, or the path of a scenario file."""
+    """Base of all flights: tables, or the path of a scenario file."""
     robots: tuple[str, ...] = ()
-    """Presets laid over the scenario's vehicle; none: the scenario's own."""
+    """Presets merged over the scenario's vehicle; none: the scenario's own."""
     method: Method
     samples: Count | None = None
-    """Of a grid its number of points, not to be given."""
+    """Number of samples; not to be given for a grid, which has its points."""
     repeats: Count = 1
-    """Flights of each sample and robot, each with new luck: sensor noise, and scatter."""
+    """Flights of each sample and robot, each with new random draws: sensor noise, and scatter."""
     vary: tuple[Vary, ...] = ()
     scatter: ScatterSettings | None = None
     success: str | None = None
@@ -197,17 +197,17 @@ class Plan(Settings):
         )
 
     def digest(self) -> str:
-        """SHA-256 of all that decides what is flown: not of the name, nor of what is kept."""
+        """SHA-256 of all that affects the flights: not of the name, nor of `keep`."""
         data = self.model_dump(mode="json", exclude={"name", "keep"})
         text = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False)
         return hashlib.sha256(text.encode()).hexdigest()
 
 
 class Source:
-    """Where a plan stands, to blame its problems on."""
+    """Source of a plan, for its problems."""
 
     def __init__(self, name: str = "", text: str = "", overrides: Sequence[str] = ()) -> None:
-        """Of a file, its text and overriding words; of nothing if the plan was made in Python."""
+        """Name of a file, its text and overrides; empty if the plan was made in Python."""
         self.name, self.text, self.overrides = name, text, tuple(overrides)
 
     def problem_line(self, path: Sequence[str | int], what: str) -> str:
@@ -266,7 +266,7 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
 
 
 def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
-    """Without the branches of unions that pydantic names, and with the keys a user knows."""
+    """Path and problem with the keys of the file, without pydantic's names of union branches."""
     kept = tuple(key for key in path if not (isinstance(key, str) and key.startswith("dict[")))
     if kept[:1] == ("scenario",):
         return ("scenario",), "must be a table, or the path of a scenario file"

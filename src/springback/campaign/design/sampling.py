@@ -1,4 +1,4 @@
-"""Points of a design, row by row: any stretch of rows alone, as if all had been made.
+"""Points of a design, row by row: any rows can be computed alone.
 
 Every number is uniform in [0, 1) and follows from the plan's seed and the row alone.  Random rows
 come from counters (Philox; Salmon et al. 2011), so that row 900 000 costs no more than row 0.
@@ -43,7 +43,7 @@ def raw_rows(
 def uniform_rows(
     seed: int, key: tuple[Purpose, *tuple[int, ...]], first: int, count: int, width: int
 ) -> Numbers:
-    """The same as numbers in [0, 1)."""
+    """Rows of random numbers in [0, 1)."""
     words = raw_rows(seed, key, first, count, width) >> np.uint64(11)
     return words.astype(np.float64) * 2.0**-53
 
@@ -104,7 +104,7 @@ def grid_point(sample: int, sizes: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def normal_quantiles(us: Numbers) -> list[float]:
-    """Of the standard normal law; the outermost numbers of [0, 1) stand for their neighbours."""
+    """Quantiles of the standard normal law; the outermost numbers count as their neighbours."""
     inside = np.clip(us, 2.0**-54, 1.0 - 2.0**-53)
     found: list[float] = scipy.special.ndtri(inside).tolist()
     return found

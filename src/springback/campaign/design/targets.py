@@ -1,4 +1,4 @@
-"""Where a value of a plan goes in a scenario: how tables with it come from tables without.
+"""Targets of a plan's values in a scenario: functions that put a value into tables.
 
 Nothing is changed in place, and what is not on the way to the value stays the same object.
 """
@@ -31,7 +31,7 @@ NAMES: dict[str, Path] = {
 }
 #: Not a path, but a change of the first wall or mat.
 WALL_ANGLE, WALL_SHIFT = "wall_angle", "wall_shift"
-#: What a plan deals out by itself.
+#: Fields that a plan sets by itself.
 DEALT = {
     "seed": "each flight has its own, from the plan's seed",
     "vehicle.preset": "name presets under robots",
@@ -51,7 +51,7 @@ class TargetField(NamedTuple):
     place: Place
     """On the table that the path begins with."""
     relative: bool = False
-    """Whether the value changes what is there, instead of taking its place."""
+    """True if the value changes what is there, instead of replacing it."""
 
 
 def target(field: str, scenario: Scenario) -> TargetField:
@@ -62,7 +62,7 @@ def target(field: str, scenario: Scenario) -> TargetField:
         scenario: That has it.
 
     Raises:
-        InputError: If there is none of this name, or the plan deals it out.
+        InputError: If there is none of this name, or the plan sets it.
     """
     word = _word(field)
     if word in (WALL_ANGLE, WALL_SHIFT):
@@ -82,7 +82,7 @@ def target(field: str, scenario: Scenario) -> TargetField:
 
 
 def field_path(field: str) -> Path:
-    """Where a field is, by a short name or its dotted path; empty for no name."""
+    """Path of a field from a short name or its dotted path; empty for no name."""
     return NAMES.get(_word(field)) or key_path(field.strip())
 
 
@@ -207,5 +207,5 @@ def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
     return result
 
 
-#: What `springback.studies.trials.Scatter` calls gains.
+#: Gains in the sense of `springback.studies.trials.Scatter`.
 GAINS = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")

@@ -82,7 +82,7 @@ def _interrupted() -> NoReturn:
     sys.exit(130)
 
 
-#: Errors of the system that are nobody's mistake here.
+#: Errors of the system, not of the program.
 _OF_THE_SYSTEM = {
     getattr(errno, name) for name in
     ("ENOSPC", "EDQUOT", "EIO", "EROFS", "EFBIG", "EACCES", "EPERM", "ENAMETOOLONG", "EMFILE",
@@ -92,7 +92,7 @@ _OF_THE_SYSTEM = {
 
 
 def environment(error: BaseException) -> str | None:
-    """What a disk or the memory has to say, in one line; None if the program is at fault."""
+    """Error of the disk or the memory, in one line; None if the program is at fault."""
     if isinstance(error, OSError) and error.errno in _OF_THE_SYSTEM:
         where = f"{error.filename}: " if error.filename else ""
         return f"{where}{error.strerror}"

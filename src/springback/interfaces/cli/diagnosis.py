@@ -1,4 +1,4 @@
-"""What is installed here, and whether it works."""
+"""Diagnosis of the installation."""
 
 from __future__ import annotations
 
