@@ -38,7 +38,7 @@ def held(judged: Judged, persistence: int) -> Array:
 
 
 def alarms(judged: Judged, threshold: float, persistence: int, refractory: float) -> list[int]:
-    """Ticks at which `springback.recovery.detection.triggered` goes off.
+    """Ticks at which `springback.recovery.detection.trigger_step` goes off.
 
     Args:
         judged: The signal.
