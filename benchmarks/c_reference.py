@@ -36,6 +36,7 @@ INPUT = [
     "airframe.mass", "airframe.inverse_mass",
     *(f"airframe.inertia.{i}.{k}" for i in "xyz" for k in "xyz"),
     *(f"airframe.arms.{j}.{name}" for j in _ARMS for name in _ARM),
+    *(f"airframe.{arms}.{k}" for arms in ("released", "locked") for k in ("xx", "yy", "xy")),
     *(f"{_OBSTACLE}.shape.normal.{k}" for k in "xyz"),
     f"{_OBSTACLE}.shape.offset",
     *(f"{_SURFACE}.{name}" for name in ("stiffness", "dissipation", "viscosity", "friction")),

@@ -20,7 +20,7 @@ import numpy as np
 
 from benchmarks.job import reference_model, starts
 from springback.batch.scenarios import flight_from_tables
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
@@ -166,7 +166,7 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
 def _plan(folder: Path, flights: int) -> Any:
     (folder / "collision.toml").write_text(SCENARIO)
     (folder / "plan.toml").write_text(PLAN.format(samples=flights // 2))
-    return laid_out(*read_plan(folder / "plan.toml"))
+    return lay_out(*read_plan(folder / "plan.toml"))
 
 
 def _tables(flights: int) -> list[Any]:

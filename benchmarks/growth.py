@@ -25,7 +25,7 @@ from benchmarks.rivals.contenders import STEP, Contender
 from benchmarks.rivals.report import machine, spread
 from benchmarks.rivals.rounds import Failed, run
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import StyledFigure, save, styled
+from springback.interfaces.figures.style import StyledFigure, in_style, save
 from springback.interfaces.output.robots import BLUE, INK, ORANGE
 
 #: The point from which one thing is varied: flights, duration [s], arms, obstacles.
@@ -173,7 +173,7 @@ def _from_nought(
         axes.set_ylim(0.0, room * highest)
 
 
-@styled
+@in_style
 def growth_figure(report: Mapping[str, Any]) -> Figure:
     """Four panels, one for each thing that grows; time in blue, memory in orange, broken lines.
 

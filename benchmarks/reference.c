@@ -73,6 +73,7 @@ typedef struct {
     V mass, inverse_mass;
     V inertia[9];
     Arm arm[ARMS];
+    V released[3], locked[3]; /* inverse of the mass of translation: xx, yy, xy */
     Vec normal;
     V offset, stiffness, dissipation, viscosity, friction, slip_speed, is_ground;
     V gravity, rounding;
@@ -187,7 +188,6 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
     V thrust = all(0), rotor_x = thrust, rotor_y = thrust, rotor_z = thrust;
     V taken_x = thrust, taken_y = thrust, carried_x = thrust, carried_y = thrust;
     V drift_x = thrust, drift_y = thrust;
-    V slide_xx = thrust, slide_yy = thrust, slide_xy = thrust;
     V j_xx = thrust, j_yy = thrust, j_xy = thrust, dj_xx = thrust, dj_yy = thrust, dj_xy = thrust;
     V arm_loss = thrust, stop_loss = thrust, contact_loss = thrust, friction_loss = thrust;
     V drive[ARMS], hold[ARMS];
@@ -226,10 +226,10 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         const V gap = distance - (n.x * px + n.y * py) - inset * a->cage_radius;
         const Vec at = vec(v.x + dl * c - w.z * py, v.y + dl * q + w.z * px, v.z + w.x * py - w.y * px);
         const V approach = dot(at, n);
-        const M at_touch = (gap <= all(LANDED)) & (approach > all(0));
-        V depth = sel(gap < all(-AT_TOUCH), -gap, sel(at_touch, all(AT_TOUCH), all(0)));
+        M touches = (gap < all(-AT_TOUCH)) | ((gap <= all(LANDED)) & (approach > all(0)));
         if (!view)
-            depth = sel(engaged[j] > all(0), depth, all(0));
+            touches &= engaged[j] > all(0);
+        const V depth = sel(touches, larger(-gap, all(AT_TOUCH)), all(0));
         const V elastic = m->stiffness * (depth * root(depth));
         const V pressed = positive(elastic + (m->dissipation * elastic + m->viscosity) * approach);
         const V normal = sel(depth > all(0), pressed, all(0));
@@ -244,32 +244,27 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
         friction_loss += grip * square;
 
         /* Spring, damper, stops, centrifugal force: the arm's own slide. */
-        const V low = positive(a->shortest - l), high = positive(l - a->length);
-        const M below = low > all(0);
-        const V pressing = sel(below, -dl, dl);
-        const V stored = a->stop_stiffness * (low + high);
-        const V stop = positive(stored * (all(1) + a->stop_dissipation * pressing));
+        const V shift = larger(a->shortest, smaller(l, a->length)) - l;
+        const V stored = a->stop_stiffness * shift;
+        const V stop = stored * positive(all(1) + a->stop_dissipation * sel(shift > all(0), -dl, dl));
         const V damper = a->damping * dl;
         const V across = c * w.y - q * w.x, ml = a->mass * l;
         const V h = c * f.x + q * f.y + ml * (across * across + wzz)
-                  + a->stiffness * (a->length - l) - damper + sel(below, stop, -stop);
-        const V uh = u * h, um = u * a->mass, md = a->mass * dl;
+                  + a->stiffness * (a->length - l) - damper + stop;
+        const V uh = u * h, md = a->mass * dl;
         taken_x += uh * c;
         taken_y += uh * q;
         drive[j] = uh * a->inverse_mass;
         hold[j] = u;
         arm_loss += u * (damper * dl);
-        stop_loss += u * ((stop - stored) * pressing);
+        stop_loss += u * ((stored - stop) * dl);
 
         /* Moments of mass. */
-        const V mx = ml * c, my = ml * q, dx = md * c, dy = md * q, ux = um * c, uy = um * q;
+        const V mx = ml * c, my = ml * q, dx = md * c, dy = md * q;
         carried_x += mx;
         carried_y += my;
         drift_x += dx;
         drift_y += dy;
-        slide_xx += ux * c;
-        slide_yy += uy * q;
-        slide_xy += ux * q;
         j_xx += mx * x;
         j_yy += my * y;
         j_xy += mx * y;
@@ -318,11 +313,11 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             const V dashpot = sel(depth > all(0), m->dissipation * then + m->viscosity, all(0));
             const V out_ = all(AHEAD) * dl;
             const M soon = (-compression + out_ > all(GRAZED)) | (a->shortest - l - out_ > all(GRAZED));
-            const V stopping = sel((stored > all(0)) | soon, a->stop_stiffness, all(0));
+            const V stopping = sel((shift != all(0)) | soon, a->stop_stiffness, all(0));
             press_k += spring;
             press_c += dashpot;
             arm_k = larger(arm_k, (spring * (along * along) + stopping) * give);
-            arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * stored) * give);
+            arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * larger(stored, -stored)) * give);
             view->stopped = larger(view->stopped, one_if(u * stopping > all(0)));
             rub_x[j] = px;
             rub_y[j] = py;
@@ -346,9 +341,9 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
                       force.z + thrust - swing.z);
 
     /* Translation first, then 3 x 3. */
-    const V mxx = m->mass - slide_xx, myy = m->mass - slide_yy;
-    const V scale = all(1) / (mxx * myy - slide_xy * slide_xy);
-    const V nxx = myy * scale, nyy = mxx * scale, nxy = slide_xy * scale, nzz = m->inverse_mass;
+    const M free = released > all(0);
+    const V nxx = sel(free, m->released[0], m->locked[0]), nyy = sel(free, m->released[1], m->locked[1]);
+    const V nxy = sel(free, m->released[2], m->locked[2]), nzz = m->inverse_mass;
     const Vec alone = vec(nxx * b.x + nxy * b.y, nxy * b.x + nyy * b.y, nzz * b.z);
     const V sx = carried_x, sy = carried_y, sxx = sx * sx, sxy = sx * sy, syy = sy * sy;
     const V a00 = jxx - nzz * syy, a11 = jyy - nzz * sxx, a01 = jxy + nzz * sxy;

@@ -8,7 +8,7 @@ Prints the table in studies/README.md.
 
 from __future__ import annotations
 
-from springback.paper.arm_laws import BASES, VARIANTS, deviations, fitted
+from springback.paper.arm_laws import BASES, VARIANTS, deviations, fit
 
 
 def row(name: str, number: str, off: list[float]) -> str:
@@ -27,9 +27,9 @@ def main() -> None:
     for base, law in BASES.items():
         print(row(f"reading {base}", "–", deviations(law)))
         for variant in VARIANTS:
-            fit = fitted(base, variant)
-            number = f"{variant.scale * fit.value:.2g} {variant.unit}".strip()
-            print(row(f"{base}, {variant.name}", number, list(fit.deviations)))
+            best = fit(base, variant)
+            number = f"{variant.scale * best.value:.2g} {variant.unit}".strip()
+            print(row(f"{base}, {variant.name}", number, list(best.deviations)))
 
 
 if __name__ == "__main__":

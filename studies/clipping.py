@@ -26,7 +26,7 @@ from springback.results.estimate_errors import (
     EstimateErrors,
     clipped_area,
     estimate_errors,
-    felt_force,
+    specific_force,
 )
 from springback.results.flight import Flight
 
@@ -103,7 +103,7 @@ def table(rows: list[dict[str, float | str]]) -> str:
     return "\n".join(lines)
 
 
-@style.styled
+@style.in_style
 def figure(made: dict[str, tuple[Flight, EstimateErrors]]) -> Figure:
     """Force felt and read; errors of velocity and of attitude over time after first touch."""
     drawn = style.StyledFigure(figsize=(style.WIDTH, 5.6), layout="constrained")
@@ -111,7 +111,7 @@ def figure(made: dict[str, tuple[Flight, EstimateErrors]]) -> Figure:
     flight, errors = made[CASES[0].name]
     start = flight.touch_time or 0.0
     time = 1e3 * (errors.time - start)
-    top.plot(time, felt_force(flight)[:, 0] / 9.80665, color=INK, label="felt")
+    top.plot(time, specific_force(flight)[:, 0] / 9.80665, color=INK, label="felt")
     top.plot(time, flight.telemetry["imu_ax"] / 9.80665, color=RED, ls="--", label="read")
     top.set(xlim=(-10.0, 50.0), ylabel="force along x [g]", xlabel="time after first touch [ms]")
     top.legend(loc="lower right")

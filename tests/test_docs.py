@@ -261,7 +261,7 @@ def test_scatter_is_as_told() -> None:
     assert (s.wall_distance, round(math.degrees(s.wall_yaw), 9)) == (0.02, 1.0)
     assert "| true over nominal: mass, inertia | 2 %, 5 % (logarithms) |" in text
     assert (s.mass, s.inertia, s.gains) == (0.02, 0.05, 0.05)
-    assert len(s.drawn("arq", 0.0, 2.0, 0, 0).gains) == 5
+    assert len(s.draw("arq", 0.0, 2.0, 0, 0).gains) == 5
 
 
 def test_figures_of_the_chapters_are_those_that_are_drawn(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic_core import PydanticCustomError
 
-from springback.quantities import checked, number_in
+from springback.quantities import number_in, si_number
 from springback.units import SYMBOLS, UnitError, read_number, unit_of
 
 #: Text, the unit that is wanted, and the value: all by definition of the units.
@@ -33,7 +33,7 @@ READ = [
 def test_what_is_read(text: str, unit: str, value: float) -> None:
     """Conversions are exact and rounded once, so equality is equality of bits."""
     assert read_number(text, unit) == value
-    assert checked(text, unit) == value
+    assert si_number(text, unit) == value
 
 
 #: Text, the unit of the field, and a word of the reason.
@@ -57,7 +57,7 @@ REFUSED = [
 def test_what_is_refused(text: str, unit: str, word: str) -> None:
     """Nothing is guessed, taken apart or computed; the field's unit and the text are named."""
     with pytest.raises(PydanticCustomError) as caught:
-        checked(text, unit)
+        si_number(text, unit)
     said = caught.value.message()
     assert word in said
     assert said.endswith(f"; expected {unit or 'a plain number'}")
@@ -112,7 +112,7 @@ def test_numbers_of_any_size_are_told_to_be_finite() -> None:
     """Whole numbers that no float holds, of which the digits are not written out."""
     for value in (10**400, -(10**400), 10**5000, math.inf, "1e400 m"):
         with pytest.raises(PydanticCustomError, match="must be finite") as caught:
-            checked(value, "m")
+            si_number(value, "m")
         assert len(caught.value.message()) < 150
 
 
@@ -120,8 +120,8 @@ def test_numbers_of_any_size_are_told_to_be_finite() -> None:
 def test_angles_keep_within_a_turn(value: float | str) -> None:
     """A plain 45 is radians, hardly what is meant; the message says how degrees are written."""
     with pytest.raises(PydanticCustomError, match="within a full turn") as caught:
-        checked(value, "rad")
+        si_number(value, "rad")
     if not isinstance(value, str):
         assert f'write "{value:g} deg"' in caught.value.message()
-    assert checked("360 deg", "rad") == math.tau
-    assert checked(-math.tau, "rad") == -math.tau
+    assert si_number("360 deg", "rad") == math.tau
+    assert si_number(-math.tau, "rad") == -math.tau

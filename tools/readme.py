@@ -97,7 +97,7 @@ def table(results: SliderResults) -> str:
     for share in (0.05, 0.10):
         cells = []
         for reading in READINGS:
-            rows_of = results.counted(reading.name)
+            rows_of = results.unique_rows(reading.name)
             near = sum(abs(row.deviation or 0.0) <= share for row in rows_of)
             fitted = sum(row.mark is Mark.FITTED for row in rows_of)
             cells.append(f"{near} of {len(rows_of)}" + (f", {fitted} *f*" if fitted else ""))
@@ -190,7 +190,7 @@ def agreement_table(results: ChoiceResults) -> str:
         "points | compatible shares | phrases | together |",
         "|---" * 9 + "|",
     ]
-    for choice, duration in results.flown:
+    for choice, duration in results.combinations:
         one, table = results.agreement(choice, duration), results.table(choice, duration)
         fast = (f"{table[robot, 0.0, 3.5].successes}" for robot in RESILIENT)
         lines.append(
@@ -205,7 +205,7 @@ def agreement_table(results: ChoiceResults) -> str:
 def fate_table(results: ChoiceResults, friction: str, estimator: str) -> str:
     """Every condition under a friction and an estimator: outcomes, height, distance, time."""
     (choice,) = [c for c in CHOICES if (c.friction, c.estimator) == (friction, estimator)]
-    durations = [duration for one, duration in results.flown if one == choice]
+    durations = [duration for one, duration in results.combinations if one == choice]
     heads = " | ".join(f"{duration:g} s" for duration in durations)
     lines = [
         f"| robot, pitch, speed | recovered: {heads} | at {durations[-1]:g} s: not settled | hit "

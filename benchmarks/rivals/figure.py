@@ -10,7 +10,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from benchmarks.rivals.report import horizon
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREY, INK, ORANGE
 
 RATE = "flight-seconds per second"
@@ -56,7 +56,7 @@ def _rounded(value: float) -> str:
     return f"{two:,.0f}".replace(",", " ") if two >= 10.0 else f"{two:g}"
 
 
-@styled
+@in_style
 def contest_figure(report: Mapping[str, Any]) -> Figure:
     """Rates of all, springback in colour; the machine is named below.
 

@@ -1,13 +1,13 @@
-"""springback: micro aerial vehicles that survive hitting things, simulated.
+"""springback: simulation of micro aerial vehicles that survive collisions.
 
-The public names, in the order of the story; each is loaded when first used.
+The public names, in the order of the documentation; each is loaded on first use.
 """
 
 from __future__ import annotations
 
 from springback.version import __version__ as __version__
 
-TYPE_CHECKING = False  # not taken from typing: until the program listens, Ctrl-C is a traceback
+TYPE_CHECKING = False  # not imported from typing: until Ctrl-C is handled, it shows a traceback
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign as Campaign
     from springback.campaign.design.plan import Plan as Plan

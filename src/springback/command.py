@@ -1,7 +1,7 @@
-"""The program ``springback``: the command line, and what is said when it ends early.
+"""The program ``springback``: the command line, and its message when it is interrupted.
 
-Loaded before anything that takes time, so that Ctrl-C is answered from the first moment on: this
-module and the package import nothing that Python has not loaded by itself.
+Loaded before anything that takes time, so that Ctrl-C is handled from the start: this module and
+the package import nothing that Python has not loaded already.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ import sys
 
 
 def run() -> None:
-    """Run the command line, and then away at once.
+    """Run the command line and exit without finalisation.
 
-    All files are closed by then; taking apart what was loaded would take longer than most flights.
+    All files are closed by then; unloading all modules would take longer than most flights.
     """
     code: object = 1
     try:
         from springback.interfaces.output import interrupts
 
         try:
-            interrupts.listen()
+            interrupts.install_handler()
             from springback.interfaces.cli.app import main
 
             main()
@@ -28,12 +28,12 @@ def run() -> None:
         except SystemExit as done:
             code = done.code
         except BaseException:
-            if not interrupts.came():
+            if not interrupts.is_interrupted():
                 raise
-            interrupts.deafen()
-            _last(interrupts.words())
+            interrupts.ignore()
+            _last(interrupts.message())
             code = 130
-    except KeyboardInterrupt:  # while it was being loaded, or being answered
+    except KeyboardInterrupt:  # while loading, or while handling another one
         _last("interrupted; nothing was written")
         code = 130
     except BaseException:
@@ -44,7 +44,7 @@ def run() -> None:
         try:
             if stream is not None:
                 stream.flush()
-        except BrokenPipeError:  # whoever read us has left, too
+        except BrokenPipeError:  # the reader has ended, too
             code = code or 1
         except (OSError, ValueError) as error:
             if stream is sys.stdout:
@@ -54,7 +54,7 @@ def run() -> None:
 
 
 def _last(words: str) -> None:
-    """A line on stderr, if that still takes one."""
+    """Write a line to stderr if that is still possible."""
     try:
         sys.stderr.write(words + "\n")
         sys.stderr.flush()

@@ -1,4 +1,4 @@
-"""Errors and warnings that users meet."""
+"""Errors and warnings for users."""
 
 from __future__ import annotations
 
@@ -8,36 +8,36 @@ import warnings
 from collections.abc import Iterator
 from typing import TextIO
 
-#: Characters of a given value that are shown in a message (chosen).
+#: Most characters of a value that are quoted in a message (chosen).
 LONGEST_VALUE = 80
-#: Characters of a line of an error, and lines (chosen).
+#: Most characters of a line of an error, and most lines (chosen).
 LONGEST_LINE, MOST_PROBLEMS = 2000, 50
 
 
 class FlightWarning(UserWarning):
-    """What to be wary of in a flight."""
+    """Warning about a flight."""
 
 
 class LedgerWarning(FlightWarning):
-    """The energy ledger of a flight does not close: its numbers are not to be trusted."""
+    """The energy balance of a flight does not close: its numbers are unreliable."""
 
 
 class CommandWarning(FlightWarning):
-    """A pilot commands less than nothing of a rotor, which then gives its least."""
+    """A pilot commands negative thrust of a rotor, which then gives its minimum."""
 
 
 class InputError(ValueError):
-    """Something a user gave cannot be used.  Each problem is one line that says how to mend it."""
+    """Invalid input.  Each problem is one line that says how to correct it."""
 
     def __init__(self, *problems: str, path: tuple[str | int, ...] = ()) -> None:
-        """One line for each problem.
+        """Create an error with one line for each problem.
 
         Args:
             *problems: The lines.
-            path: Keys and indices of the value at fault, where it is known and the lines do not
-                name it yet.
+            path: Keys and indices of the invalid value, if it is known and the lines do not name
+                it yet.
         """
-        shown = tuple(shortened(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
+        shown = tuple(excerpt(plain(text), LONGEST_LINE) for text in problems[:MOST_PROBLEMS])
         left = len(problems) - len(shown)
         self.problems = (*shown, f"and {left} more problems") if left else shown
         self.path = path
@@ -46,7 +46,7 @@ class InputError(ValueError):
 
 @contextlib.contextmanager
 def within(*keys: str | int) -> Iterator[None]:
-    """Put the keys of a table in front of the path of problems found inside it."""
+    """Prefix the paths of problems inside a block with the keys of its table."""
     try:
         yield
     except InputError as error:
@@ -54,11 +54,11 @@ def within(*keys: str | int) -> Iterator[None]:
 
 
 class CacheWarning(UserWarning):
-    """What earlier runs kept was left aside, or cannot be kept; results are the same."""
+    """A cache was ignored or cannot be written; results are the same."""
 
 
 def warn_in_one_line() -> None:
-    """Show this package's warnings on stderr as one line each, for programs; others as they are."""
+    """Show this package's warnings on stderr as one line each, and others unchanged."""
     before = warnings.showwarning
 
     def show(
@@ -79,14 +79,14 @@ def warn_in_one_line() -> None:
 
 
 def plain(text: str, *, keep: str = "") -> str:
-    r"""Text that a terminal shows and does nothing else with, and that can be encoded.
+    r"""Encodable text without control characters, for terminals.
 
     Control characters, escape sequences, marks that reverse the direction of writing and lone
     surrogates are written as ``\x1b`` or ``\u202e``.
 
     Args:
-        text: That may come from a stranger.
-        keep: Characters that are left as they are, such as the newline.
+        text: Untrusted text.
+        keep: Characters that are left unchanged, such as the newline.
     """
     if text.isascii() and text.isprintable():
         return text
@@ -96,13 +96,13 @@ def plain(text: str, *, keep: str = "") -> str:
     )
 
 
-def shortened(text: str, most: int = 2 * LONGEST_VALUE) -> str:
-    """Text as a message quotes it: its beginning, where it is long."""
+def excerpt(text: str, most: int = 2 * LONGEST_VALUE) -> str:
+    """Text shortened for a message: its beginning if it is long."""
     return text if len(text) <= most else f"{text[: most - 3]}..."
 
 
 def shown_value(value: object) -> str:
-    """A value as a message shows it: `repr`, no longer than fits into a line."""
+    """Value for a message: its `repr`, shortened to fit into a line."""
     if isinstance(value, int) and abs(value) >= 10**LONGEST_VALUE:
         return f"a whole number of more than {LONGEST_VALUE} digits"
     if isinstance(value, str):
@@ -112,4 +112,4 @@ def shown_value(value: object) -> str:
         text = repr(value)
     except (RecursionError, ValueError):  # nested too deep, or whole numbers too long to write
         text = f"a {type(value).__name__} that is too deep or too long to show"
-    return shortened(text, LONGEST_VALUE)
+    return excerpt(text, LONGEST_VALUE)

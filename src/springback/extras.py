@@ -1,4 +1,4 @@
-"""Optional packages: what each extra brings, and how it is installed from where springback is."""
+"""Optional packages: contents of the extras, and the commands that install them."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from urllib.parse import unquote, urlsplit
 
 from springback.errors import InputError
 
-#: Extras for work on springback itself, and the one that holds those of users.
+#: Extras for the development of springback, and the one that contains all those for users.
 OF_DEVELOPERS = ("bench", "docs", "dev")
 EVERYTHING = "all"
 
 
 def needs(module: str, extra: str) -> Any:
-    """An optional module.
+    """Import an optional module.
 
     Raises:
         InputError: With the command that installs it.
@@ -35,10 +35,10 @@ def needs(module: str, extra: str) -> Any:
 
 
 def install_line(extra: str) -> str:
-    """What to type to add an extra to this installation.
+    """Command that adds an extra to this installation.
 
-    springback is on no package registry, so the line names the checkout that it was installed from,
-    as pip and uv note it (PEP 610), or the repository.
+    springback is not on a package registry, so the command names the checkout that it was installed
+    from, as recorded by pip and uv (PEP 610), or the repository.
     """
     name, python = "springback", shlex.quote(sys.executable)
     pip = f"{python} -m pip install" if find_spec("pip") else f"uv pip install --python {python}"
@@ -59,9 +59,9 @@ def install_line(extra: str) -> str:
 
 
 def packages() -> dict[str, tuple[str, ...]]:
-    """Packages that the installed springback asks for, by extra; the core's under ``""``.
+    """Packages required by the installed springback, by extra; those of the core under ``""``.
 
-    Extras for work on springback itself are left out, and so is the one that holds all others.
+    Extras for development and the one that contains all others are left out.
     """
     found: dict[str, list[str]] = {"": []}
     for line in metadata.requires("springback") or ():

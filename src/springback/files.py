@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all; JSON and CSV as every command writes them."""
+"""Files written completely or not at all; JSON and CSV in the form used by all commands."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-#: How names of files end that are still being written.
+#: Suffix of files that are still being written.
 DRAFT = ".draft"
 
 
@@ -20,15 +20,15 @@ DRAFT = ".draft"
 def atomic_file(
     path: Path, *, suffix: str = "", durable: bool = False, mode: int = 0o666
 ) -> Iterator[Path]:
-    """A new, empty file to write, which becomes ``path`` when the block ends well.
+    """Open a new, empty file, which becomes ``path`` when the block ends without an error.
 
-    Its name cannot be foreseen and it is made here (``O_EXCL``, ``O_NOFOLLOW``), so that no other
-    user of the folder can put a link in its place.  If the block fails, nothing is left of it.
+    Its name is unpredictable and it is created here (``O_EXCL``, ``O_NOFOLLOW``), so that no other
+    user of the folder can put a link in its place.  If the block fails, it is removed.
 
     Args:
-        path: Of the file.
-        suffix: What the draft's name ends in, for writers that go by it.
-        durable: Whether it is on the disk when the block has ended.
+        path: Path of the file.
+        suffix: Suffix of the draft's name, for writers that depend on it.
+        durable: Flush it to the disk at the end of the block.
         mode: Permissions, less those that the process masks.
 
     Raises:
@@ -60,12 +60,12 @@ def _sync(path: Path) -> None:
 def write_atomically(
     path: Path, data: str | bytes, *, durable: bool = False, mode: int = 0o666
 ) -> None:
-    """Write a file whole or not at all; text as UTF-8.
+    """Write a file completely or not at all; text as UTF-8.
 
     Args:
-        path: Of the file.
-        data: All of it.
-        durable: Whether it is on the disk afterwards.
+        path: Path of the file.
+        data: Its content.
+        durable: Flush it to the disk.
         mode: Permissions, less those that the process masks.
 
     Raises:
@@ -76,7 +76,7 @@ def write_atomically(
 
 
 def json_text(data: Any) -> str:
-    """Plain data as JSON for people, too: indented, without NaN or infinity."""
+    """Plain data as readable JSON: indented, without NaN or infinity."""
     return json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
 
 
@@ -86,13 +86,13 @@ def write_json(path: Path, data: Any) -> None:
 
 
 def csv_text(rows: Iterable[Sequence[Any]]) -> str:
-    """Comma-separated values, heads first; what is None is empty."""
+    """Comma-separated values with a header; None is empty."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
 
 
 def write_csv(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Write rows of the same columns under their names."""
+    """Write rows with the same columns as CSV with a header."""
     lines = [list(rows[0]), *(list(row.values()) for row in rows)] if rows else [[]]
     path.write_text(csv_text(lines), encoding="utf-8")

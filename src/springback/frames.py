@@ -1,4 +1,4 @@
-"""Conventions, in one place.
+"""Conventions of frames, attitudes and units.
 
 World: NWU, X north, Y west, Z up.  Body: FLU, x forward, y left, z up.  Quaternions: Hamilton,
 scalar first, body to world.  Euler angles: ZYX, R = R_z(yaw) R_y(pitch) R_x(roll); positive pitch
@@ -28,7 +28,7 @@ def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, f
 
 def euler_from_attitude(attitude: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
     """Roll, pitch and yaw [rad] of quaternions (w, x, y, z), shape (..., 4) to (..., 3)."""
-    from scipy.spatial.transform import Rotation  # slow to import, and few flights need it
+    from scipy.spatial.transform import Rotation  # slow to import, and rarely needed
 
     flat = np.asarray(attitude, dtype=float).reshape(-1, 4)
     angles = Rotation.from_quat(flat, scalar_first=True).as_euler("ZYX")

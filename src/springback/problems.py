@@ -1,4 +1,4 @@
-"""Where and what the problems of a scenario are, in words."""
+"""Problems of a scenario as path and message."""
 
 from __future__ import annotations
 
@@ -7,25 +7,25 @@ from collections.abc import Sequence
 
 from pydantic import ValidationError
 
-from springback.errors import shortened, shown_value
+from springback.errors import excerpt, shown_value
 
-#: Tables of which there are several kinds, by the name of the key that holds them.
+#: Types of tables that have several, by key.
 _KINDS = {
     "obstacles": ("wall", "ground", "mat"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
 
 
-#: Of an entry of a list.
+#: Index of an entry of a list.
 _INDEX = re.compile(r"[0-9]{1,6}")
 
 
-def _listed(words: Sequence[str]) -> str:
+def _choice(words: Sequence[str]) -> str:
     return f"{', '.join(words[:-1])} or {words[-1]}"
 
 
 def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
-    """A path without the names of kinds, which are no keys."""
+    """Path without the names of types, which are not keys."""
     path: list[str | int] = []
     for part in where:
         holder = next((key for key in reversed(path) if isinstance(key, str)), "")
@@ -35,7 +35,7 @@ def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
 
 
 def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], str]]:
-    """Where and what each problem is."""
+    """Path and message of each problem."""
     found = []
     for detail in error.errors(include_url=False):
         path = _without_kinds(detail["loc"])
@@ -46,10 +46,10 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
         elif detail["type"] == "missing":
             message = "is missing"
         elif detail["type"] == "union_tag_not_found":
-            path, message = (*path, "type"), f"is missing; {_listed(kinds)}"
+            path, message = (*path, "type"), f"is missing; {_choice(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be {_listed(kinds)} (got {shown_value(tag)})"
+            path, message = (*path, "type"), f"must be {_choice(kinds)} (got {shown_value(tag)})"
         elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
             message = f"must be a table (got {shown_value(detail['input'])})"
         elif detail["type"] == "tuple_type":
@@ -65,15 +65,15 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
 
 
 def key_path(text: str) -> tuple[str | int, ...]:
-    """``world.obstacles.0.distance`` or ``world.obstacles[0].distance`` as keys and indices."""
+    """Keys and indices of ``world.obstacles.0.distance`` or ``world.obstacles[0].distance``."""
     words = [word for word in re.split(r"[.\[\]]+", text) if word]
     return tuple(int(word) if _INDEX.fullmatch(word) else word for word in words)
 
 
-def dotted(path: tuple[str | int, ...]) -> str:
-    """``world.obstacles[0].distance`` of a path."""
+def dotted_path(path: tuple[str | int, ...]) -> str:
+    """Path as text, such as ``world.obstacles[0].distance``."""
     text = ""
     for key in path:
-        part = key if isinstance(key, int) else shortened(key)
+        part = key if isinstance(key, int) else excerpt(key)
         text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else part
     return text

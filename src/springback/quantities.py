@@ -1,11 +1,9 @@
-"""Numbers with units, at the edge only.
+"""Numbers with units in user input.
 
-A user writes ``"5 N/mm"``, ``"0.19 m"``, ``"45 deg"``, or plain SI numbers.
-
-Inside the package everything is SI and radians.  A field that is
-``Annotated[float, Unit("m", above=0.0)]`` takes a number (SI) or a string with a unit of the right
-kind, is finite, and keeps to its range; else its error says what was given, in which unit, and what
-is allowed.  Text is read by `springback.units`.
+A user writes ``"5 N/mm"``, ``"0.19 m"``, ``"45 deg"``, or plain SI numbers; inside the package
+everything is in SI units and radians.  A field ``Annotated[float, Unit("m", above=0.0)]`` accepts a
+finite number (SI), or a string with a unit of the same dimension, within its range; otherwise its
+error states the value, its unit and the allowed range.  Text is parsed by `springback.units`.
 """
 
 from __future__ import annotations
@@ -22,23 +20,23 @@ from springback.errors import shown_value
 from springback.settings import problem
 from springback.units import UnitError, read_number
 
-#: Sizes of numbers other than zero, in SI (chosen: no force, mass or length of a vehicle is beyond
-#: them, and their seventh powers are still numbers).
+#: Bounds on the magnitudes of non-zero numbers, in SI (chosen: no force, mass or length of a
+#: vehicle is beyond them, and their seventh powers are finite).
 SMALLEST, LARGEST = 1e-30, 1e30
-#: Most that a plain angle may be, either way: a full turn [rad].
+#: Largest magnitude of an angle: a full turn [rad].
 FULL_TURN = 2.0 * math.pi
 
 
 def number_in(text: str, unit: str, *, bare: bool = False) -> float:
-    """The value of a text such as ``5 N/mm`` in some unit.
+    """Value of a text such as ``5 N/mm`` in a given unit.
 
     Args:
         text: A number and a unit.
-        unit: That the value is wanted in; empty for a plain number.
-        bare: Whether a number without a unit is read as one in ``unit``.
+        unit: Unit of the result; empty for a plain number.
+        bare: Accept a number without a unit as one in ``unit``.
 
     Raises:
-        The problem, with what was given and what is expected.
+        The problem, with the given text and the expected unit.
     """
     try:
         return read_number(text, unit, bare=bare)
@@ -47,7 +45,7 @@ def number_in(text: str, unit: str, *, bare: bool = False) -> float:
         raise problem(f"{error} (got {shown_value(text)}); expected {wanted}") from None
 
 
-def checked(
+def si_number(
     value: Any,
     unit: str,
     *,
@@ -57,11 +55,11 @@ def checked(
 ) -> float:
     """A finite SI number in its range, from a number or a string with a unit.
 
-    An angle is within a full turn either way: a plain number is radians, and one beyond a full turn
-    is far more likely to be degrees.
+    The magnitude of an angle is at most a full turn: plain numbers are in radians, and a larger one
+    is most likely meant in degrees.
 
     Raises:
-        The problem, with what was given, its unit and the allowed range.
+        The problem, with the given value, its unit and the allowed range.
     """
     if isinstance(value, str):
         number = number_in(value, unit)
@@ -80,28 +78,28 @@ def checked(
         if unit == "rad" and abs(number) > FULL_TURN:
             raise problem(_beyond_a_turn(value, number))
         return number
-    given = shown_value(value) if isinstance(value, str) else _shown(number, unit)
+    given = shown_value(value) if isinstance(value, str) else _text(number, unit)
     bounds = [
         ("finite", math.isfinite(number)),
-        (f"more than {_shown(above, unit)}", above is None or number > above),
-        (f"at least {_shown(least, unit)}", least is None or number >= least),
-        (f"at most {_shown(most, unit)}", most is None or number <= most),
+        (f"more than {_text(above, unit)}", above is None or number > above),
+        (f"at least {_text(least, unit)}", least is None or number >= least),
+        (f"at most {_text(most, unit)}", most is None or number <= most),
     ]
     bounds += [
-        (f"at most {_shown(LARGEST, unit)} in size", abs(number) <= LARGEST),
-        (f"0, or at least {_shown(SMALLEST, unit)} in size", is_sizeable(number)),
+        (f"at most {_text(LARGEST, unit)} in size", abs(number) <= LARGEST),
+        (f"0, or at least {_text(SMALLEST, unit)} in size", is_sizeable(number)),
     ]
     broken = [claim for claim, holds in bounds if not holds]
     raise problem(f"must be {broken[0]} (got {given})")
 
 
 def is_sizeable(number: float) -> bool:
-    """Whether a number is 0, or of a size of which squares and products can be formed."""
+    """True if a number is 0, or of a magnitude whose squares and products are finite."""
     return number == 0.0 or SMALLEST <= abs(number) <= LARGEST
 
 
 def _beyond_a_turn(value: Any, angle: float) -> str:
-    """What is said of an angle beyond a full turn [rad]."""
+    """Message about an angle beyond a full turn [rad]."""
     turn = "must be within a full turn, -360 deg to 360 deg"
     if isinstance(value, str):
         return f"{turn} (got {shown_value(value)})"
@@ -112,22 +110,22 @@ def _beyond_a_turn(value: Any, angle: float) -> str:
 
 
 def _float(value: float) -> float:
-    """A number as a float; infinite where it is a whole number too large for one."""
+    """Number as a float; infinity for an integer that is too large."""
     try:
         return float(value)
     except OverflowError:
         return math.inf if value > 0 else -math.inf
 
 
-def _shown(number: float | None, unit: str) -> str:
+def _text(number: float | None, unit: str) -> str:
     return "" if number is None else f"{number:g} {unit}".strip()
 
 
 @dataclass(frozen=True)
 class Unit:
-    """The SI unit and the range of a settings field, for `typing.Annotated`.
+    """SI unit and range of a field of settings, for `typing.Annotated`.
 
-    The field is one float, three along x, y, z (`Triple`), or one for each arm (`PerArm`).
+    The field is a float, three floats along x, y, z (`Triple`), or one for each arm (`PerArm`).
     """
 
     unit: str
@@ -137,12 +135,12 @@ class Unit:
     most: float | None = None
 
     def read(self, value: Any) -> float:
-        """One number in SI.
+        """Number in SI.
 
         Raises:
-            The problem, with what was given, its unit and the allowed range.
+            The problem, with the given value, its unit and the allowed range.
         """
-        return checked(value, self.unit, above=self.above, least=self.least, most=self.most)
+        return si_number(value, self.unit, above=self.above, least=self.least, most=self.most)
 
     def _three(self, value: Any) -> tuple[float, ...]:
         if not isinstance(value, list | tuple) or len(value) != 3:
@@ -156,7 +154,7 @@ class Unit:
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Numbers are read before pydantic sees them."""
+        """Parse numbers before pydantic validates them."""
         readers = {Triple: self._three, PerArm: self._one_or_each}
         read = readers.get(source, self.read)
         return no_info_before_validator_function(read, handler(source))

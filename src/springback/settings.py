@@ -1,4 +1,4 @@
-"""The base of everything a user writes down: strict, frozen, and helpful about unknown keys."""
+"""Base class of all user input: strict, frozen, and with suggestions for unknown keys."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 from pydantic import AfterValidator, BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from springback.errors import InputError, shortened, shown_value
-from springback.problems import dotted, problem_paths
+from springback.errors import InputError, excerpt, shown_value
+from springback.problems import dotted_path, problem_paths
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
@@ -19,18 +19,18 @@ else:
     ModelMetaclass = type(BaseModel)
 
 
-#: How alike a word must be to one that was perhaps meant, from 0 to 1 (chosen: foo is not robot).
+#: Smallest similarity of a word to a suggestion, from 0 to 1 (chosen: foo is not robot).
 LIKE = 0.6
-#: Letters of a name that are enough to tell it by its beginning (chosen).
+#: Smallest number of letters that identify a name by its beginning (chosen).
 SHORTEST = 3
 
 
-def meant(word: str, known: Iterable[str]) -> str:
-    """The known name that a word stands for, as far as one can tell; else empty.
+def nearest_name(word: str, known: Iterable[str]) -> str:
+    """Known name that a word most likely stands for, or empty.
 
     Args:
-        word: Misspelt, or the beginning of a name.
-        known: Names.
+        word: A misspelt name, or the beginning of one.
+        known: Known names.
     """
     names = list(known)
     near = difflib.get_close_matches(word.lower(), names, n=1, cutoff=LIKE)
@@ -39,25 +39,25 @@ def meant(word: str, known: Iterable[str]) -> str:
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:
-    """What is wrong, in words, and with which key of the table (dotted for inner tables)."""
+    """Validation error with a message and the key of the table (dotted for inner tables)."""
     return PydanticCustomError("problem", "{message}", {"message": message, "field": field})
 
 
 @contextlib.contextmanager
 def naming(field: str) -> Iterator[None]:
-    """Name the key at fault in problems of checks that do not know it."""
+    """Name the key in problems of checks that do not know it."""
     try:
         yield
     except PydanticCustomError as error:
         raise problem(error.message(), field) from None
 
 
-#: Characters of a name (chosen: it goes into titles, columns and names of files).
+#: Most characters of a name (chosen: it is used in titles, columns and file names).
 LONGEST_NAME = 200
 
 
 def _name(value: str) -> str:
-    """A name of printable characters, which no terminal takes for more than text."""
+    """Name of printable characters, which cannot control a terminal."""
     if len(value) > LONGEST_NAME:
         raise problem(f"must have at most {LONGEST_NAME} characters (got {len(value)})")
     if not value.isprintable():
@@ -69,10 +69,10 @@ Name = Annotated[str, AfterValidator(_name)]
 
 
 class _SettingsType(ModelMetaclass):
-    """Reports bad values given to a constructor as `InputError`, one line for each.
+    """Metaclass that reports invalid arguments of a constructor as `InputError`, one line each.
 
-    Only direct calls such as ``Plan(method="sobol")`` pass here.  Tables inside tables are made by
-    the validators, whose problems keep their path.
+    It affects only direct calls such as ``Plan(method="sobol")``.  Inner tables are built by the
+    validators, whose problems keep their path.
     """
 
     def __call__(cls: Any, *positional: Any, **given: Any) -> Any:
@@ -89,20 +89,20 @@ class Settings(BaseModel, metaclass=_SettingsType):
 
     @classmethod
     def in_words(cls, error: ValidationError) -> list[str]:
-        """The problems of a table, one line each: the key, and what is wrong with its value."""
+        """Problems of a table, one line each: the key, and the problem of its value."""
         found = problem_paths(error)
-        return [f"{dotted(path)}: {what}" if path else what for path, what in found]
+        return [f"{dotted_path(path)}: {what}" if path else what for path, what in found]
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """A copy with some keys changed, which are checked as those of a file are.
+        """A copy with some keys changed, which are validated like those of a file.
 
         Args:
             update: Keys and their new values: numbers in SI, text with a unit, or inner tables,
-                which change those keys of the inner table that they name.
+                of which only the given keys are changed.
             deep: Copy the inner tables, too.
 
         Raises:
-            InputError: One line for each problem, if the changed table is not possible.
+            InputError: One line for each problem, if the changed table is invalid.
         """
         if not update:
             return super().model_copy(deep=deep)
@@ -119,7 +119,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
         return changed.model_copy(deep=deep)
 
     def with_checked(self, **values: Any) -> Self:
-        """A copy with some values changed that are known to be good: nothing is checked again."""
+        """A copy with some values replaced by valid ones, without validation."""
         return super().model_copy(update=values)
 
     @model_validator(mode="before")
@@ -128,7 +128,7 @@ class Settings(BaseModel, metaclass=_SettingsType):
         if isinstance(given, dict) and not given.keys() <= (fields := cls.model_fields).keys():
             for key in given:
                 if key not in fields:
-                    near = meant(str(key), fields)
+                    near = nearest_name(str(key), fields)
                     hint = f"did you mean {near}?" if near else f"known keys: {', '.join(fields)}"
-                    raise problem(f"unknown key; {hint}", shortened(str(key)))
+                    raise problem(f"unknown key; {hint}", excerpt(str(key)))
         return given

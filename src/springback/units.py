@@ -3,7 +3,7 @@
 The grammar is one decimal number, blanks, and one unit: symbols of the table below with SI
 prefixes, joined by blanks or ``·``, with powers and one or more divisions.  There is no comma, no
 second number and no operator between numbers.  An angle is a dimension of its own, so that degrees
-are no plain number and Hz is no rad/s.
+are not plain numbers and Hz is not rad/s.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import re
 from fractions import Fraction
 from typing import NamedTuple
 
-#: Characters of a number with its unit (chosen); longer text is no number.
+#: Most characters of a number with its unit (chosen); longer text is rejected.
 LONGEST = 64
-#: Radians in a degree, as the standard library has it: "15 deg" is ``math.radians(15)``.
+#: Radians per degree, as in the standard library: "15 deg" is ``math.radians(15)``.
 DEGREE = math.pi / 180.0
 
 _NUMBER = re.compile(
@@ -36,7 +36,7 @@ Dimension = tuple[Fraction, ...]
 
 
 class UnitError(ValueError):
-    """Text that is no number with a unit, or one of the wrong kind; says what is wrong with it."""
+    """Text that is not a number with a unit, or has a unit of another dimension."""
 
 
 class UnitScale(NamedTuple):
@@ -47,11 +47,11 @@ class UnitScale(NamedTuple):
     dimension: Dimension  # powers of kg, m, s, A and rad
 
     def times(self, other: UnitScale, power: Fraction) -> UnitScale:
-        """This unit times a power of another."""
+        """Product of this unit and a power of another."""
         size = other.size
         if power.denominator != 1:
             root = Fraction(math.isqrt(size.numerator), math.isqrt(size.denominator))
-            if root * root != size:  # the root of kHz is no rational number
+            if root * root != size:  # the root of kHz is irrational
                 root = Fraction(math.sqrt(size))
             size, whole = root, int(2 * power)
         else:
@@ -113,7 +113,7 @@ _NAMES = {
     "g_0": "gn", "g0": "gn",
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "rev": "turn", "revolution": "turn",
 }  # fmt: skip
-#: Every symbol that is read, by what it stands for.
+#: Units by symbol.
 SYMBOLS: dict[str, UnitScale] = {
     **_PREFIXED,
     **{
@@ -128,10 +128,10 @@ SYMBOLS |= {name: SYMBOLS[symbol] for name, symbol in _NAMES.items()}
 
 @functools.lru_cache(maxsize=256)
 def unit_of(text: str) -> UnitScale:
-    """The unit of a text such as ``N/mm``, ``kg m^2``, ``1/s`` or ``N/(m s)``; empty is no unit.
+    """Unit of a text such as ``N/mm``, ``kg m^2``, ``1/s`` or ``N/(m s)``; dimensionless if empty.
 
     Raises:
-        UnitError: If the text is no unit, or could be read in two ways.
+        UnitError: If the text is not a unit, or is ambiguous.
     """
     if not text.strip():
         return _ONE
@@ -151,7 +151,7 @@ def unit_of(text: str) -> UnitScale:
 
 
 def _term(term: str, over: int) -> tuple[UnitScale, Fraction]:
-    """The unit and power of a term such as ``mm^2``."""
+    """Unit and power of a term such as ``mm^2``."""
     found = _TERM.fullmatch(term)
     if found is None:
         raise UnitError(f"{term!r} is no unit" if term else "a unit is missing")
@@ -169,18 +169,18 @@ def _term(term: str, over: int) -> tuple[UnitScale, Fraction]:
 
 
 def read_number(text: str, unit: str, *, bare: bool = False) -> float:
-    """The value of a text in some unit.
+    """Value of a text in a given unit.
 
     Decimal parts are converted exactly and rounded once, so that ``"9.3 mm"`` is 0.0093; angles are
     converted as `math.radians` does.
 
     Args:
         text: Such as ``2.75 m``.
-        unit: That the value is wanted in; empty for a plain number.
-        bare: Whether a number without a unit is read as one in ``unit``.
+        unit: Unit of the result; empty for a plain number.
+        bare: Accept a number without a unit as one in ``unit``.
 
     Raises:
-        UnitError: If the text is no number with a unit, or its unit is of another kind.
+        UnitError: If the text is not a number with a unit, or its unit has another dimension.
     """
     words = text.strip()
     found = _NUMBER.fullmatch(words) if len(words) <= LONGEST else None
@@ -200,12 +200,12 @@ def read_number(text: str, unit: str, *, bare: bool = False) -> float:
         raise UnitError("has the wrong unit")
     if number.lstrip("+-")[0] in "iInN":
         return float(number)
-    value = _rounded(Fraction(number) * scale.size / target.size)
+    value = _shortest(Fraction(number) * scale.size / target.size)
     degrees = scale.degrees - target.degrees
     return value * DEGREE ** float(degrees) if degrees else value
 
 
-def _rounded(exact: Fraction) -> float:
+def _shortest(exact: Fraction) -> float:
     try:
         return float(exact)
     except OverflowError:
@@ -213,7 +213,7 @@ def _rounded(exact: Fraction) -> float:
 
 
 def _no_number(words: str, bare: bool, why: str = "") -> str:
-    """What is wrong with a text that is no number, or where it needs one no number with a unit."""
+    """Message about a text that is not a number, or lacks a required unit."""
     if re.match(r"[+-]?[0-9.]*,[0-9]", words):
         why = "it has a comma; write a decimal point, and nothing between thousands"
     elif re.match(r"[+-]?[0-9.]+ *[^ 0-9*].*[*][*]", words):

@@ -31,7 +31,7 @@ from builders.campaign_folders import filled
 from builders.plans import THROW, plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.errors import InputError
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
@@ -122,7 +122,7 @@ def questions(folder: Path) -> Iterator[Row]:
     for text in CONDITIONS:
         condition = text.format_map(names)
         for entry in ({"success": condition}, {"keep": {"where": condition, "most": 1}}):
-            given.append((lambda entry: check_conditions(laid_out(plan(**entry))), entry))
+            given.append((lambda entry: check_conditions(lay_out(plan(**entry))), entry))
     yield refused("conditions that reach outside", folder, before, given)
 
 

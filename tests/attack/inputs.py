@@ -16,11 +16,11 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Source, plan_from
 from springback.errors import InputError
 from springback.kernels.trees import leaves
-from springback.scenario.files import checked_scenario, overridden
+from springback.scenario.files import apply_overrides, checked_scenario
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import toml_tables
 
@@ -241,7 +241,7 @@ def timed(check: Any, *given: Any) -> bool:
 def scenario_tables(tables: dict[str, Any], words: tuple[str, ...] = ()) -> None:
     """As `springback fly` does before it flies."""
     check_ready(
-        checked_scenario(overridden(tables, words), "scenario.toml", "", words, pilot=False)
+        checked_scenario(apply_overrides(tables, words), "scenario.toml", "", words, pilot=False)
     )
 
 
@@ -253,7 +253,7 @@ def scenario_text(text: str) -> None:
 def plan_tables(tables: dict[str, Any]) -> None:
     """As `springback campaign --dry-run` does before it asks the database."""
     plan = plan_from(tables, Source("plan.toml", "", ()))
-    design = laid_out(plan)
+    design = lay_out(plan)
     plan.digest()
     dealt = design.slice(0, min(4, design.flights))
     assert len(dealt.tables) == min(4, design.flights)

@@ -30,9 +30,9 @@ from builders.campaign_folders import filled
 from builders.plans import THROW
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import plan_from
-from springback.campaign.store import opened, stored_plan
+from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
 from springback.interfaces.cli.app import environment
 from springback.interfaces.replay.labels import scenes_of
@@ -40,7 +40,7 @@ from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.results.parquet import write_parquet
 from springback.results.saved import read_result
-from springback.results.sealed_json import SEAL, sealed
+from springback.results.sealed_json import SEAL, with_digest
 
 SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "telemetry.parquet"
 PART = manifest.file_of(10)
@@ -125,7 +125,7 @@ def _without(node: Any, path: tuple[str | int, ...]) -> Any:
 def _sealed(tables: Any) -> Any:
     """With a digest that fits, where anything can have one."""
     try:
-        return sealed({key: value for key, value in tables.items() if key != SEAL})
+        return with_digest({key: value for key, value in tables.items() if key != SEAL})
     except (AttributeError, TypeError, ValueError):
         return tables
 
@@ -291,6 +291,6 @@ def campaign_files(changed: Changed) -> None:
             said = environment(error)
             raise error if said is None else InputError(said) from error
         if PART not in changed.files:  # forged: its digest vouches for it, not its rows
-            assert len(rows.rows) == manifest.held(manifest.read(folder / manifest.NAME))
-        with opened(folder, laid_out(stored_plan(folder)), resume=True):
+            assert len(rows.rows) == manifest.flight_count(manifest.read(folder / manifest.NAME))
+        with open_store(folder, lay_out(stored_plan(folder)), resume=True):
             pass

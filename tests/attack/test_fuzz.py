@@ -38,7 +38,7 @@ from attack.stored import (
 )
 from springback.campaign import store
 from springback.errors import InputError
-from springback.results.sealed_json import sealed
+from springback.results.sealed_json import with_digest
 
 #: Inputs that once brought up a traceback, a warning or a hang: path and value.
 FOUND: list[tuple[tuple[str | int, ...], Any]] = [
@@ -141,12 +141,12 @@ def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
     summary = json.loads(result()[1][SUMMARY])
     del summary["measures"]["contacts"]
     with pytest.raises(InputError, match=r"measures\.contacts: is missing"):
-        result_files(Changed([], {SUMMARY: json.dumps(sealed(summary)).encode()}))
+        result_files(Changed([], {SUMMARY: json.dumps(with_digest(summary)).encode()}))
     about = json.loads(campaign()[1][store.ABOUT])
     for name in store._NEEDED:
         less = {key: value for key, value in about.items() if key != name}
         with pytest.raises(InputError, match=f"{name}: is missing"):
-            campaign_files(Changed([], {store.ABOUT: json.dumps(sealed(less)).encode()}))
+            campaign_files(Changed([], {store.ABOUT: json.dumps(with_digest(less)).encode()}))
 
 
 @settings(max_examples=120)

@@ -28,7 +28,7 @@ def collisions() -> list[dict[str, Any]]:
     tables, shared = [], None
     for k in range(10):
         for robot in ("arq", "quad"):
-            noise_stream = Scatter().drawn(robot, 0.0, 3.0, k, 0)
+            noise_stream = Scatter().draw(robot, 0.0, 3.0, k, 0)
             table = trial_tables(robot, 0.0, 3.0, noise_stream, changes)
             shared = shared or {name: table[name] for name in ("reference", "recovery")}
             tables.append(table | shared)

@@ -29,7 +29,7 @@ def scattered(robot: str, changes: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Trials with scattered starts and noise."""
     scatter, tables = Scatter(), []
     for k in range(COUNT):
-        tables.append(trial_tables(robot, 0.0, 2.0, scatter.drawn(robot, 0.0, 2.0, k, 0), changes))
+        tables.append(trial_tables(robot, 0.0, 2.0, scatter.draw(robot, 0.0, 2.0, k, 0), changes))
     shared = {name: tables[0][name] for name in ("vehicle", "reference", "recovery", "simulation")}
     return [table | shared for table in tables]
 
@@ -190,9 +190,9 @@ def test_a_template_takes_numbers_and_gives_them_back() -> None:
     found = template.numbers(other)
     assert found is not None
     assert template.numbers(first) == template.own
-    assert template.filled(iter(found)) == other
-    assert math.copysign(1.0, template.filled(iter(found)).yaw) == -1.0
-    assert template.filled(iter(found)).model_fields_set == other.model_fields_set
+    assert template.with_numbers(iter(found)) == other
+    assert math.copysign(1.0, template.with_numbers(iter(found)).yaw) == -1.0
+    assert template.with_numbers(iter(found)).model_fields_set == other.model_fields_set
 
 
 def test_settings_that_differ_in_more_than_numbers_are_not_alike() -> None:
@@ -216,7 +216,7 @@ def test_worlds_are_alike_obstacle_by_obstacle() -> None:
 
     template = Template(world(1.0, 2.0))
     assert template.numbers(world(3.0, 4.0)) is not None
-    assert template.filled(iter(template.numbers(world(3.0, 4.0)) or [])) == world(3.0, 4.0)
+    assert template.with_numbers(iter(template.numbers(world(3.0, 4.0)) or [])) == world(3.0, 4.0)
     assert template.numbers(world(1.0)) is None
     assert template.numbers(world(1.0, 2.0, 3.0)) is None
     assert Template((1, "a", (True, None))).numbers((1, "a", (True, None))) == []

@@ -87,7 +87,7 @@ def campaign(count: int) -> list[dict[str, Any]]:
 
 
 def _luck(robot: str, trial: int) -> Any:
-    return Scatter().drawn(robot, 0.0, 2.0, trial, 0)
+    return Scatter().draw(robot, 0.0, 2.0, trial, 0)
 
 
 def test_flights_of_a_campaign_are_made_ready_as_alone() -> None:

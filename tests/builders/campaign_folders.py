@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from builders.plans import plan
-from springback.campaign.design.layout import Design, laid_out
-from springback.campaign.store import opened
+from springback.campaign.design.layout import Design, lay_out
+from springback.campaign.store import open_store
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import MEASURES
 
@@ -39,8 +39,8 @@ def rows(design: Design, first: int, last: int) -> dict[str, Any]:
 
 def filled(folder: Path, parts: int = 3, size: int = 10, **given: Any) -> Design:
     """A folder with some parts of a campaign."""
-    design = laid_out(plan(**{"samples": 30, **given}))
-    with opened(folder, design, resume=False) as store:
+    design = lay_out(plan(**{"samples": 30, **given}))
+    with open_store(folder, design, resume=False) as store:
         for k in range(parts):
             last = min((k + 1) * size, design.flights)
             store.add(k * size, last, rows(design, k * size, last))

@@ -19,7 +19,7 @@ from springback.dynamics.motion import Free, Slider
 from springback.kernels.vectors import Mat3, Vec
 from springback.simulation.flight import still_state
 from springback.simulation.record import Model, Timing
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.state import Arm, State, build_airframe
 
 LENGTH, CAGE = 0.19, 0.11
 #: Outcome of every scene with a wall: the face that a nose pointing along +X meets at x = 0.
@@ -67,7 +67,7 @@ def one_arm(
         rate_tolerance=1e-3, dwell=0.02, hybrid=1.0,
     )  # fmt: skip
     return Model(
-        airframe=Airframe(mass, 1.0 / mass, inertia, (free_arm,), ()),
+        airframe=build_airframe(mass, inertia, (free_arm,)),
         world=World((Obstacle(shape, material, 0.0),), Forces(0.0), 0.0),
         contact_point=ArmTip(0.0) if contact_point is None else contact_point,
         guide=Slider(Vec(1.0, 0.0, 0.0)) if guide is None else guide,

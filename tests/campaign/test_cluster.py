@@ -14,7 +14,7 @@ import pytest
 from builders.missing import needs
 from builders.plans import plan
 from springback.campaign import cluster
-from springback.campaign.cluster import Tls, connected, is_open
+from springback.campaign.cluster import Tls, cluster_client, is_open
 from springback.campaign.running import run_campaign
 from springback.errors import InputError
 
@@ -114,8 +114,8 @@ def test_a_scheduler_that_is_not_there_is_told(
 def test_versions_differ_where_it_matters() -> None:
     ours = cluster.versions()
     major, minor, _ = ours["python"].split(".")
-    assert cluster.differing(ours | {"python": f"{major}.{minor}.99"}) == ""
-    assert cluster.differing(ours | {"numba": "0.1"}).startswith("numba 0.1 there, ")
+    assert cluster.version_difference(ours | {"python": f"{major}.{minor}.99"}) == ""
+    assert cluster.version_difference(ours | {"numba": "0.1"}).startswith("numba 0.1 there, ")
 
 
 # -- who may speak to it --------------------------------------------------------------------------
@@ -150,10 +150,10 @@ def test_certificates_reach_a_cluster_that_asks_for_them(tmp_path: Path) -> None
         address = json.loads(file.read_text())["address"]
         assert address.startswith("tls://127.0.0.1")
         said: list[str] = []
-        with connected(address, tls, said.append) as client:
+        with cluster_client(address, tls, said.append) as client:
             assert client.scheduler_info()["address"] == address
         assert said == []
-        with pytest.raises(InputError, match="cannot be reached"), connected(address):
+        with pytest.raises(InputError, match="cannot be reached"), cluster_client(address):
             pass
     finally:
         scheduler.kill()

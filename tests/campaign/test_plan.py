@@ -15,7 +15,7 @@ import scipy.stats
 from builders.cases import nonempty
 from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.design import sampling
-from springback.campaign.design.layout import Design, design_of, laid_out
+from springback.campaign.design.layout import Design, design_of, lay_out
 from springback.campaign.design.plan import Plan, Source, plan_from, read_plan
 from springback.campaign.design.sampling import POINTS, grid_point, seeds
 from springback.errors import InputError
@@ -77,7 +77,7 @@ def test_seeds_of_samples_and_repeats_differ_and_survive_json() -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_any_stretch_of_flights_is_that_of_the_whole(method: str) -> None:
-    design = laid_out(plan(method=method, repeats=3, scatter="trials"))
+    design = lay_out(plan(method=method, repeats=3, scatter="trials"))
     whole = design.slice(0, design.flights)
     assert len(whole.tables) == design.flights == 12 * 3 * 2
     for first, last in ((0, 1), (5, 6), (7, 40), (71, 72)):
@@ -89,7 +89,7 @@ def test_any_stretch_of_flights_is_that_of_the_whole(method: str) -> None:
 
 
 def test_robots_are_dealt_the_same_and_repeats_new_luck() -> None:
-    design = laid_out(plan(repeats=2, scatter="trials"))
+    design = lay_out(plan(repeats=2, scatter="trials"))
     flight, sample, repeat, robot = columns(design, "flight", "sample", "repeat", "robot")
     assert flight.tolist() == list(range(48))
     assert sample.tolist() == [k // 4 for k in range(48)]
@@ -104,7 +104,7 @@ def test_robots_are_dealt_the_same_and_repeats_new_luck() -> None:
 
 
 def test_tables_that_are_alike_are_the_same_object() -> None:
-    design = laid_out(plan(repeats=2, vary=[SURFACE, {"field": "stiffness", "values": [5e3, 6e3]}]))
+    design = lay_out(plan(repeats=2, vary=[SURFACE, {"field": "stiffness", "values": [5e3, 6e3]}]))
     tables = design.slice(0, design.flights).tables
     assert len({id(one["vehicle"]) for one in tables}) <= 4
     assert len({id(one["world"]) for one in tables}) == 2
@@ -114,7 +114,7 @@ def test_tables_that_are_alike_are_the_same_object() -> None:
 
 
 def test_values_arrive_in_the_scenario() -> None:
-    design = laid_out(plan(method="sobol", samples=8))
+    design = lay_out(plan(method="sobol", samples=8))
     dealt = design.slice(0, design.flights)
     for k, tables in nonempty(enumerate(dealt.tables)):
         scenario = scenario_from(tables)
@@ -140,7 +140,7 @@ def test_a_table_does_not_wipe_out_what_is_varied_within_it() -> None:
         {"field": "friction", "values": [0.77]},
         SURFACE,
     ]
-    design = laid_out(plan(method="grid", samples=None, robots=[], vary=vary))
+    design = lay_out(plan(method="grid", samples=None, robots=[], vary=vary))
     assert list(design.units) == ["wall_angle", "friction", "surface"]
     walls = [scenario_from(one).world.obstacles[0] for one in design.slice(0, 2).tables]
     assert [wall.surface.friction for wall in walls] == [0.77, 0.77]
@@ -152,7 +152,7 @@ def test_scatter_is_that_of_trials() -> None:
     """The tables of a trial whose random numbers are those of a row."""
     base = trial_tables("arq", 0.0, 2.0, TrialNoise(HOME, (0.0,) * 3, 0.0, 2.75, 0.0, 1.0, 1.0, (1.0,) * 5, 0))  # fmt: skip
     base["world"]["obstacles"][0] = {"type": "wall", "distance": 2.75, "surface": "wall"}
-    design = laid_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))
+    design = lay_out(plan(scenario=base, robots=[], vary=[], scatter="trials", samples=3))
     dealt = design.slice(0, 3)
     row = {name: values[1] for name, values in dealt.columns.items()}
     axes = [("position", HOME), ("velocity", (0.0,) * 3)]
@@ -181,7 +181,7 @@ def test_scatter_is_that_of_trials() -> None:
 def test_scatter_has_the_deviations_it_says() -> None:
     dealt = Scatter(position=0.5, mass=0.1, wall_yaw=0.0)
     scatter = {k: v for k, v in dealt._asdict().items() if k in ("position", "mass")}
-    design = laid_out(plan(samples=4000, robots=[], vary=[], scatter=scatter))
+    design = lay_out(plan(samples=4000, robots=[], vary=[], scatter=scatter))
     x, z, mass = columns(
         design, "scatter_position_x", "scatter_position_z", "scatter_mass_factor"
     )  # fmt: skip
@@ -199,7 +199,7 @@ def test_laws_give_what_they_say() -> None:
         {"field": "friction", "from": 0.2, "to": 0.6, "step": 0.2},
         {"field": "start.yaw", "normal": {"mean": "90 deg", "deviation": "2 deg"}},
     ]
-    design = laid_out(plan(method="latin-hypercube", samples=2000, robots=[], vary=vary))
+    design = lay_out(plan(method="latin-hypercube", samples=2000, robots=[], vary=vary))
     speed, stiffness, gain, friction, yaw = columns(
         design, "speed", "control.stiffness", "control.rate_gain_factor", "friction", "yaw"
     )
@@ -216,7 +216,7 @@ def test_laws_give_what_they_say() -> None:
 
 def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
     vary = [SPEED | {"count": 3}, SURFACE, {"field": "stiffness", "factor": {"deviation": 0.1}}]
-    design = laid_out(plan(method="grid", samples=None, repeats=5, vary=vary))
+    design = lay_out(plan(method="grid", samples=None, repeats=5, vary=vary))
     assert (design.samples, design.flights) == (6, 60)
     speed, surface, factor = columns(design, "speed", "surface", "stiffness_factor")
     points = Counter(zip(speed.tolist(), surface.tolist(), strict=True))
@@ -226,7 +226,7 @@ def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
 
 def test_own_values_are_each_robots() -> None:
     vary = [{"field": "mass", "normal": {"deviation": "10 g"}}]
-    design = laid_out(plan(vary=vary))
+    design = lay_out(plan(vary=vary))
     robot, mass = columns(design, "robot", "mass")
     own = {
         name: scenario_from(THROW | {"vehicle": name}).vehicle.body.mass for name in design.robots
@@ -297,29 +297,31 @@ def test_a_plan_that_cannot_be_flown_is_refused_in_one_line(
     given: dict[str, Any], told: str
 ) -> None:
     with pytest.raises(InputError, match=told) as caught:
-        laid_out(plan(**given))
+        lay_out(plan(**given))
     assert len(caught.value.problems) == 1
 
 
 def test_all_problems_of_a_plan_are_told_at_once() -> None:
     vary = [{"field": "sped", "values": [1]}, SPEED | {"from": "1 kg"}, PITCH]
     with pytest.raises(InputError) as caught:
-        laid_out(plan(vary=vary))
+        lay_out(plan(vary=vary))
     assert len(caught.value.problems) == 2
 
 
 def test_problems_stand_on_their_lines() -> None:
     text = 'method = "random"\nsamples = 3\n[[vary]]\nfield = "speed"\n[[vary]]\nfield = "x"\nfrom = 1\n'
     source = Source("plan.toml", text, ("samples=oops",))
-    assert source.blamed(("vary", 1, "from_"), "is bad") == "plan.toml:7: vary[1].from: is bad"
-    assert source.blamed(("samples",), "is bad") == "override samples=oops: samples: is bad"
-    assert Source().blamed(("vary", 0), "is bad") == "vary[0]: is bad"
+    assert (
+        source.problem_line(("vary", 1, "from_"), "is bad") == "plan.toml:7: vary[1].from: is bad"
+    )
+    assert source.problem_line(("samples",), "is bad") == "override samples=oops: samples: is bad"
+    assert Source().problem_line(("vary", 0), "is bad") == "vary[0]: is bad"
 
 
 def test_a_plan_of_python_is_one_of_a_file() -> None:
     made = Plan(scenario=THROW, method="random", samples=3)
-    assert laid_out(made).flights == 3
-    assert laid_out(made).robots == ("arq",)
+    assert lay_out(made).flights == 3
+    assert lay_out(made).robots == ("arq",)
 
 
 def test_a_value_of_the_scenario_can_be_overridden_where_it_is_in_a_file(tmp_path: Path) -> None:
@@ -333,4 +335,4 @@ def test_a_value_of_the_scenario_can_be_overridden_where_it_is_in_a_file(tmp_pat
     moved, source = read_plan(path, ["scenario.start.position.2=3", "scenario.vehicle=quad"])
     assert plain.scenario["start"]["position"] == [0.6, 0, 1]
     assert moved.scenario["start"]["position"] == [0.6, 0, 3]
-    assert laid_out(moved, source).robots == ("quad",)
+    assert lay_out(moved, source).robots == ("quad",)

@@ -14,9 +14,9 @@ from builders.plans import plan
 from springback.campaign import workers
 from springback.campaign.access import Campaign
 from springback.campaign.cost_estimate import cost_estimate
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import Chunk, ChunkRows, flown
+from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.running import CampaignProgress, run_campaign
 from springback.campaign.store import source
 from springback.campaign.workers import STRIKES, GivenUp, fly_locally
@@ -128,12 +128,12 @@ def killed(text: str, chunk: Chunk, device: Any = "cpu") -> ChunkRows:
         os.kill(os.getpid(), signal.SIGKILL)
     if chunk[0] <= 20 < chunk[1] and '"broken"' in text:
         raise ZeroDivisionError("a mistake of ours")
-    return flown(text, chunk)
+    return fly_chunk(text, chunk)
 
 
 def serve_killed(*given: Any) -> None:
     """A worker that flies so; in a module of its own process nothing is patched."""
-    workers.flown = killed
+    workers.fly_chunk = killed
     workers.serve(*given)
 
 
@@ -220,7 +220,7 @@ def test_an_outlook_counts_and_measures(tmp_path: Path) -> None:
     vary = [{"field": "model.arms", "values": ["hybrid", "always-free"]},
             {"field": "start.position.0", "values": ["0.6 m", "0.5 m"]}]  # fmt: skip
     told = cost_estimate(
-        laid_out(plan(method="grid", samples=None, repeats=8, vary=vary)), workers=4
+        lay_out(plan(method="grid", samples=None, repeats=8, vary=vary)), workers=4
     )
     assert (told.flights, told.samples, told.repeats, told.tried) == (64, 4, 8, 64)
     assert told.robots == ("arq", "quad")

@@ -16,14 +16,14 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import paired_difference, quantile, ranks, share
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal, scale
 from springback.campaign.analysis.statistics import summary
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.errors import InputError
 from springback.interfaces.figures import style
 from springback.interfaces.figures.campaign import (
     field_map_figure,
     marginals_figure,
     round_ticks,
-    written,
+    tick_label,
 )
 from springback.interfaces.reports.campaign import summary_text
 from springback.interfaces.reports.campaign_page import words_of_map
@@ -193,7 +193,7 @@ def test_logarithmic_axes_have_round_ticks(low: float, high: float, ticks: list[
 def test_ticks_are_written_out() -> None:
     values = [0.002, 0.5, 20.0, 300.0, 3000.0, 20000.0, 1e6, 2e6]
     words = ["0.002", "0.5", "20", "300", "3000", "20000", "$10^{6}$", r"$2 \cdot 10^{6}$"]
-    assert [written(value) for value in values] == words
+    assert [tick_label(value) for value in values] == words
 
 
 def test_a_vehicle_of_ones_own_goes_by_its_name(tmp_path: Path) -> None:
@@ -201,9 +201,9 @@ def test_a_vehicle_of_ones_own_goes_by_its_name(tmp_path: Path) -> None:
     arq = springback.ARQ.vehicle.model_dump(mode="json")
     for named, shown in (("hexa", "hexa"), ("", "own")):
         mine = {**arq, "name": named} if named else {k: v for k, v in arq.items() if k != "name"}
-        design = laid_out(plan(scenario={**THROW, "vehicle": mine}, robots=[]))
+        design = lay_out(plan(scenario={**THROW, "vehicle": mine}, robots=[]))
         assert design.robots == (shown,)
     preset = {"preset": "arq", "name": "softer"}
-    assert laid_out(plan(scenario={**THROW, "vehicle": preset}, robots=[])).robots == ("softer",)
+    assert lay_out(plan(scenario={**THROW, "vehicle": preset}, robots=[])).robots == ("softer",)
     filled(tmp_path / "rows", scenario={**THROW, "vehicle": preset}, robots=[])
     assert summary(Campaign(tmp_path / "rows")).robots[0].robot == "softer"

@@ -17,12 +17,12 @@ from builders.missing import needs
 from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import Part, missing
-from springback.campaign.store import opened
+from springback.campaign.store import open_store
 from springback.errors import InputError
-from springback.results.sealed_json import sealed
+from springback.results.sealed_json import with_digest
 
 
 def names(folder: Path) -> set[str]:
@@ -62,7 +62,7 @@ def test_a_torn_last_line_of_the_ledger_does_not_count(tmp_path: Path, cut: int)
     path = tmp_path / manifest.NAME
     path.write_bytes(path.read_bytes()[:-cut])
     assert [part.first for part in manifest.read(path)] == [0, 10]
-    with opened(tmp_path, design, resume=True) as again:
+    with open_store(tmp_path, design, resume=True) as again:
         [said] = again.checked_parts()
         assert "part-0000000020.parquet is not in the ledger" in said
         assert again.missing(100) == [(20, 60)]
@@ -87,12 +87,12 @@ def test_a_damaged_part_is_set_aside_and_flown_again(tmp_path: Path, harm: str) 
         path.write_bytes(data[:-1] if harm == "cut" else data)
     with pytest.raises(InputError, match=r"part-0000000010.*--resume"):
         Campaign(tmp_path)
-    with opened(tmp_path, design, resume=True) as again:
+    with open_store(tmp_path, design, resume=True) as again:
         [said] = again.checked_parts()
         assert ("missing" if harm == "gone" else "damaged; it is now aside/part") in said
         assert again.missing(100) == [(10, 20), (30, 60)]
     assert Campaign(tmp_path).done == 20
-    with opened(tmp_path, design, resume=True) as again:
+    with open_store(tmp_path, design, resume=True) as again:
         assert again.checked_parts() == []
         again.add(10, 20, rows(design, 10, 20))
     campaign = Campaign(tmp_path)
@@ -109,7 +109,7 @@ def test_a_full_disk_stops_and_leaves_nothing_torn(
 ) -> None:
     design = filled(tmp_path, parts=2)
     before = names(tmp_path)
-    with opened(tmp_path, design, resume=True) as again, monkeypatch.context() as patch:
+    with open_store(tmp_path, design, resume=True) as again, monkeypatch.context() as patch:
         if where == "rows":
             patch.setattr(store, "write_rows", full_disk)
         elif where == "rename":
@@ -125,7 +125,7 @@ def test_a_full_disk_stops_and_leaves_nothing_torn(
     assert Campaign(tmp_path).done == 20
     left = names(tmp_path) - before - {".lock"}
     assert left <= ({"parts/part-0000000020.parquet"} if where == "ledger" else set())
-    with opened(tmp_path, design, resume=True) as again:
+    with open_store(tmp_path, design, resume=True) as again:
         again.checked_parts()
         again.add(20, 30, rows(design, 20, 30))
     assert Campaign(tmp_path).query("SELECT count(*) FROM flights").rows == [(30,)]
@@ -138,7 +138,7 @@ def is_ledger(fd: int) -> bool:
 @needs("/dev/full")
 def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
     """/dev/full says what a full disk says."""
-    design = laid_out(plan(samples=30))
+    design = lay_out(plan(samples=30))
     with pytest.raises(OSError, match="No space left") as caught:
         manifest.append(Path("/dev/full"), Part(0, 1, "a", 1, ""))
     assert caught.value.errno == errno.ENOSPC
@@ -148,7 +148,7 @@ def test_a_disk_that_is_really_full(tmp_path: Path) -> None:
 
 
 def hold(folder: Path, ready: Any, done: Any) -> None:
-    with opened(folder, laid_out(plan()), resume=True):
+    with open_store(folder, lay_out(plan()), resume=True):
         ready.set()
         done.wait(60)
 
@@ -159,13 +159,13 @@ def test_a_second_process_is_told_who_is_at_work_and_the_lock_dies_with_it(tmp_p
     other = context.Process(target=hold, args=(tmp_path, ready, done), daemon=True)
     other.start()
     assert ready.wait(60)
-    design = laid_out(plan())
+    design = lay_out(plan())
     with pytest.raises(InputError, match=rf"in use by process {other.pid} on .* since "):  # noqa: SIM117
-        with opened(tmp_path, design, resume=True):
+        with open_store(tmp_path, design, resume=True):
             pass
     other.kill()
     other.join()
-    with opened(tmp_path, design, resume=True) as mine:
+    with open_store(tmp_path, design, resume=True) as mine:
         assert mine.missing(100) == [(0, 24)]
 
 
@@ -173,8 +173,8 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
     design = filled(tmp_path)
 
     def refused(resume: bool, told: str, **given: Any) -> None:
-        other = laid_out(plan(**{"samples": 30, **given}))
-        with pytest.raises(InputError, match=told), opened(tmp_path, other, resume=resume):
+        other = lay_out(plan(**{"samples": 30, **given}))
+        with pytest.raises(InputError, match=told), open_store(tmp_path, other, resume=resume):
             pass
 
     refused(False, "holds a campaign with 30 flights; go on with it by --resume")
@@ -183,7 +183,7 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
     rewrite(tmp_path, versions={"springback": "0.0.9"})
     refused(True, "its springback's version is 0.0.9, not ")
     rewrite(tmp_path, versions={"springback": store.__version__, "numba": "0.1"}, cpu="Intel 386")
-    with opened(tmp_path, design, resume=True):
+    with open_store(tmp_path, design, resume=True):
         numba, cpu = store.changed_versions(tmp_path)
     assert numba.startswith("numba was 0.1 and is ")
     assert cpu.startswith("the processor was Intel 386 and is ")
@@ -193,7 +193,7 @@ def rewrite(folder: Path, versions: dict[str, str] | None = None, **changes: Any
     """Have campaign.json say something else, as if it had been begun so."""
     about = json.loads((folder / store.ABOUT).read_text()) | changes
     about["versions"] |= versions or {}
-    (folder / store.ABOUT).write_text(json.dumps(sealed(about)))
+    (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
 
 
 def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Path) -> None:
@@ -201,7 +201,7 @@ def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Pa
     design = filled(tmp_path)
 
     def refused(told: str) -> None:
-        with pytest.raises(InputError, match=told), opened(tmp_path, design, resume=True):
+        with pytest.raises(InputError, match=told), open_store(tmp_path, design, resume=True):
             pass
 
     rewrite(tmp_path, versions={"source": "0123456789abcdef"})
@@ -225,23 +225,23 @@ def test_every_part_says_which_source_and_numbers_flew(tmp_path: Path) -> None:
 
 def test_a_folder_with_other_things_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
-    design = laid_out(plan())
+    design = lay_out(plan())
     with (
         pytest.raises(InputError, match="holds no campaign"),
-        opened(tmp_path, design, resume=True),
+        open_store(tmp_path, design, resume=True),
     ):
         pass
     assert names(tmp_path) == {"thesis.tex"}
     with pytest.raises(InputError, match="is a file"):  # noqa: SIM117
-        with opened(tmp_path / "thesis.tex", design, resume=False):
+        with open_store(tmp_path / "thesis.tex", design, resume=False):
             pass
 
 
 def test_a_campaign_that_died_before_it_began_can_be_gone_on_with(tmp_path: Path) -> None:
     (tmp_path / ".lock").touch()
     (tmp_path / store.PLAN).write_text("{")
-    design = laid_out(plan())
-    with opened(tmp_path, design, resume=True) as begun:
+    design = lay_out(plan())
+    with open_store(tmp_path, design, resume=True) as begun:
         assert begun.done == 0
     about = json.loads((tmp_path / store.ABOUT).read_text())
     assert about["plan_sha256"] == design.plan.digest()

@@ -17,13 +17,13 @@ from builders.campaign_folders import filled, rows
 from builders.plans import plan
 from springback.campaign import manifest, store
 from springback.campaign.access import Campaign, check_conditions
-from springback.campaign.design.layout import laid_out
+from springback.campaign.design.layout import lay_out
 from springback.campaign.manifest import Part
-from springback.campaign.store import opened
+from springback.campaign.store import open_store
 from springback.errors import InputError
 from springback.files import atomic_file
-from springback.results.database import in_database, locked
-from springback.results.sealed_json import sealed
+from springback.results.database import in_database, sandbox
+from springback.results.sealed_json import with_digest
 
 # -- SQL ------------------------------------------------------------------------------------------
 
@@ -92,7 +92,7 @@ def test_conditions_are_one_expression_over_the_columns(
     text = condition.format(target=tmp_path / "target", secret=tmp_path / "secret")
     given = {"success": text} if entry == "success" else {"keep": {"where": text, "most": 1}}
     with pytest.raises(InputError, match=entry):
-        check_conditions(laid_out(plan(**given)))
+        check_conditions(lay_out(plan(**given)))
     assert [path.name for path in tmp_path.iterdir()] == ["secret"]
 
 
@@ -111,7 +111,7 @@ def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
         about = json.loads((folder / store.ABOUT).read_text())
         about["plan_sha256"] = plan_from(given).digest()
         about["plan_file_sha256"] = store.hashlib.sha256(data).hexdigest()
-        (folder / store.ABOUT).write_text(json.dumps(sealed(about)))
+        (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
         campaign = Campaign(folder)
         if not parts:
             with pytest.raises(InputError, match="success: must be one condition"):
@@ -124,7 +124,7 @@ def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
 
 
 def test_the_lock_holds_for_what_is_written_too(tmp_path: Path) -> None:
-    connection = locked(folders=[tmp_path / "a"])
+    connection = sandbox(folders=[tmp_path / "a"])
     (tmp_path / "a").mkdir()
 
     def write(opened: Any) -> None:
@@ -165,7 +165,7 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
     entered(tmp_path / "d", Part(30, 40, file, 13, ""))
     for ask in (
         lambda: Campaign(tmp_path / "d"),
-        lambda: opened(tmp_path / "d", design, resume=True).__enter__(),
+        lambda: open_store(tmp_path / "d", design, resume=True).__enter__(),
     ):
         with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a ledger"):
             ask()
@@ -181,7 +181,7 @@ def test_a_ledgers_numbers_are_numbers(tmp_path: Path, first: Any, last: Any) ->
         "last": last,
     }
     with (tmp_path / manifest.NAME).open("a") as file:
-        file.write(json.dumps(sealed(data)) + "\n")
+        file.write(json.dumps(with_digest(data)) + "\n")
     with pytest.raises(InputError, match=r":4: is not a line of a ledger"):
         Campaign(tmp_path)
 
@@ -247,7 +247,7 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
     with pytest.raises(InputError, match=name) as told:
         all_said(tmp_path)
     assert "\n" not in str(told.value)
-    with pytest.raises(InputError, match=name), opened(tmp_path, design, resume=True):
+    with pytest.raises(InputError, match=name), open_store(tmp_path, design, resume=True):
         store.stored_plan(tmp_path)
 
 

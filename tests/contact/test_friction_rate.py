@@ -19,7 +19,7 @@ from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Rates, rates
 from springback.kernels.trees import leaves, rebuilt
-from springback.kernels.vectors import Quat, Vec, norm, normalised, rotation
+from springback.kernels.vectors import Quat, Vec, norm, normalise, rotation
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import Airframe, Sphere, State
 
@@ -94,7 +94,7 @@ def attitudes() -> list[Quat]:
     generator, out = np.random.default_rng(5), [Quat(1.0, 0.0, 0.0, 0.0)]
     for _ in range(30):
         x, y, z = (0.35 * generator.uniform(-1.0, 1.0, 3)).tolist()
-        out.append(normalised(Quat(1.0, x, y, z)))
+        out.append(normalise(Quat(1.0, x, y, z)))
     return out
 
 

@@ -27,7 +27,7 @@ from springback.kernels.vectors import (
     Quat,
     Vec,
     inverse_symmetric,
-    normalised,
+    normalise,
     quaternion_rate,
 )
 from springback.vehicle.library import VEHICLES
@@ -164,7 +164,7 @@ def closed_loop(law, rate_law, inertia, start, omega, desired, steps, h):  # typ
         memory = done.memory
         omega = omega + (inverse @ (done.moment - (omega ^ (inertia @ omega)))) * h
         dq = quaternion_rate(q, omega)
-        q = normalised(Quat(q.w + h * dq.w, q.x + h * dq.x, q.y + h * dq.y, q.z + h * dq.z))
+        q = normalise(Quat(q.w + h * dq.w, q.x + h * dq.x, q.y + h * dq.y, q.z + h * dq.z))
         e = attitude_error(q, desired)
         error = math.sqrt(e.x * e.x + e.y * e.y + e.z * e.z)
         if k > 0.9 * steps and error > worst:

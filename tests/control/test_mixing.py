@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from springback.control.mixing import allocated, mixed, mixer, wrench_of
+from springback.control.mixing import allocation, mixer, rotor_thrusts, wrench_of
 from springback.control.target import Wrench
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
@@ -66,7 +66,7 @@ def test_allocation_is_the_inverse_for_any_arm_lengths() -> None:
     rng = np.random.default_rng(1)
     for _ in range(200):
         lengths, wrench = random_lengths(rng), random_wrench(rng, 1.0)
-        thrusts = allocated(mixer(ARQ, lengths), wrench)
+        thrusts = allocation(mixer(ARQ, lengths), wrench)
         np.testing.assert_allclose(
             thrusts,
             np.linalg.solve(effectiveness(ARQ, lengths), leaves(wrench)),
@@ -83,7 +83,9 @@ def test_six_rotors_share_with_least_norm() -> None:
     for _ in range(100):
         lengths, wrench = random_lengths(rng, 6), random_wrench(rng, 1.0)
         expected = np.linalg.pinv(effectiveness(airframe, lengths)) @ leaves(wrench)
-        np.testing.assert_allclose(allocated(mixer(airframe, lengths), wrench), expected, atol=1e-9)
+        np.testing.assert_allclose(
+            allocation(mixer(airframe, lengths), wrench), expected, atol=1e-9
+        )
 
 
 def test_without_rotor_torque_yaw_is_left_out() -> None:
@@ -92,8 +94,8 @@ def test_without_rotor_torque_yaw_is_left_out() -> None:
     airframe = ARQ._replace(arms=arms)
     wrench = Wrench(14.0, Vec(0.3, -0.2, 0.5))
     for thrusts in (
-        allocated(mixer(airframe, FREE), wrench),
-        mixed(mixer(airframe, FREE), 0.0, 7.0, wrench, 0.0),
+        allocation(mixer(airframe, FREE), wrench),
+        rotor_thrusts(mixer(airframe, FREE), 0.0, 7.0, wrench, 0.0),
     ):
         np.testing.assert_allclose(
             leaves(wrench_of(airframe, FREE, thrusts)), [14.0, 0.3, -0.2, 0.0], atol=1e-12
@@ -106,8 +108,10 @@ def test_exact_where_it_fits_and_within_limits_always(airframe: Airframe) -> Non
     for _ in range(1000):
         lengths = random_lengths(rng, len(airframe.arms))
         wrench = random_wrench(rng, float(rng.choice([0.1, 0.5, 3.0])))
-        plain = np.array(allocated(mixer(airframe, lengths), wrench))
-        thrusts = np.array(mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE))
+        plain = np.array(allocation(mixer(airframe, lengths), wrench))
+        thrusts = np.array(
+            rotor_thrusts(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
+        )
         assert thrusts.min() >= LOWEST
         assert thrusts.max() <= HIGHEST
         if plain.min() >= LOWEST and plain.max() <= HIGHEST:
@@ -141,11 +145,11 @@ def test_yaw_gives_way_first_then_collective_and_roll_and_pitch_last() -> None:
     rng, shrunk, shifted, turned = np.random.default_rng(4), 0, 0, 0
     for _ in range(80):
         lengths, wrench = random_lengths(rng), random_wrench(rng, 1.0)
-        plain = allocated(mixer(ARQ, lengths), wrench)
+        plain = allocation(mixer(ARQ, lengths), wrench)
         if min(plain) >= LOWEST and max(plain) <= HIGHEST:
             continue
         given = wrench_of(
-            ARQ, lengths, mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
+            ARQ, lengths, rotor_thrusts(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
         )
         share, low, high = greatest_share(lengths, wrench)
         m, got = wrench.moment, given.moment
@@ -164,9 +168,9 @@ def test_no_worse_than_clipping_where_roll_and_pitch_are_within_reach() -> None:
     rng, better = np.random.default_rng(5), 0
     for _ in range(80):
         wrench = random_wrench(rng, 0.7)
-        clipped = tuple(min(max(t, LOWEST), HIGHEST) for t in allocated(mixer(ARQ, FREE), wrench))
+        clipped = tuple(min(max(t, LOWEST), HIGHEST) for t in allocation(mixer(ARQ, FREE), wrench))
         given = wrench_of(
-            ARQ, FREE, mixed(mixer(ARQ, FREE), LOWEST, HIGHEST, wrench, AIRMODE)
+            ARQ, FREE, rotor_thrusts(mixer(ARQ, FREE), LOWEST, HIGHEST, wrench, AIRMODE)
         ).moment
         bent = wrench_of(ARQ, FREE, clipped).moment
         m = wrench.moment
@@ -188,7 +192,7 @@ def test_without_airmode_roll_and_pitch_never_raise_the_thrust_beyond_the_lift()
             wrench = wrench._replace(thrust=float(rng.uniform(1.5, 4.0)))
             most = max(wrench.thrust, lift)
             given = wrench_of(
-                ARQ, lengths, mixed(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, lift)
+                ARQ, lengths, rotor_thrusts(mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, lift)
             )
             assert given.thrust <= most + 1e-9
             b, m = effectiveness(ARQ, lengths), wrench.moment
@@ -206,11 +210,11 @@ def test_without_airmode_roll_and_pitch_never_raise_the_thrust_beyond_the_lift()
 def test_plain_python_is_the_compiled_mixing() -> None:
     @numba.njit
     def compiled(airframe, lengths, wrench):  # type: ignore[no-untyped-def]
-        return mixed(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
+        return rotor_thrusts(mixer(airframe, lengths), LOWEST, HIGHEST, wrench, AIRMODE)
 
     rng = np.random.default_rng(6)
     for _ in range(200):
         lengths, wrench = random_lengths(rng), random_wrench(rng, 1.0)
-        assert compiled(ARQ, lengths, wrench) == mixed(
+        assert compiled(ARQ, lengths, wrench) == rotor_thrusts(
             mixer(ARQ, lengths), LOWEST, HIGHEST, wrench, AIRMODE
         )

@@ -15,10 +15,10 @@ from springback.control.polynomials import (
     BoundaryCondition,
     as_reference,
     quintic,
-    shared_times,
     snap_cost,
     snap_spline,
     through,
+    waypoint_times,
 )
 from springback.control.target import target
 from springback.errors import InputError
@@ -129,7 +129,7 @@ def test_snap_cost_of_a_known_curve() -> None:
 
 
 def test_shared_times_are_the_best_parts() -> None:
-    times = shared_times(CORNERS, 3.7)
+    times = waypoint_times(CORNERS, 3.7)
     least = snap_cost(snap_spline(times, CORNERS), times)
     assert times[0] == 0.0
     assert times[-1] == pytest.approx(3.7)
@@ -139,7 +139,7 @@ def test_shared_times_are_the_best_parts() -> None:
             other[k] += shift
             assert snap_cost(snap_spline(other, CORNERS), other) > least
     # Mirrored points take mirrored times.
-    assert np.allclose(shared_times(CORNERS[::-1], 3.7), 3.7 - times[::-1], atol=1e-3)
+    assert np.allclose(waypoint_times(CORNERS[::-1], 3.7), 3.7 - times[::-1], atol=1e-3)
 
 
 def test_shortest_flight_uses_what_it_may() -> None:

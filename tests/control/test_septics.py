@@ -13,14 +13,14 @@ from springback.control import approach
 from springback.control.approach import ALIKE, _simplest
 from springback.control.demands import Limits, level_demands
 from springback.control.runup import RunUpContact, run_up
-from springback.control.septics import Courses, septics, shares
+from springback.control.septics import LineMotions, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 
 LIMITS = Limits(1.15, 9.81, 28.0, 2.0)
 
 
-def some_courses() -> tuple[np.ndarray, np.ndarray, np.ndarray, Courses]:
+def some_courses() -> tuple[np.ndarray, np.ndarray, np.ndarray, LineMotions]:
     noise_stream = np.random.default_rng(0)
     first, last = noise_stream.standard_normal((2, 4, 9))
     durations = noise_stream.uniform(0.1, 5.0, 9)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from builders.missing import needs
-from springback.kernels.compiler import kernel, own_executor
+from springback.kernels.compiler import kernel, user_executor
 from springback.kernels.layout import Buffer, zeros
 
 
@@ -23,7 +23,7 @@ def entry(lanes: Buffer) -> None:
 
 @pytest.fixture(scope="module")
 def compiled_entry() -> Any:
-    compiled = own_executor(entry, None)  # not kept, so that it can be looked into
+    compiled = user_executor(entry, None)  # not kept, so that it can be looked into
     compiled(zeros(64))
     return compiled
 

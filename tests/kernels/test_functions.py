@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from springback.kernels.angles import angle_of, rounded, rounded_down, sine_cosine
+from springback.kernels.angles import angle_of, floor, nearest_integer, sine_cosine
 from springback.kernels.bits import bits_of, float_of
 from springback.kernels.exponentials import exponential, logarithm
 
@@ -40,8 +40,8 @@ def test_exponential_and_logarithm() -> None:
 
 def test_rounding() -> None:
     for x in (*LUCK.uniform(-1e6, 1e6, 1000), -2.0, 0.5, 1.5, 3.0, -0.25):
-        assert rounded(x) == round(x)
-        assert rounded_down(x) == math.floor(x)
+        assert nearest_integer(x) == round(x)
+        assert floor(x) == math.floor(x)
 
 
 def test_bits_there_and_back() -> None:

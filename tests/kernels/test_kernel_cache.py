@@ -20,7 +20,7 @@ from springback.kernels import compiler, kernel_cache
 from springback.kernels.compiler import STRICT, _entry
 from springback.kernels.frozen import frozen_digest
 from springback.kernels.gpu import ptx
-from springback.kernels.gpu.private_memory import reached_over
+from springback.kernels.gpu.private_memory import array_view
 
 
 def doubled(x: float) -> float:
@@ -170,7 +170,7 @@ def test_a_kernel_under_anothers_name_is_not_taken_for_it(tmp_path: Path) -> Non
 
 
 def scaled(data: Any, count: int, thread: int) -> None:
-    values = reached_over(data, 1, count)
+    values = array_view(data, 1, count)
     values[0, thread] = values[0, thread] * 2.5
 
 
@@ -188,8 +188,8 @@ def compiled_for_a_gpu(
     monkeypatch.setenv("SPRINGBACK_CACHE_DIR", str(tmp_path))
     before = ptx_of(scaled)
     compiled: list[str] = []
-    lower, optimise = ptx._lowered, ptx._optimise
-    monkeypatch.setattr(ptx, "_lowered", lambda *a: (compiled.append("bc"), lower(*a))[1])
+    lower, optimise = ptx._bitcode, ptx._optimise
+    monkeypatch.setattr(ptx, "_bitcode", lambda *a: (compiled.append("bc"), lower(*a))[1])
     monkeypatch.setattr(ptx, "_optimise", lambda *a: (compiled.append("ptx"), optimise(*a))[1])
     return compiler.cache_folder() / "ptx", compiled, before
 
@@ -227,7 +227,7 @@ def test_a_gpus_kernel_under_anothers_name_is_not_taken_for_it(
 ) -> None:
     folder, _, before = compiled_for_a_gpu
     [file] = folder.glob("*.ptx")
-    kernel_cache.keep(tmp_path / "another.ptx", b"// another")
+    kernel_cache.save_program(tmp_path / "another.ptx", b"// another")
     file.write_bytes((tmp_path / "another.ptx").read_bytes())
     with pytest.warns(CacheWarning, match="it holds another key"):
         assert ptx_of(scaled) == before

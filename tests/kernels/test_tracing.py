@@ -19,7 +19,7 @@ Function = Callable[[Any, Any, Any], Any]
 def worked_out(function: Function, rows: Any = ROWS) -> tuple[Any, Evaluated]:
     """A function given cells, and the sheet worked out."""
     sheet = Tape(rows)
-    return function(*sheet.first), sheet.filled()
+    return function(*sheet.first), sheet.evaluate()
 
 
 def arithmetic(a: Any, b: Any, c: Any) -> Any:

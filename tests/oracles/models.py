@@ -23,7 +23,7 @@ from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.simulation.flight import FlightRecord, fly_one
 from springback.simulation.record import Model, Timing
-from springback.vehicle.state import Airframe, Arm, Sphere, State
+from springback.vehicle.state import Airframe, Arm, Sphere, State, build_airframe
 
 Array = NDArray[np.float64]
 
@@ -147,8 +147,7 @@ def airframe_of(craft: Craft) -> Airframe:
     )
     inertia = Mat3(*(vec(row) for row in craft.inertia))
     hull = () if craft.hull is None else (Sphere(vec(craft.hull.centre), craft.hull.radius),)
-    mass = float(craft.mass)
-    return Airframe(mass=mass, inverse_mass=1.0 / mass, inertia=inertia, arms=arms, hull=hull)
+    return build_airframe(float(craft.mass), inertia, arms, hull)
 
 
 def world_of(scene: Scene) -> World:

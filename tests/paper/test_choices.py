@@ -31,7 +31,7 @@ from springback.paper.choices import (
 )
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS
 from springback.results.flight import fly
-from springback.scenario.presets import expanded
+from springback.scenario.presets import expand_presets
 from springback.scenario.scenario import scenario_from
 from springback.sensing.library import ESTIMATORS, PX4_EKF2, SOURCES
 from springback.studies.run_ups import CONDITIONS, run_up_scenario
@@ -64,7 +64,7 @@ def test_the_papers_flights_have_the_papers_friction() -> None:
         scenario = scenario_from(run_up_scenario(robot, 0.0, 2.0))
         surface = scenario.world.obstacles[0].surface
         assert (surface.friction_axes, surface.friction) == ("vertical", 0.8)
-        trial = scenario_from(trial_tables(robot, 0.0, 2.0, Scatter().drawn(robot, 0.0, 2.0, 0, 0)))
+        trial = scenario_from(trial_tables(robot, 0.0, 2.0, Scatter().draw(robot, 0.0, 2.0, 0, 0)))
         assert trial.world.obstacles[0].surface.friction_axes == "vertical"
 
 
@@ -81,15 +81,15 @@ def test_the_preset_of_ekf2_has_its_published_defaults() -> None:
 
 def test_a_preset_leaves_what_it_does_not_say_to_the_user() -> None:
     tables = {"estimator": {"preset": "px4-ekf2", "kalman": {"inflation": 10.0}}}
-    told = expanded(tables)["estimator"]["kalman"]
+    told = expand_presets(tables)["estimator"]["kalman"]
     assert (told["inflation"], told["position_noise"]) == (10.0, 0.1)
     assert "offset" not in told  # which the sensors know better
     with pytest.raises(InputError, match=r"unknown estimator preset 'px4-ekf'.*did you mean"):
-        expanded({"estimator": "px4-ekf"})
+        expand_presets({"estimator": "px4-ekf"})
 
 
 def test_a_preset_flies_the_same_alone_and_among_many() -> None:
-    tables = trial_tables("arq", 0.0, 2.0, Scatter().drawn("arq", 0.0, 2.0, 0, 0), NOISE)
+    tables = trial_tables("arq", 0.0, 2.0, Scatter().draw("arq", 0.0, 2.0, 0, 0), NOISE)
     alone, many = fly(tables, trajectory=False), fly_scenarios([tables])
     for name in ("recovery_time", "height_loss", "impact_peak_acceleration"):
         assert many.measures[name][0] == alone.measures[name]

@@ -25,7 +25,7 @@ from springback.paper.free_flight import (
     TABLE_IV_STEPS,
     FlightResults,
     flight_experiments,
-    flown_steps,
+    fly_steps,
 )
 from springback.paper.responses import (
     circle_errors,
@@ -210,7 +210,7 @@ def test_one_flight_is_kept_for_each_figure(results: FlightResults) -> None:
 def test_trials_are_their_seeds(results: FlightResults) -> None:
     """The same seed gives the same bits; no two trials share one, or their numbers."""
     first = results.response("quad")
-    again = flown_steps("quad", {"preset": "quad"}, first.seed)
+    again = fly_steps("quad", {"preset": "quad"}, first.seed)
     assert (again.rise, again.mse) == (first.rise, first.mse)
     assert len({trial.seed for trial in results.responses}) == len(results.responses)
     assert len({trial.rise["x"] for trial in results.responses}) == len(results.responses)

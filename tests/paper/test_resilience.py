@@ -25,7 +25,7 @@ from springback.paper.resilience import (
     SAMPLES,
     SLOWEST,
     ResilienceResults,
-    asked_extremes,
+    command_extremes,
     motion,
     pitch_of,
     rate_mark,
@@ -70,7 +70,7 @@ def test_print_has_a_number_or_words_for_every_condition() -> None:
 def test_both_robots_are_dealt_the_same_luck(results: ResilienceResults) -> None:
     for condition in CONDITIONS:
         for trial in range(3):
-            first, second = (Scatter().drawn(robot, *condition, trial, 0) for robot in ROBOTS)
+            first, second = (Scatter().draw(robot, *condition, trial, 0) for robot in ROBOTS)
             assert first == second
     arq, quad = (results.sample(robot, 0.0, 2.0) for robot in ROBOTS)
     assert arq is not None
@@ -78,7 +78,7 @@ def test_both_robots_are_dealt_the_same_luck(results: ResilienceResults) -> None
     assert arq.noise_stream == quad.noise_stream
     for name in ("x", "y", "z", "vx", "vy", "vz"):
         assert arq.flight.columns[name][0] == quad.flight.columns[name][0]
-    assert arq.noise_stream != Scatter().drawn("arq", 0.0, 2.0, 1, 0)
+    assert arq.noise_stream != Scatter().draw("arq", 0.0, 2.0, 1, 0)
 
 
 def test_a_sample_is_the_first_trial_once_more(results: ResilienceResults) -> None:
@@ -96,7 +96,7 @@ def test_a_sample_is_the_first_trial_once_more(results: ResilienceResults) -> No
 
 def test_the_repeated_test_comes_home_every_time(results: ResilienceResults) -> None:
     for robot in nonempty(ROBOTS):
-        (repeat,) = results.repeated(robot)
+        (repeat,) = results.repeats_of(robot)
         assert (repeat.collisions, repeat.recovered, repeat.success) == (2, 2, True)
         assert len(repeat.returns) == 2
         assert max(repeat.returns) < RETURN_TOLERANCE
@@ -132,7 +132,7 @@ def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -
         assert f"{tallies[of].successes} of 2" in row.note
     where = ("arq", resilience.condition_name(*FASTEST))
     for side, printed in zip(("nose up", "nose down"), RECOVERY_PITCH, strict=True):
-        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"pitch asked for, {side}")]
+        flown, asked = rows[(*where, f"pitch, {side}")], rows[(*where, f"commanded pitch, {side}")]
         assert flown.printed == asked.printed == printed
         assert (flown.mark is Mark.PREDICTED) == (abs(flown.deviation or 0.0) <= 0.05)
         assert asked.mark is (Mark.FITTED if side == "nose up" else Mark.PREDICTED)
@@ -201,7 +201,7 @@ def test_the_way_back_asks_for_the_pitch_of_its_quintic(results: ResilienceResul
         a = -0.1 * (60 * s - 180 * s**2 + 120 * s**3)
         a += v * duration * (-36 * s + 96 * s**2 - 60 * s**3)
         pitch = np.degrees(np.arctan(a / duration**2 / 9.81))
-        assert asked_extremes(sample.flight) == pytest.approx((pitch.min(), pitch.max()), abs=1.0)
+        assert command_extremes(sample.flight) == pytest.approx((pitch.min(), pitch.max()), abs=1.0)
 
 
 def test_time_counts_from_first_touch(results: ResilienceResults) -> None:

@@ -128,7 +128,7 @@ def test_what_each_reading_gives_of_arqs_eight_numbers(
     results: SliderResults, reading: str, near: int, nearly: int, gap: int
 ) -> None:
     """As computed independently with a small model of two masses and a spring."""
-    rows = results.counted(reading)
+    rows = results.unique_rows(reading)
     assert len(rows) == 8
     assert len({(row.surface, row.quantity) for row in rows}) == 8
     off = [abs(row.deviation or 0.0) for row in rows]
@@ -151,8 +151,8 @@ def test_reading_d_is_one_spring_along_the_motion() -> None:
 
 def test_only_the_stops_were_fitted_to_peaks(results: SliderResults) -> None:
     for reading in ("A", "B", "C", "D", "D, letter"):
-        assert Mark.FITTED not in {row.mark for row in results.counted(reading)}
-    fitted = [row for row in results.counted("D, stops") if row.mark is Mark.FITTED]
+        assert Mark.FITTED not in {row.mark for row in results.unique_rows(reading)}
+    fitted = [row for row in results.unique_rows("D, stops") if row.mark is Mark.FITTED]
     assert {row.quantity for row in fitted} == {"impact_peak_acceleration"}
 
 

@@ -17,7 +17,7 @@ from springback.recovery.detection import (
     trigger_step,
 )
 from springback.recovery.parameters import HallTrigger, TriggerSettings
-from springback.studies.roc import Judged, alarms, curve, delay, quiet
+from springback.studies.roc import TriggerSignal, alarms, curve, delay, false_alarms
 from springback.vehicle.library import VEHICLES
 
 TICK = 1e-3
@@ -113,7 +113,7 @@ def test_judging_afterwards_is_the_trigger_itself(every: int, persistence: int) 
     settings = trigger(persistence=float(persistence), threshold=0.4, refractory=0.0495)
     fresh = [k % every == 0 for k in range(len(signal))]
     raised, _ = run(settings, signal, fresh)
-    judged = Judged(signal, TICK, every)
+    judged = TriggerSignal(signal, TICK, every)
     found = alarms(judged, 0.4, persistence, 0.0495)
     assert raised
     assert found == raised
@@ -122,13 +122,13 @@ def test_judging_afterwards_is_the_trigger_itself(every: int, persistence: int) 
 def test_delay_of_a_ramp_and_a_curve_that_falls() -> None:
     """A signal that grows by 1 each 10 ms from touch on reaches θ after 10 θ ms, rounded up."""
     touch, ticks = 0.1, np.arange(300) * TICK
-    hit = Judged(np.clip((ticks - touch) / 0.01, 0.0, None), TICK, 1)
+    hit = TriggerSignal(np.clip((ticks - touch) / 0.01, 0.0, None), TICK, 1)
     assert delay(hit, touch, 1.45, 1, 0.1) == pytest.approx(0.015)
     assert delay(hit, touch, 5.0, 1, 0.03) is None
     noise_stream = np.random.default_rng(3)
-    free = Judged(noise_stream.exponential(size=100_000), TICK, 1)
+    free = TriggerSignal(noise_stream.exponential(size=100_000), TICK, 1)
     thresholds = [0.5, 2.0, 2.5, 8.0, 20.0]
-    points = curve(quiet([free], thresholds, refractory=0.01), [(hit, touch)], thresholds)
+    points = curve(false_alarms([free], thresholds, refractory=0.01), [(hit, touch)], thresholds)
     false = [p.false_alarms for p in points]
     assert false == sorted(false, reverse=True)
     assert [p.probability for p in points] == [1.0, 1.0, 1.0, 0.0, 0.0]

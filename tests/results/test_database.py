@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from springback.results.database import in_database, locked
+from springback.results.database import in_database, sandbox
 
 LONG = "SELECT sum(hash(a.range + b.range)) FROM range(10000000) a, range(100000) b"
 
@@ -63,7 +63,7 @@ def test_ctrl_c_during_a_query(monkeypatch: pytest.MonkeyPatch) -> None:
         return real(event, timeout)
 
     before = threading.active_count()
-    connection = locked()
+    connection = sandbox()
 
     def interrupted() -> None:
         with monkeypatch.context() as patch:
@@ -78,7 +78,7 @@ def test_ctrl_c_during_a_query(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_the_work_raises_comes_up_and_the_connection_is_closed() -> None:
-    connection = locked()
+    connection = sandbox()
     with pytest.raises(ZeroDivisionError):
         in_database(lambda _: 1 / 0, connection)
     with pytest.raises(Exception, match="closed"):

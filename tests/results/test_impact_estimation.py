@@ -16,7 +16,7 @@ from springback.results.estimate_errors import (
     EstimateErrors,
     clipped_area,
     estimate_errors,
-    felt_force,
+    specific_force,
 )
 from springback.results.flight import Flight
 
@@ -68,7 +68,7 @@ def test_the_mean_force_adds_up_to_the_change_of_velocity() -> None:
     flight = hit("kalman", HUGE).flight
     c, ticks = flight.columns, flight.telemetry["t"]
     q = np.stack([np.interp(ticks, c["t"], c[f"q{a}"]) for a in "wxyz"], axis=1)
-    f, w, u = felt_force(flight), q[:, :1], q[:, 1:]
+    f, w, u = specific_force(flight), q[:, :1], q[:, 1:]
     world = f + 2.0 * np.cross(u, np.cross(u, f) + w * f)
     gained = world[1:].sum(axis=0) * 1e-3 - np.array([0.0, 0.0, 9.81]) * 1e-3 * (len(f) - 1)
     ends = [np.interp(ticks[[0, -1]], c["t"], c[f"v{a}"]) for a in "xyz"]

@@ -481,5 +481,5 @@ def test_a_copy_changes_the_keys_of_an_inner_table_that_are_named() -> None:
 def test_a_flight_without_its_trajectory_says_so(ask: Callable[[Any], Any]) -> None:
     tables = {"vehicle": "arq", "simulation": {"duration": 2e-3}}
     flight = fly(tables, trajectory=False, executor="python")
-    with pytest.raises(InputError, match="kept no trajectory: fly it with trajectory=True"):
+    with pytest.raises(InputError, match="has no trajectory: fly it with trajectory=True"):
         ask(flight)

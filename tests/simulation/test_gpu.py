@@ -20,7 +20,7 @@ from springback.errors import InputError
 from springback.kernels.compiler import with_globals
 from springback.kernels.gpu import cuda
 from springback.kernels.gpu.nvptx import device_function
-from springback.kernels.gpu.private_memory import reached_over
+from springback.kernels.gpu.private_memory import array_view
 from springback.kernels.gpu.ptx import (
     Constants,
     PtxError,
@@ -216,7 +216,7 @@ def test_a_flight_lives_in_registers(impact_ptx: str) -> None:
 
 
 def _powers(data: Any, count: int, thread: int) -> None:
-    values = reached_over(data, 1, count)
+    values = array_view(data, 1, count)
     values[0, thread] = values[0, thread] ** 2.7
 
 
@@ -246,7 +246,7 @@ def test_without_a_gpu_it_says_so_in_a_line(monkeypatch: pytest.MonkeyPatch) -> 
         raise cuda.GpuError(f"{name}: no CUDA-capable device is detected")
 
     cuda.device.cache_clear()
-    monkeypatch.setattr(cuda, "_asked", refuse)
+    monkeypatch.setattr(cuda, "_call", refuse)
     with pytest.raises(InputError, match="device gpu: no NVIDIA GPU can be used here: cuInit"):
         cuda.device()
     cuda.device.cache_clear()

@@ -14,7 +14,7 @@ from builders.cases import nonempty
 from builders.impacts import towards_wall
 from springback.kernels.layout import TreeLayout
 from springback.kernels.trees import leaves
-from springback.kernels.vectors import Quat, Vec, normalised
+from springback.kernels.vectors import Quat, Vec, normalise
 from springback.results.flight import as_scenario
 from springback.simulation.executor import advance
 from springback.simulation.flight import (
@@ -116,7 +116,7 @@ def test_a_finished_flight_keeps_its_bits_while_others_fly_on() -> None:
         q = Quat(*(float(x) for x in rng.normal(size=4)))
         until = 0.06 if k % 4 == 0 else 2e-3
         timing = model.timing._replace(until=until, free_step=5e-4)
-        away = start._replace(attitude=normalised(q), position=Vec(-5.0, 0.0, 0.0))
+        away = start._replace(attitude=normalise(q), position=Vec(-5.0, 0.0, 0.0))
         models.append(model._replace(timing=timing))
         starts.append(away)
     for k, flown in nonempty(enumerate(fly_many(models, starts, width=4))):

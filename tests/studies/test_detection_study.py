@@ -20,7 +20,7 @@ from springback.studies.detection import (
     DetectionResults,
     approach_tables,
     detection_study,
-    flown,
+    fly_ready_trial,
 )
 from springback.studies.detection_tables import (
     characterisation_rows,
@@ -85,7 +85,7 @@ def test_curves_judge_as_the_triggers_aboard_did(study: DetectionResults) -> Non
     """At its default threshold the signal that was kept gives the delay that was flown."""
     from springback.studies.roc import delay
 
-    for one in nonempty(study.encounters):
+    for one in nonempty(study.collisions):
         for name in ("hall", "acceleration", "wrench"):
             onboard, threshold = one.delays[name], default_threshold(name)
             after = delay(one.signals[name], one.touch, threshold, 1, 0.09)
@@ -111,7 +111,7 @@ def test_robot_and_wall_stand_as_asked() -> None:
         20.0, abs=4.0
     )
     assert math.degrees(yaw) == pytest.approx(-30.0, abs=8.0)
-    _, guided = flown(tables)
+    _, guided = fly_ready_trial(tables)
     assert guided.flown.record.touch_speed == pytest.approx(2.0 * math.cos(math.radians(20)), abs=0.15)  # fmt: skip
 
 

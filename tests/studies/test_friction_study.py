@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from springback.interfaces.figures.friction import friction_figure, hidden_figure
-from springback.studies.clipping import KINDS, hidden_velocity
+from springback.interfaces.figures.friction import clipping_figure, friction_figure
+from springback.studies.clipping import KINDS, clipping_losses
 from springback.studies.friction import (
     PRINTED_FRICTION,
     FrictionResults,
@@ -68,7 +68,7 @@ def test_it_can_be_told_and_drawn(results: FrictionResults) -> None:
 
 def test_clipping_hides_more_the_harder_the_impact() -> None:
     """Quad most, ARQ with its springs free least; nothing where the range is never reached."""
-    found = hidden_velocity((1.0, 2.0, 3.5))
+    found = clipping_losses((1.0, 2.0, 3.5))
     by = {(one.robot, one.axes, one.speed): one for one in found}
     for robot, axes in KINDS:
         hidden = [by[robot, axes, speed].velocity for speed in (1.0, 2.0, 3.5)]
@@ -78,5 +78,5 @@ def test_clipping_hides_more_the_harder_the_impact() -> None:
     assert fast == sorted(fast, reverse=True)
     assert fast[0] == pytest.approx(2.61, abs=0.02)  # as computed independently
     assert fast[2] == pytest.approx(1.73, abs=0.02)
-    assert len(hidden_figure(found).axes) == 1
-    assert all(one.velocity == 0.0 for one in hidden_velocity((3.5,), full_scale=2000.0))
+    assert len(clipping_figure(found).axes) == 1
+    assert all(one.velocity == 0.0 for one in clipping_losses((3.5,), full_scale=2000.0))

@@ -22,10 +22,10 @@ from springback.vehicle.rotors import (
     Propulsion,
     Rotors,
     Thrusts,
-    all_lagged,
     lag_over,
-    lagged,
-    limited,
+    lagged_thrust,
+    lagged_thrusts,
+    limited_command,
 )
 
 ROTORS = Rotors(least=0.2, most=7.0, time_constant=0.03)
@@ -38,11 +38,11 @@ constants = st.sampled_from([0.0, 1e-12, 1e-6, 0.01, 0.03, 0.3, 50.0])
 def compiled_lag(
     rotors: Rotors, now: tuple[float, ...], command: tuple[float, ...], h: float
 ) -> Any:
-    return all_lagged(rotors, now, command, lag_over(rotors.time_constant, h))
+    return lagged_thrusts(rotors, now, command, lag_over(rotors.time_constant, h))
 
 
 def after_time(rotors: Rotors, start: float, command: float, duration: float) -> Lagged:
-    return lagged(start, command, rotors, lag_over(rotors.time_constant, duration))
+    return lagged_thrust(start, command, rotors, lag_over(rotors.time_constant, duration))
 
 
 def test_after_one_time_constant_a_step_has_63_percent() -> None:
@@ -88,7 +88,7 @@ def test_thrust_stays_between_its_bounds_and_on_its_way(
 ) -> None:
     """No overshoot: end and mean lie between start and kept command, the mean nearer the start."""
     rotors = ROTORS._replace(time_constant=constant)
-    u = limited(rotors, command)
+    u = limited_command(rotors, command)
     assert rotors.least <= u <= rotors.most
     after = after_time(rotors, start, command, duration)
     low, high = min(start, u) - 1e-12, max(start, u) + 1e-12
@@ -128,8 +128,8 @@ def test_rotors_keep_their_order_and_do_not_mix(count: int) -> None:
     now = tuple(1.0 + 0.5 * j for j in range(count))
     command = tuple(6.0 - 0.7 * j for j in range(count))
     lag = lag_over(ROTORS.time_constant, 0.01)
-    after = all_lagged(ROTORS, now, command, lag)
-    single = [lagged(*pair, ROTORS, lag) for pair in zip(now, command, strict=True)]
+    after = lagged_thrusts(ROTORS, now, command, lag)
+    single = [lagged_thrust(*pair, ROTORS, lag) for pair in zip(now, command, strict=True)]
     assert after == Thrusts(tuple(s.thrust for s in single), tuple(s.mean for s in single))
 
 
@@ -139,7 +139,7 @@ def test_plain_python_is_compiled(constant: float) -> None:
     rotors, random = ROTORS._replace(time_constant=constant), np.random.default_rng(1)
     for duration in (0.0, 1e-6, 1e-3, 0.1, 60.0):
         now, command = (tuple(map(float, random.uniform(-2.0, 9.0, 4))) for _ in range(2))
-        plain = all_lagged(rotors, now, command, lag_over(rotors.time_constant, duration))
+        plain = lagged_thrusts(rotors, now, command, lag_over(rotors.time_constant, duration))
         assert leaves(compiled_lag(rotors, now, command, duration)) == leaves(plain)
 
 

@@ -59,7 +59,7 @@ def collision_tables(job: Mapping[str, Any], count: int) -> list[dict[str, Any]]
         "simulation": {"duration": job["task"]["duration"]},
         "estimator": {"type": job["estimator"]},
     }
-    lucks = (Scatter().drawn("arq", PITCH, SPEED, k, 0) for k in range(count))
+    lucks = (Scatter().draw("arq", PITCH, SPEED, k, 0) for k in range(count))
     tables = [trial_tables("arq", PITCH, SPEED, noise_stream, changes) for noise_stream in lucks]
     for one in tables:
         if job.get("arms", 4) != 4:

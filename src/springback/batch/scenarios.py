@@ -107,7 +107,7 @@ def fly_scenarios(
         {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
         [""] * count,
     )
-    order, most = _ordered(tables), BLOCK if device == "cpu" else GPU_BLOCK
+    order, most = _order(tables), BLOCK if device == "cpu" else GPU_BLOCK
     fly = _on_processor(threads) if device == "cpu" else _on_gpu()
     for first in range(0, count, most):
         block = order[first : first + most]
@@ -135,7 +135,7 @@ def no_collection() -> Iterator[None]:
             gc.enable()
 
 
-def _ordered(tables: Sequence[Mapping[str, Any]]) -> list[int]:
+def _order(tables: Sequence[Mapping[str, Any]]) -> list[int]:
     """Order in which flights that share tables are adjacent."""
     known: dict[Hashable, int] = {}
 
@@ -161,7 +161,7 @@ def _fly_block(
         return flight_from_tables(tables[number], build, biases[number])
 
     kinds: dict[Any, _Kind] = {}
-    alike, alone = _sorted_out(tables, block, build)
+    alike, alone = _group(tables, block, build)
     for group in alike:
         many = build_group(group, [biases[k] or [] for k in group.flights], one)
         if many is None:
@@ -176,7 +176,7 @@ def _fly_block(
         except InputError as error:
             out.problems[number] = "; ".join(error.problems)
             continue
-        last = _sorted_in(ready, last, kinds)
+        last = _add_to_kind(ready, last, kinds)
         last.numbers.append(number)
         last.seeds.append(ready.seed)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
@@ -197,7 +197,7 @@ def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
     return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
 
 
-def _sorted_out(
+def _group(
     tables: Sequence[Mapping[str, Any]], block: Sequence[int], build: Memo
 ) -> tuple[list[ScenarioGroup], list[int]]:
     """Groups of flights that differ in numbers only, and the flights that have errors."""
@@ -230,7 +230,7 @@ def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -
     kind.seeds.extend(seeds)
 
 
-def _sorted_in(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
+def _add_to_kind(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
     """Add a flight to its kind, first trying that of the flight before it; returns the kind."""
     avionics = one.built_avionics.avionics if one.built_avionics else None
     if last is not None and pace_of(one) == pace_of(last.first):

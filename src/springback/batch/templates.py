@@ -46,7 +46,7 @@ class Template:
         self.is_plain = type(first) in PLAIN or (
             isinstance(first, tuple) and len(plain) == len(branches)
         )
-        self._given = _given(first)
+        self._given = _given_names(first)
         self._floats_in, self._plain_in = _getter(self._floats), _getter(plain)
         self._same = self._plain_in(self._fields)
         #: Numbers of the first value, in order of traversal.
@@ -72,7 +72,7 @@ class Template:
         if self.is_plain:
             return bool(other == self.first)
         fields = _fields(other)
-        if not fields or fields.keys() != self._fields.keys() or _given(other) != self._given:
+        if not fields or fields.keys() != self._fields.keys() or _given_names(other) != self._given:
             return False
         floats = self._floats_in(fields)
         if {*map(type, floats)} - {float} or self._plain_in(fields) != self._same:
@@ -80,14 +80,14 @@ class Template:
         found += floats
         return all(one._takes(fields[key], found) for key, one in self._inner)
 
-    def filled(self, numbers: Iterator[Any]) -> Any:
+    def with_numbers(self, numbers: Iterator[Any]) -> Any:
         """The first value with other numbers, in order; traced numbers are accepted."""
         if not self.own:
             return self.first
         if type(self.first) is float:
             return next(numbers)
         changed = {key: next(numbers) for key in self._floats}
-        changed |= {key: one.filled(numbers) for key, one in self._inner}
+        changed |= {key: one.with_numbers(numbers) for key, one in self._inner}
         if isinstance(self.first, tuple):
             return tuple((self._fields | changed).values())
         new = self.first.model_copy()
@@ -102,7 +102,7 @@ def _fields(value: Any) -> dict[Any, Any]:
     return value.__dict__ if isinstance(value, Settings) else {}
 
 
-def _given(value: Any) -> Any:
+def _given_names(value: Any) -> Any:
     """Names of the settings that were given."""
     return value.model_fields_set if isinstance(value, Settings) else None
 
@@ -164,7 +164,7 @@ class ScenarioGroup:
         cells = iter(
             [cell if one else cell.value for cell, one in zip(sheet.first, differs, strict=True)]
         )
-        changed = {name: self._templates[name].filled(cells) for name in self._numbers}
+        changed = {name: self._templates[name].with_numbers(cells) for name in self._numbers}
         return sheet, {**self._first, **changed}, [*cells]
 
 
@@ -203,7 +203,7 @@ def build_group(
         # The seed is not traced, so that noise cannot become a formula.
         traced = ready_of(scenario_with({**settings, "seed": object()}), Memo(), normals)
         first_phase(traced.model, traced.start)
-        filled = sheet.filled()
+        filled = sheet.evaluate()
         rows = np.flatnonzero(filled.holds)
         last = one(alike.flights[rows[-1]])
     except (*NO_FORMULA, *UNCHECKED):

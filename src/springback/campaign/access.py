@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from springback.campaign import manifest
 from springback.campaign.columns import known_columns
-from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Source
 from springback.campaign.store import (
     about,
@@ -27,11 +27,11 @@ from springback.files import atomic_file, json_text, write_atomically
 from springback.results.database import (
     in_database,
     in_one_line,
-    locked,
+    literal,
     one_expression,
     one_select,
     parquet,
-    quoted,
+    sandbox,
 )
 from springback.results.flight import Flight, fly
 from springback.results.parquet import write_parquet
@@ -84,7 +84,7 @@ class Campaign:
                 f"{self.folder / manifest.NAME}: holds flights up to {self.parts[-1].last - 1}, "
                 f"and the campaign has {flights}"
             )
-        for part in manifest.damaged(self.parts, self.folder):
+        for part in manifest.damaged_parts(self.parts, self.folder):
             path = self.folder / part.file
             raise InputError(
                 f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
@@ -94,12 +94,12 @@ class Campaign:
     @functools.cached_property
     def design(self) -> Design:
         """What was flown."""
-        return laid_out(stored_plan(self.folder), tried=False)
+        return lay_out(stored_plan(self.folder), tried=False)
 
     @property
     def done(self) -> int:
         """Number of flights that are there."""
-        return manifest.held(self.parts)
+        return manifest.flight_count(self.parts)
 
     @property
     def complete(self) -> bool:
@@ -132,7 +132,7 @@ class Campaign:
             with in_words():
                 return found(connection.execute(sql, list(parameters)))
 
-        return in_database(ask, locked([*files, *writes]))
+        return in_database(ask, sandbox([*files, *writes]))
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
         """Ask in SQL; the table is ``flights``.
@@ -198,7 +198,7 @@ class Campaign:
         path.parent.mkdir(parents=True, exist_ok=True)
         with atomic_file(path) as draft:
             copy = (
-                f"COPY (\n{select}\n) TO {quoted(str(draft))} "
+                f"COPY (\n{select}\n) TO {literal(str(draft))} "
                 "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
             )
             return self._asked(copy, (), lambda found: int(found.fetchone()[0]), [draft])
@@ -315,14 +315,14 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     Raises:
         InputError: That names the entry.
     """
-    blamed = (source or Source()).blamed
+    problem_line = (source or Source()).problem_line
     keep = design.plan.keep
     conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
     for entry, text in conditions.items():
         try:
             one_expression(text)
         except InputError as error:
-            raise InputError(blamed(entry.split("."), str(error))) from None
+            raise InputError(problem_line(entry.split("."), str(error))) from None
     kept = one_expression(conditions["keep.where"])
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",
@@ -332,7 +332,7 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     def check(connection: Any) -> None:
         connection.register("given", empty_rows(design))
         for entry, statement in statements.items():
-            with in_words(blamed(entry.split("."), "").rstrip(": ")):
+            with in_words(problem_line(entry.split("."), "").rstrip(": ")):
                 connection.execute(statement)
 
     in_database(check)

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import Chunk, ChunkRows, flown
+from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.store import versions
 from springback.campaign.workers import GivenUp, Remark
 from springback.errors import InputError
@@ -34,10 +34,10 @@ _one_at_a_time = threading.Lock()
 here = versions
 
 
-def flown_there(text: str, chunk: Chunk) -> tuple[dict[str, str], ChunkRows]:
+def fly_remotely(text: str, chunk: Chunk) -> tuple[dict[str, str], ChunkRows]:
     """Fly a stretch on a worker; with the versions there.  Threads of a worker take turns."""
     with _one_at_a_time:
-        return versions(), flown(text, chunk)
+        return versions(), fly_chunk(text, chunk)
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,9 @@ class Tls:
 
 
 @contextlib.contextmanager
-def connected(address: str, tls: Tls | None = None, remark: Remark | None = None) -> Iterator[Any]:
+def cluster_client(
+    address: str, tls: Tls | None = None, remark: Remark | None = None
+) -> Iterator[Any]:
     """A client of a cluster that can fly what we would.
 
     Without TLS Dask neither asks who speaks to it nor hides what is said, and runs what it is sent:
@@ -96,7 +98,7 @@ def fly_on_cluster(
     Args:
         text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
         chunks: To be flown.
-        client: From `connected`.
+        client: From `cluster_client`.
         remark: Told of workers that come and go.
 
     Raises:
@@ -111,8 +113,8 @@ def fly_on_cluster(
             while waiting and len(flying) < AHEAD * max(1, crew.threads):
                 chunk = waiting.popleft()
                 key = f"{stem}-{chunk[0]}"
-                flying[client.submit(flown_there, text, chunk, key=key, pure=False)] = chunk
-            for future in _ended(distributed, client, list(flying)):
+                flying[client.submit(fly_remotely, text, chunk, key=key, pure=False)] = chunk
+            for future in _completed(distributed, client, list(flying)):
                 yield _answer(distributed, future, flying.pop(future))
             crew.look()
     finally:
@@ -178,7 +180,7 @@ class _Crew:
         self.known = now
 
 
-def _ended(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
+def _completed(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
     """Futures that have ended, perhaps none yet."""
     if client.status not in ("running", "connecting"):
         raise CampaignError("the connection to the scheduler is lost")
@@ -196,7 +198,7 @@ def _answer(distributed: Any, future: Any, chunk: Chunk) -> ChunkRows | GivenUp:
     """What came of a chunk."""
     if future.status == "finished":
         theirs, rows = future.result()
-        if told := differing(theirs):
+        if told := version_difference(theirs):
             raise CampaignError(f"a worker that joined has other versions: {told}")
         return ChunkRows(*rows)
     if future.status != "error":
@@ -215,11 +217,11 @@ def _check_versions(client: Any, address: str) -> None:
         said = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise InputError(f"--scheduler {address}: a worker cannot fly ({said})") from None
     for worker, found in theirs.items():
-        if told := differing(found):
+        if told := version_difference(found):
             raise InputError(f"--scheduler {address}: worker {worker} has other versions: {told}")
 
 
-def differing(theirs: dict[str, str]) -> str:
+def version_difference(theirs: dict[str, str]) -> str:
     """Versions there that are not those here, in words; of Python only major and minor count."""
     ours = here()
     told = []

@@ -17,14 +17,14 @@ from typing import Any, NamedTuple
 from springback.batch.scenarios import REFUSED
 from springback.campaign.analysis.envelope import Axis, Envelope, EnvelopeCell, Place
 from springback.campaign.cost_estimate import kinds_of
-from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan, ScatterSettings, Source, Vary
 from springback.campaign.design.targets import NAMES, field_path
 from springback.campaign.flying import rows
-from springback.errors import InputError, shortened
-from springback.problems import dotted
+from springback.errors import InputError, excerpt
+from springback.problems import dotted_path
 from springback.scenario.fields import degrees
-from springback.scenario.files import overridden
+from springback.scenario.files import apply_overrides
 from springback.scenario.scenario import scenario_from
 from springback.studies.run_ups import run_up_scenario
 from springback.studies.trials import DURATION, HOME, Scatter
@@ -84,10 +84,10 @@ class EnvelopePlan(NamedTuple):
 class _Words(Source):
     """The words of a command, which problems of its campaign are blamed on."""
 
-    def blamed(self, path: Sequence[str | int], what: str) -> str:
+    def problem_line(self, path: Sequence[str | int], what: str) -> str:
         """A problem in one line, with short names of fields."""
         for name in ("speed", "pitch"):
-            what = what.replace(f"{dotted(NAMES[name])}:", f"{name}:")
+            what = what.replace(f"{dotted_path(NAMES[name])}:", f"{name}:")
         if path[:1] != ("vary",):
             return what
         axis = self.overrides[int(path[1])]
@@ -132,13 +132,13 @@ def plan_envelope(
     }
     tables["world"]["obstacles"].append({"type": "ground", "surface": "wall"})
     for word in settings:
-        tables = overridden(tables, [_setting(word, taken)])
+        tables = apply_overrides(tables, [_setting(word, taken)])
     plan = Plan(
         name="map", seed=seed, scenario=tables, robots=tuple(dict.fromkeys(robots)), method="grid",
         repeats=trials, vary=(first, second), scatter=ScatterSettings(**Scatter()._asdict()),
     )  # fmt: skip
     try:
-        design = laid_out(plan, _Words(overrides=(first.field, second.field)))
+        design = lay_out(plan, _Words(overrides=(first.field, second.field)))
     except InputError as error:
         raise InputError(error.problems[0]) from None
     if design.flights > MOST_FLIGHTS:
@@ -152,7 +152,7 @@ def _vary(text: str) -> Vary:
     parts = span.split(":")
     if not sign or not name.strip() or len(parts) != 3:
         raise InputError(
-            f"{shortened(text)!r} is no axis; write name=from:to:count, such as speed=1:5:9 or "
+            f"{excerpt(text)!r} is no axis; write name=from:to:count, such as speed=1:5:9 or "
             "pitch=-60deg:60deg:9"
         )
     name = _known(name)
@@ -173,16 +173,16 @@ def _setting(word: str, taken: Sequence[Any]) -> str:
     path = field_path(_known(name))
     if path in taken:
         raise InputError(f"--set {word}: is on an axis already")
-    return f"{dotted(path)}={text}"
+    return f"{dotted_path(path)}={text}"
 
 
 def _known(name: str) -> str:
     """A field that a map can be over: dotted where it was written so, but for speed and pitch."""
     path = field_path(name)
-    if why := FIXED.get(dotted(path)):
+    if why := FIXED.get(dotted_path(path)):
         raise InputError(f"{name.strip()}: cannot be given; {why}")
     short = {NAMES[word]: word for word in ("speed", "pitch")}
-    return short.get(path) or (name.strip() if len(path) == 1 else dotted(path))
+    return short.get(path) or (name.strip() if len(path) == 1 else dotted_path(path))
 
 
 def _axis(design: Design, k: int) -> Axis:

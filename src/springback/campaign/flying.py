@@ -18,7 +18,7 @@ class ChunkRows(NamedTuple):
     columns: dict[str, Any]
 
 
-def flown(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
+def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
     """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
 
     Args:

@@ -13,7 +13,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from springback.errors import InputError
-from springback.results.sealed_json import SEAL, file_digest, is_sealed, sealed
+from springback.results.sealed_json import SEAL, file_digest, is_sealed, with_digest
 
 NAME, PARTS = "ledger.jsonl", "parts"
 
@@ -58,7 +58,7 @@ def _digest(path: Path, changed: int, size: int) -> str:
     return file_digest(path)
 
 
-def damaged(parts: Iterable[Part], folder: Path) -> list[Part]:
+def damaged_parts(parts: Iterable[Part], folder: Path) -> list[Part]:
     """Parts that are not as they were written: all bytes are read, on as many cores as there are.
 
     Args:
@@ -155,7 +155,7 @@ def append(path: Path, part: Part) -> None:
     with path.open("ab") as file:
         size = file.tell()
         try:
-            file.write(json.dumps(sealed(asdict(part))).encode() + b"\n")
+            file.write(json.dumps(with_digest(asdict(part))).encode() + b"\n")
             file.flush()
             os.fsync(file.fileno())
         except OSError:
@@ -189,6 +189,6 @@ def missing(parts: Iterable[Part], flights: int, chunk: int) -> list[tuple[int, 
     return found
 
 
-def held(parts: Sequence[Part]) -> int:
+def flight_count(parts: Sequence[Part]) -> int:
     """Number of flights in parts."""
     return sum(part.last - part.first for part in parts)

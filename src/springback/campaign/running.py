@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 from springback.batch.scenarios import GPU_BLOCK, Device
 from springback.campaign.access import Campaign, check_conditions
-from springback.campaign.design.layout import Design, laid_out
+from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows
-from springback.campaign.store import Store, changed_versions, opened
+from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
-from springback.scenario.user_pilots import as_written
+from springback.scenario.user_pilots import source_text
 
 if TYPE_CHECKING:
     from springback.campaign.cluster import Tls
@@ -51,7 +51,7 @@ class CampaignProgress:
     """Flights per second, lately; 0 while unknown."""
 
     @property
-    def left(self) -> float | None:
+    def time_left(self) -> float | None:
         """Time left [s]; None while unknown."""
         return (self.flights - self.done - self.given_up) / self.rate if self.rate > 0.0 else None
 
@@ -61,8 +61,8 @@ class CampaignProgress:
         parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {self.parts} parts"]
         if self.rate > 0.0:
             parts.append(f"{self.rate:.0f} flights/s")
-        if self.left:
-            parts.append(f"{in_time(self.left)} left")
+        if self.time_left:
+            parts.append(f"{in_time(self.time_left)} left")
         if self.refused:
             parts.append(f"{self.refused} refused")
         if self.ledger_open:
@@ -146,8 +146,8 @@ def run_campaign(
             were kept stay, and ``resume`` goes on from them.
     """
     if not isinstance(plan, Plan | Design):
-        raise InputError(f"plan must be a springback.Plan (got {as_written(plan)})")
-    design = plan if isinstance(plan, Design) else laid_out(plan)
+        raise InputError(f"plan must be a springback.Plan (got {source_text(plan)})")
+    design = plan if isinstance(plan, Design) else lay_out(plan)
     crew = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"
     wanted = _at_least_one("chunk", chunk, GPU_CHUNK if on_gpu else CHUNK)
@@ -156,7 +156,7 @@ def run_campaign(
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
     team = _team(scheduler, crew, device, tls, say)
-    with team as fly, opened(folder, design, resume=resume) as store:
+    with team as fly, open_store(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
             say(line)
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
@@ -197,9 +197,9 @@ def _team(
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
-    from springback.campaign.cluster import connected, fly_on_cluster
+    from springback.campaign.cluster import cluster_client, fly_on_cluster
 
-    with connected(scheduler, tls, remark) as client:
+    with cluster_client(scheduler, tls, remark) as client:
         yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
 
 

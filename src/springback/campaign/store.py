@@ -34,10 +34,10 @@ from springback.campaign.errors import CampaignError
 from springback.campaign.manifest import PARTS, file_of
 from springback.errors import InputError
 from springback.files import DRAFT, atomic_file, json_text, write_atomically
-from springback.results.database import named, one_expression
+from springback.results.database import identifier, one_expression
 from springback.results.parquet import write_parquet
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.results.sealed_json import file_digest, is_sealed, read_object, sealed
+from springback.results.sealed_json import file_digest, is_sealed, read_object, with_digest
 from springback.simulation.measures import MEASURES
 from springback.version import __version__
 
@@ -81,7 +81,7 @@ def versions() -> dict[str, str]:
 
 
 class Store:
-    """The folder of a campaign that is being flown, held by one process; see `opened`."""
+    """The folder of a campaign that is being flown, held by one process; see `open_store`."""
 
     def __init__(self, folder: Path, design: Design) -> None:
         """Of a folder that is there."""
@@ -91,7 +91,7 @@ class Store:
     @property
     def done(self) -> int:
         """Number of flights that are kept."""
-        return manifest.held(self.parts)
+        return manifest.flight_count(self.parts)
 
     def missing(self, chunk: int) -> list[tuple[int, int]]:
         """Stretches still to be flown."""
@@ -125,7 +125,7 @@ class Store:
         """Move aside what is damaged or not in the ledger; say what was moved, line by line."""
         said = []
         manifest.mend(self.folder / manifest.NAME)
-        for part in manifest.damaged(self.parts, self.folder):
+        for part in manifest.damaged_parts(self.parts, self.folder):
             there = self._set_aside(self.folder / part.file)
             what = f"is damaged; it is now {there}" if there else "is missing"
             said.append(f"{part.file} {what}; its flights are flown again")
@@ -177,9 +177,9 @@ def arrays(columns: Columns, design: Design) -> dict[str, Any]:
 
 def rows_of(design: Design) -> str:
     """The rows of a campaign in SQL, from columns as they were flown."""
-    head = ", ".join(named(name) for name in (*HEAD, *design.units))
+    head = ", ".join(identifier(name) for name in (*HEAD, *design.units))
     measures = ", ".join(
-        f"nullif({named(name)}, 'NaN'::DOUBLE) AS {named(name)}"
+        f"nullif({identifier(name)}, 'NaN'::DOUBLE) AS {identifier(name)}"
         for name in (MEASURES | RECOVERY_MEASURES)
     )
     flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
@@ -189,7 +189,7 @@ def rows_of(design: Design) -> str:
         raise InputError(f"success: {error}") from None
     won = f"CASE WHEN outcome <> 'refused' THEN {condition} END"
     success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
-    rest = ", ".join(named(name) for name in (MEASURES | RECOVERY_MEASURES))
+    rest = ", ".join(identifier(name) for name in (MEASURES | RECOVERY_MEASURES))
     return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
 
 
@@ -215,7 +215,7 @@ def _reason(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
+def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
     """The folder of a campaign, new or begun before, held until the block ends.
 
     Args:
@@ -236,7 +236,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
         raise InputError(f"--out {folder}: is not empty, and holds no campaign; give another")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with _held(folder):
+        with _lock(folder):
             if begun and not resume:
                 raise InputError(_in_the_way(folder, design))
             if begun:
@@ -251,7 +251,7 @@ def opened(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
 
 
 @contextlib.contextmanager
-def _held(folder: Path) -> Iterator[None]:
+def _lock(folder: Path) -> Iterator[None]:
     """Hold a folder; the system lets go of it when this process ends, however that comes about."""
     lock, holder = FileLock(folder / LOCK, timeout=0), folder / HOLDER
     try:
@@ -277,7 +277,7 @@ def _now() -> str:
 
 
 def _in_the_way(folder: Path, design: Design) -> str:
-    done = manifest.held(manifest.read(folder / manifest.NAME))
+    done = manifest.flight_count(manifest.read(folder / manifest.NAME))
     return (
         f"--out {folder}: holds a campaign with {done} flights; go on with it by --resume, or give "
         "another folder"
@@ -295,9 +295,9 @@ def _begin(folder: Path, design: Design) -> None:
         "versions": versions(), "host": socket.gethostname(), "cpu": _cpu(),
         "cores": os.cpu_count(), "system": platform.platform(),
         "units": design.units, "scenarios_sha256": design.digest,
-        "scenarios": dict(zip(design.robots, design.expanded, strict=True)),
+        "scenarios": dict(zip(design.robots, design.full_scenarios, strict=True)),
     }  # fmt: skip
-    write_atomically(folder / ABOUT, json_text(sealed(about)), durable=True)
+    write_atomically(folder / ABOUT, json_text(with_digest(about)), durable=True)
 
 
 def _cpu() -> str:

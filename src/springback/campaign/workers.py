@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import Chunk, ChunkRows, flown
+from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.store import source
 from springback.errors import warn_in_one_line
 
@@ -108,7 +108,7 @@ def serve(line: Connection, text: str, device: Device) -> None:
             chunk: Chunk = line.recv()
             answer: ChunkRows | GivenUp
             try:
-                answer = flown(text, chunk, device)
+                answer = fly_chunk(text, chunk, device)
             except Exception as error:
                 why = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
                 answer = GivenUp(chunk, why, traceback.format_exc())

@@ -26,7 +26,7 @@ from springback.contact.obstacles import (
 from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Vec, larger
 from springback.vehicle.state import ArmPose
 
 #: A gap closer to zero than this counts as zero [m].
@@ -285,9 +285,9 @@ def cage_contact_while(
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
     # A step ends on the face to within rounding; a law with a jump there must act at once.
-    min_depth = AT_TOUCH if (gap <= LANDED) & (rate > 0.0) else 0.0
-    depth = -gap if gap < -AT_TOUCH else min_depth
-    pressed = normal_force(surface, depth if engaged > 0.0 else 0.0, rate, ahead)
+    touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
+    depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
+    pressed = normal_force(surface, depth, rate, ahead)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 

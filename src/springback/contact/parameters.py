@@ -19,7 +19,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
@@ -188,7 +188,7 @@ def _numbers(surface: SurfaceSettings, exponent: type[Any]) -> Surface:
 
 
 def obstacles(
-    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), build: Build = uncached
+    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), build: Build = plain_build
 ) -> tuple[Obstacle, ...]:
     """Numbers of all obstacles; if there are none, a face out of reach."""
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []

@@ -19,7 +19,7 @@ from springback.control.demands import (
     shortfalls,
 )
 from springback.control.polynomials import snap_spline
-from springback.control.septics import Courses, Row, septics, shares
+from springback.control.septics import LineMotions, Row, septics, shares
 from springback.errors import InputError
 
 #: Free knots where the simplest run-up exceeds the limits.  Chosen: the hardest run-up of the paper
@@ -53,7 +53,7 @@ class RunUpPlan(NamedTuple):
     share: float  # largest share of a limit; infinite for a motion that moves back
 
 
-def _plan(course: Courses, breaks: list[float], rows: list[Row], limits: Limits) -> RunUpPlan:
+def _plan(course: LineMotions, breaks: list[float], rows: list[Row], limits: Limits) -> RunUpPlan:
     """A plan with its demands, from its only course."""
     asked = level_demands(course.acceleration, course.jerk, limits)
     share = max(asked.uses(limits).values())
@@ -146,7 +146,7 @@ def _least_distance(planned: Callable[[float], RunUpPlan | None], distance: floa
 def _gentlest(end: Row, limits: Limits, room: float) -> RunUpPlan:
     """The simplest plan from rest to a row if it leaves room, else one with moved knots."""
     plan = _simplest(end, limits)
-    return plan if plan.share <= room else _least([plan, _moved(end, plan, limits)])
+    return plan if plan.share <= room else _least([plan, _with_free_knots(end, plan, limits)])
 
 
 def _simplest(end: Row, limits: Limits) -> RunUpPlan:
@@ -187,7 +187,7 @@ def _least(plans: Iterable[RunUpPlan]) -> RunUpPlan:
     return next(plan for plan in known if plan.share <= most)
 
 
-def _moved(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
+def _with_free_knots(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
     """The spline of degree 7 from rest that uses the limits least, with knots free to move.
 
     Durations around that of the simplest plan are tried, and then a finer grid around the best.
@@ -195,13 +195,13 @@ def _moved(end: Row, simplest: RunUpPlan, limits: Limits) -> RunUpPlan:
 
     def best(stretches: Array, centre: float) -> RunUpPlan:
         durations = [float(centre * stretch) for stretch in stretches]
-        return _least(_shaped(end, T, limits) for T in durations)
+        return _least(_spline_plan(end, T, limits) for T in durations)
 
     coarse = best(np.geomspace(0.5, 2.5, 10), simplest.breaks[-1])
     return _least([coarse, best(np.geomspace(0.92, 1.08, 4), coarse.breaks[-1])])
 
 
-def _shaped(end: Row, duration: float, limits: Limits) -> RunUpPlan:
+def _spline_plan(end: Row, duration: float, limits: Limits) -> RunUpPlan:
     """Best positions at the knots for one duration, by linear programmes.
 
     Minimise the share s with |a| ≤ s a_max, |ȧ| ≤ s ω_max (g² + a²)/g and v ≥ 0 at all samples.
@@ -226,12 +226,12 @@ def _shaped(end: Row, duration: float, limits: Limits) -> RunUpPlan:
         found = scipy.optimize.linprog(cost, A_ub=left, b_ub=right, bounds=(None, None)).x
         if found is None:
             break
-        plans.append(_as_plan(T, found[:-1], end, limits))
+        plans.append(_plan_of_spline(T, found[:-1], end, limits))
         square = np.square(a[:, free] @ found[:-1] + a @ fixed)
     return _least(plans) if plans else RunUpPlan([0.0, T], [REST, end], NONE, math.inf)
 
 
-def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> RunUpPlan:
+def _plan_of_spline(duration: float, places: Array, end: Row, limits: Limits) -> RunUpPlan:
     """The plan of a spline from rest with given positions at inner knots [m]."""
     T = duration
     given = np.concatenate([[0.0], places, [end[0], end[1] * T, end[2] * T**2]])
@@ -240,4 +240,4 @@ def _as_plan(duration: float, places: Array, end: Row, limits: Limits) -> RunUpP
     inner: list[Any] = [tuple(row) for row in at_knots.T.tolist()]
     _, v, a, j = _responses(SAMPLES) @ given / units
     breaks = np.linspace(0.0, T, KNOTS + 2).tolist()
-    return _plan(Courses(v, a, j), breaks, [REST, *inner, end], limits)
+    return _plan(LineMotions(v, a, j), breaks, [REST, *inner, end], limits)

@@ -61,7 +61,7 @@ def attitude_error(attitude: Quat, desired: Quat) -> Quat:
 
 
 @kernel
-def limited(rates: Vec, limit: Vec) -> Vec:
+def limited_rates(rates: Vec, limit: Vec) -> Vec:
     """Rates [rad/s], each clamped to its limit."""
     return Vec(
         within(rates.x, -limit.x, limit.x),
@@ -92,7 +92,7 @@ def _full(law: FullQuaternion, error: Quat) -> Vec:
 
 
 @kernel
-def weighted(error: Quat, yaw_weight: float) -> Quat:
+def weighted_error(error: Quat, yaw_weight: float) -> Quat:
     """The error with its rotation about the body's z axis reduced to a fraction p.
 
     q_e = q_swing ⊗ (cos β/2, 0, 0, sin β/2), where the swing rotates z to the desired z by the
@@ -112,9 +112,9 @@ def weighted(error: Quat, yaw_weight: float) -> Quat:
 
 @correction.register(Reduced)
 @kernel
-def _reduced(law: Reduced, error: Quat) -> Vec:
+def _tilt_first(law: Reduced, error: Quat) -> Vec:
     """Correction Ω = (2/τ) q_mix,1:3 with a weighted yaw error."""
-    mixed = weighted(error, law.yaw_weight)
+    mixed = weighted_error(error, law.yaw_weight)
     return axiswise(law.gain, Vec(2.0 * mixed.x, 2.0 * mixed.y, 2.0 * mixed.z))
 
 
@@ -142,4 +142,4 @@ def rate_setpoint(law: Any, wanted: AttitudeTarget, attitude: Quat) -> Vec:
     """
     error = attitude_error(attitude, wanted.attitude)
     ahead = rotation(error) @ wanted.angular_velocity
-    return limited(correction(law, error) + ahead, law.limit)
+    return limited_rates(correction(law, error) + ahead, law.limit)

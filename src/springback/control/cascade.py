@@ -10,14 +10,14 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.control.attitude import rate_setpoint
-from springback.control.mixing import Mixer, fits, mixer, squeezed, unlimited, wrench_of
+from springback.control.mixing import Mixer, fits, free_thrusts, limited_thrusts, mixer, wrench_of
 from springback.control.parameters import Schedule
 from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, aim
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
@@ -56,7 +56,7 @@ class Offboard(NamedTuple):
     arrival: float  # tick at which it arrives
 
 
-class Built(NamedTuple):
+class LengthDependent(NamedTuple):
     """Quantities that depend on the arm lengths."""
 
     inertia: Mat3  # J(l) about the main body, body axes [kg m²]
@@ -89,7 +89,7 @@ def cascade_memory(
     estimator: Any,
     estimate: Estimate,
     thrust: tuple[float, ...],
-    build: Build = uncached,
+    build: Build = plain_build,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust of the start.
 
@@ -104,7 +104,7 @@ def cascade_memory(
     wanted = build(_first_target, pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    built = build(_first_built, pilot.airframe)
+    built = build(_initial, pilot.airframe)
     autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
@@ -113,12 +113,12 @@ def _first_target(reference: Any) -> Target:
     return target(reference, 0.0)
 
 
-def _first_built(airframe: Airframe) -> Rarely:
-    return Rarely(0.0, _built(airframe, tuple(arm.length for arm in airframe.arms)))
+def _initial(airframe: Airframe) -> Rarely:
+    return Rarely(0.0, _length_dependent(airframe, tuple(arm.length for arm in airframe.arms)))
 
 
 @kernel
-def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> Target:
+def _anticipated_target(law: PositionLaw, reference: Any, now: Target, time: float) -> Target:
     """Target position now, and acceleration and jerk at the times at which they take effect.
 
     A command of the position loop takes effect after the delays on its way, and a rate later still
@@ -132,7 +132,7 @@ def _anticipated(law: PositionLaw, reference: Any, now: Target, time: float) -> 
 
 
 @kernel
-def steered(
+def position_loop(
     pilot: Cascade, reference: Any, tick: float, time: float, at: Estimate, before: Offboard
 ) -> Offboard:
     """Run the position loop at its ticks.
@@ -146,22 +146,22 @@ def steered(
         before: Last state of the loop.
     """
     wanted = target(reference, time)
-    ahead = _anticipated(pilot.position, reference, wanted, time)
+    ahead = _anticipated_target(pilot.position, reference, wanted, time)
     aimed = aim(pilot.position, ahead, at, before.position)
     now = Offboard(aimed.memory, wanted, aimed.target, tick + pilot.schedule.delay)
     return select(due(tick, pilot.schedule.position), now, before)
 
 
 @kernel
-def _heard(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTarget:
+def _latest(tick: float, offboard: Offboard, last: AttitudeTarget) -> AttitudeTarget:
     """Last command of the position loop that has reached the autopilot."""
     return select(tick >= offboard.arrival, offboard.word, last)
 
 
 @kernel
-def _built(airframe: Airframe, lengths: tuple[float, ...]) -> Built:
+def _length_dependent(airframe: Airframe, lengths: tuple[float, ...]) -> LengthDependent:
     """Quantities that depend on the arm lengths, for given lengths."""
-    return Built(inertia_at(airframe, lengths), mixer(airframe, lengths))
+    return LengthDependent(inertia_at(airframe, lengths), mixer(airframe, lengths))
 
 
 @kernel
@@ -179,7 +179,7 @@ def hear(memory: TreeLayout, lanes: Lanes) -> None:
         coming += 1 if (since >= 0.0) & (since < 1.0) else 0
     for i in range(w if coming > 0 else 0):
         offboard, last = load(memory.offboard, g, w, i), load(memory.autopilot.aim, g, w, i)
-        store(_heard(load(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
+        store(_latest(load(memory.tick, g, w, i), offboard, last), memory.autopilot.aim, g, w, i)
 
 
 @kernel
@@ -235,7 +235,7 @@ def _rebuild(pilot: TreeLayout, built: TreeLayout, lengths: TreeLayout, lanes: L
         if maximum(tree_map(_apart, (now, last), ())) > 0.0 and due(
             tick, load(pilot.schedule.rate, g, w, i)
         ):
-            store(_built(load(pilot.airframe, g, w, i), now), built, g, w, i)
+            store(_length_dependent(load(pilot.airframe, g, w, i), now), built, g, w, i)
 
 
 @kernel
@@ -249,7 +249,7 @@ def _turn(pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, lanes: Lan
         before, law = load(own.rate, g, w, i), load(pilot.rate, g, w, i)
         asked = turn(law, load(built.inertia, g, w, i), setpoint, omega, unmet, before)
         wrench = Wrench(load(own.aim.thrust, g, w, i), asked.moment)
-        wanted = unlimited(load(built.mixer, g, w, i), wrench)
+        wanted = free_thrusts(load(built.mixer, g, w, i), wrench)
         lowest, highest = load(pilot.lowest, g, w, i), load(pilot.highest, g, w, i)
         now, fitting = due(tick, load(pilot.schedule.rate, g, w, i)), fits(wanted, lowest, highest)
         tight += 0 if fitting else 1
@@ -261,7 +261,7 @@ def _turn(pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, lanes: Lan
         lowest, highest = load(pilot.lowest, g, w, i), load(pilot.highest, g, w, i)
         if due(tick, load(pilot.schedule.rate, g, w, i)) and not fits(wanted, lowest, highest):
             wrench = Wrench(load(own.aim.thrust, g, w, i), load(own.unmet, g, w, i))
-            thrust = squeezed(load(built.mixer, g, w, i), lowest, highest, wrench, lift)
+            thrust = limited_thrusts(load(built.mixer, g, w, i), lowest, highest, wrench, lift)
             store(thrust, own.thrust, g, w, i)
             given = wrench_of(load(pilot.airframe, g, w, i), load(lengths, g, w, i), thrust)
             store(wrench.moment - given.moment, own.unmet, g, w, i)
@@ -279,7 +279,7 @@ def _decide(pilot: TreeLayout, lanes: Lanes) -> None:
         for i in range(w * once):
             time, at = tick * load(avionics.systems.period, g, w, i), load(memory.estimate, g, w, i)
             settings, before = load(pilot, g, w, i), load(memory.offboard, g, w, i)
-            offboard = steered(settings, settings.reference, tick, time, at, before)
+            offboard = position_loop(settings, settings.reference, tick, time, at, before)
             store(offboard, memory.offboard, g, w, i)
     fly_on(pilot, memory, seen.arm_length, avionics.onboard.command, lanes)
 

@@ -66,7 +66,7 @@ def _effect(arm: Arm, length: float) -> Effect:
 
 
 @kernel
-def _caused(effect: Effect, thrust: float) -> Wrench:
+def _wrench_of_rotor(effect: Effect, thrust: float) -> Wrench:
     moment = Vec(effect.roll, effect.pitch, effect.yaw)
     return Wrench(effect.thrust * thrust, moment * thrust)
 
@@ -75,7 +75,7 @@ def _caused(effect: Effect, thrust: float) -> Wrench:
 def wrench_of(airframe: Airframe, lengths: tuple[float, ...], thrusts: tuple[float, ...]) -> Wrench:
     """Collective thrust and moment about the main body of given rotor thrusts [N]."""
     effects = tree_map(_effect, (airframe.arms, lengths), ())
-    return tree_sum(tree_map(_caused, (effects, thrusts), ()))
+    return tree_sum(tree_map(_wrench_of_rotor, (effects, thrusts), ()))
 
 
 @kernel
@@ -154,7 +154,7 @@ def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
 
 
 @kernel
-def allocated(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
+def allocation(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
     """Rotor thrusts Bᵀ (B Bᵀ)⁻¹ w for a wrench, without limits [N].
 
     Exact for four rotors, and of least norm for more.
@@ -214,13 +214,13 @@ def _turn_share(
 
 
 @kernel
-def _asked(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
+def _rotor_thrust(rotor: Rotor, collective: float, tilt: float, turn: float) -> float:
     """Thrust of a rotor for these shares [N]."""
     return collective * rotor.collective + tilt * rotor.tilting + turn * rotor.turning
 
 
 @kernel
-def _squeezed(
+def _limited_thrusts(
     rotors: tuple[Rotor, ...], thrust: float, lowest: float, highest: float, lift: float
 ) -> tuple[float, ...]:
     """Thrusts within their limits if the demand does not fit [N]."""
@@ -233,12 +233,12 @@ def _squeezed(
     collective = within(thrust, floor, ceiling)
     turns = tree_map(_turn_share, (rotors,), (collective, tilt, lowest, highest))
     turn = within(minimum(turns), 0.0, 1.0)
-    given = tree_map(_asked, (rotors,), (collective, tilt, turn))
+    given = tree_map(_rotor_thrust, (rotors,), (collective, tilt, turn))
     return tree_map(within, (given,), (lowest, highest))
 
 
 @kernel
-def mixed(
+def rotor_thrusts(
     mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
     """Rotor thrusts within their limits that approach a wrench by priority of its parts [N].
@@ -256,17 +256,17 @@ def mixed(
         wrench: Demanded thrust and moment.
         lift: Collective thrust to which roll and pitch may raise a smaller one [N].
     """
-    asked = unlimited(mixer, wrench)
+    asked = free_thrusts(mixer, wrench)
     if fits(asked, lowest, highest):
         return asked
-    return squeezed(mixer, lowest, highest, wrench, lift)
+    return limited_thrusts(mixer, lowest, highest, wrench, lift)
 
 
 @kernel
-def unlimited(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
+def free_thrusts(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
     """Rotor thrusts that give a wrench, without limits [N]."""
     rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
-    return tree_map(_asked, (rotors,), (wrench.thrust, 1.0, 1.0))
+    return tree_map(_rotor_thrust, (rotors,), (wrench.thrust, 1.0, 1.0))
 
 
 @kernel
@@ -276,9 +276,9 @@ def fits(thrusts: tuple[float, ...], lowest: float, highest: float) -> bool:
 
 
 @kernel
-def squeezed(
+def limited_thrusts(
     mixer: Mixer, lowest: float, highest: float, wrench: Wrench, lift: float
 ) -> tuple[float, ...]:
-    """Thrusts as by `mixed`, if the demand does not fit."""
+    """Thrusts as by `rotor_thrusts`, if the demand does not fit."""
     rotors = tree_map(_rotor, (mixer.shares,), (wrench.moment,))
-    return _squeezed(rotors, wrench.thrust, lowest, highest, lift)
+    return _limited_thrusts(rotors, wrench.thrust, lowest, highest, lift)

@@ -94,7 +94,7 @@ def as_reference(
     return Polynomials(segments, begins, float(breaks[-1] - breaks[0]), yaw)
 
 
-def padded(reference: Polynomials, count: int) -> Polynomials:
+def padded_reference(reference: Polynomials, count: int) -> Polynomials:
     """The same reference with at least so many segments; those added are at rest at its end.
 
     References of one length are of one type, so flights that follow them form a batch.
@@ -140,7 +140,7 @@ def snap_cost(curve: DifferentiableCurve, breaks: Times) -> float:
     return float(np.sum(0.5 * h[:, None] * weights * squares))
 
 
-def shared_times(points: Array, duration: float) -> Array:
+def waypoint_times(points: Array, duration: float) -> Array:
     """Times at the way-points that minimise snap, for a flight from rest to rest.
 
     The total is fixed and its parts are optimised, as Mellinger and Kumar 2011 do, starting in
@@ -199,7 +199,7 @@ def through(
         if len(breaks) != len(corners) or breaks[0] != 0.0 or np.any(np.diff(breaks) <= 0.0):
             raise InputError("times of way-points must increase from 0 s, one for each point")
     elif duration is not None:
-        breaks = shared_times(corners, duration)
+        breaks = waypoint_times(corners, duration)
     else:
         breaks = _shortest(corners, limits)
     curve = snap_spline(breaks, corners)
@@ -211,7 +211,7 @@ def through(
 
 def _shortest(corners: Array, limits: Limits) -> Array:
     """Times at the way-points of the shortest flight that leaves `ROOM`, with optimal parts."""
-    parts = shared_times(corners, 1.0)
+    parts = waypoint_times(corners, 1.0)
 
     def share(duration: float) -> float:
         breaks = parts * duration

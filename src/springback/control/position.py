@@ -81,7 +81,7 @@ NO_MEMORY = PositionMemory(Vec(0.0, 0.0, 0.0))
 
 
 @kernel
-def cut(force: Vec, limit: float, vertical: float, margin: float) -> Vec:
+def limited_force(force: Vec, limit: float, vertical: float, margin: float) -> Vec:
     """A force with a given vertical part, and its horizontal part limited to what a length leaves.
 
     Args:
@@ -110,7 +110,7 @@ def feedback(law: PositionLaw, wanted: Target, at: Estimate, memory: PositionMem
     e_p, e_v = at.position - wanted.position, at.velocity - wanted.velocity
     raw = -(axiswise(law.stiffness, e_p) + axiswise(law.damping, e_v))
     limit = law.feedback_limit
-    force = cut(raw, limit, within(raw.z, -limit, limit), law.margin)
+    force = limited_force(raw, limit, within(raw.z, -limit, limit), law.margin)
     lost = raw - force
     running = 0.0 if lost @ lost > 0.0 else law.period
     grown = memory.integral - axiswise(law.integral, e_p) * running
@@ -131,7 +131,7 @@ def upward(law: PositionLaw, force: Vec) -> Vec:
     the attitude built on it never singular.
     """
     lift = within(force.z, law.min_lift, law.max_thrust)
-    held = cut(force, law.max_thrust, lift, law.margin)
+    held = limited_force(force, law.max_thrust, lift, law.margin)
     across = math.sqrt(held.x * held.x + held.y * held.y)
     most = lift * law.slope
     factor = most / across if across > most else 1.0

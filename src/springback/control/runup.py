@@ -19,7 +19,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import support
 from springback.control.approach import FEW, KNOTS, approach
 from springback.control.demands import ROOM, Limits, demands
-from springback.control.polynomials import as_reference, padded
+from springback.control.polynomials import as_reference, padded_reference
 from springback.control.references import Polynomials
 from springback.control.septics import Row, septics, shares
 from springback.errors import InputError
@@ -126,7 +126,7 @@ def run_up(
     curve = scipy.interpolate.BPoly.from_derivatives(breaks, along)
     asked = demands(curve, breaks[:touching], limits)
     return RunUp(
-        padded(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
+        padded_reference(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
         begins + breaks[touching - 1],
         end,
         asked.max_thrust,

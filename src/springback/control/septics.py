@@ -18,7 +18,7 @@ from springback.control.demands import Array, Limits
 Row = tuple[float, float, float, float]
 
 
-class Courses(NamedTuple):
+class LineMotions(NamedTuple):
     """Motions along a line, one per column, at equally spaced samples from first to last."""
 
     velocity: Array  # [m/s], shape (samples, courses)
@@ -38,7 +38,7 @@ def _responses(samples: int) -> Array:
     return np.stack([curve(at, order) for order in (1, 2, 3)])
 
 
-def septics(first: Array, last: Array, durations: Array, samples: int) -> Courses:
+def septics(first: Array, last: Array, durations: Array, samples: int) -> LineMotions:
     """The polynomials of degree 7 between rows.
 
     Args:
@@ -50,10 +50,10 @@ def septics(first: Array, last: Array, durations: Array, samples: int) -> Course
     powers = durations ** np.arange(4.0)[:, None]
     ends = np.concatenate([first * powers, last * powers])
     v, a, j = _responses(samples) @ ends
-    return Courses(v / powers[1], a / powers[2], j / powers[3])
+    return LineMotions(v / powers[1], a / powers[2], j / powers[3])
 
 
-def shares(courses: Courses, limits: Limits) -> Array:
+def shares(courses: LineMotions, limits: Limits) -> Array:
     """Largest share of a limit in level flight along each course, shape (courses,).
 
     The limits are those of `springback.control.demands.level_demands`.

@@ -68,6 +68,7 @@ from springback.kernels.trees import (
     maximum,
     minimum,
     replace,
+    select,
     tree_map,
     tree_map_sum,
     tree_sum,
@@ -151,9 +152,8 @@ class ArmShare(NamedTuple):
     taken: Vec  # u_j h_j e_j: force that accelerates the sliding arm itself
     carried: Vec  # m_j r_j
     drift: Vec  # m_j l̇_j e_j
-    sliding: Vec  # u_j m_j (e_x², e_y², e_x e_y)
     inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
-    inertia_rate: Vec  # 2 m_j l_j l̇_j (e_x², e_y², e_x e_y)
+    half_inertia_rate: Vec  # m_j l_j l̇_j (e_x², e_y², e_x e_y)
     arm_loss: float
     stop_loss: float
     grip: FrictionDamping  # friction as a damper
@@ -252,7 +252,7 @@ def arm_state(
     own = spring_damper_force(arm, length, rate) + stop.force
     h = e @ touch.force + outward + own
 
-    carried, drift, sliding = ml * e, (m * rate) * e, (u * m) * e
+    carried, drift = ml * e, (m * rate) * e
     per_mass = u * arm.inverse_mass
     share = ArmShare(
         contact=contact_of(touch),
@@ -261,9 +261,8 @@ def arm_state(
         taken=(u * h) * e,
         carried=carried,
         drift=drift,
-        sliding=planar_product(sliding, e),
         inertia=planar_product(carried, lever),
-        inertia_rate=planar_product(drift + drift, lever),
+        half_inertia_rate=planar_product(drift, lever),
         arm_loss=u * (arm.damping * rate * rate),
         stop_loss=u * stop.loss,
         grip=touch.grip,
@@ -418,15 +417,17 @@ def rates_while(
     blown = aerodynamics(air, velocity, r, a.thrust)
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)
-    spin_rate = (omega ^ (inertia @ omega)) + arms_inertia(a.inertia_rate) @ omega
+    inertia_rate = arms_inertia(a.half_inertia_rate + a.half_inertia_rate)
+    spin_rate = (omega ^ (inertia @ omega)) + inertia_rate @ omega
     force = (
         contact.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
     )
     moment = contact.moment + a.rotor_moment - spin_rate
+    sliding_mass = airframe.sliding * released
+    mobility = select(released > 0.0, airframe.released, airframe.locked)
     system = System(
-        airframe.mass, airframe.inverse_mass, a.sliding, a.carried, inertia, force + blown.force,
-        moment,
-    )  # fmt: skip
+        airframe.mass, sliding_mass, mobility, a.carried, inertia, force + blown.force, moment
+    )
     solved = solve(guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
@@ -461,7 +462,7 @@ def rates_while(
         a.grip, field_of(on_arms, "whole"), field_of(on_arms, "lean"), airframe.inverse_mass,
         inertia, inverse,
     )  # fmt: skip
-    stays = airframe.mass - a.sliding.x - a.sliding.y
+    stays = airframe.mass - sliding_mass.x - sliding_mass.y
     friction_rate = fold(hastened, friction_rate, hull, (stays, inverse))
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)

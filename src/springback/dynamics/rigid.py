@@ -18,10 +18,10 @@ from springback.kernels.vectors import (
     Vec,
     inverse_symmetric,
     quaternion_rate,
-    renormalised,
+    renormalise,
     rotation,
 )
-from springback.vehicle.state import Airframe, Arm, arm_direction, arms_inertia
+from springback.vehicle.state import Airframe, Arm, PlanarInverse, arm_direction, arms_inertia
 
 
 class OneBody(NamedTuple):
@@ -29,6 +29,7 @@ class OneBody(NamedTuple):
 
     mass: float  # m [kg]
     inverse_mass: float  # 1/m [1/kg]
+    inverse: PlanarInverse  # of the mass that resists translation
     carried: Vec  # s = Σ m_j r_j [kg m]
     inertia: Mat3  # J about the main body's centre of mass, body axes [kg m²]
     thrust: float  # collective [N]
@@ -80,7 +81,13 @@ def as_one_body(
     a = tree_sum(tree_map(_part, (airframe.arms, lengths, thrust), ()))
     inertia = airframe.inertia + arms_inertia(a.inertia)
     return OneBody(
-        airframe.mass, airframe.inverse_mass, a.carried, inertia, a.thrust, a.rotor_moment
+        airframe.mass,
+        airframe.inverse_mass,
+        airframe.locked,
+        a.carried,
+        inertia,
+        a.thrust,
+        a.rotor_moment,
     )
 
 
@@ -102,7 +109,7 @@ def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidSt
     force = Vec(0.0, 0.0, body.thrust) + blown.force - (omega ^ turning)
     moment = body.rotor_moment - (omega ^ (body.inertia @ omega))
     still = Vec(0.0, 0.0, 0.0)
-    system = System(body.mass, body.inverse_mass, still, body.carried, body.inertia, force, moment)
+    system = System(body.mass, still, body.inverse, body.carried, body.inertia, force, moment)
     solved = solve(guide, system, r, gravity)
     acceleration = r @ solved.linear - Vec(0.0, 0.0, gravity)
     power = body.thrust * velocity.z + body.rotor_moment @ omega
@@ -153,7 +160,7 @@ def stepped(
     rate = axpy(axpy(axpy(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
     new = axpy(x, rate, h / 6.0)
     after = RigidState(
-        new.position, renormalised(new.attitude), new.velocity, new.angular_velocity,
+        new.position, renormalise(new.attitude), new.velocity, new.angular_velocity,
         new.thrust_work, new.air_work,
     )  # fmt: skip
     return RigidStep(first, after)
@@ -242,7 +249,7 @@ def _freely_in_still_air(
 
     turning = axpy(axpy(first.turning, second.turning, 2.0), third.turning, 2.0)
     end = axpy(now, axpy(turning, fourth.turning, 1.0), sixth)
-    q, spin = renormalised(end.attitude), end.angular_velocity
+    q, spin = renormalise(end.attitude), end.angular_velocity
     after, between = rotation(q), a2 + a3
     work = sixth * (first.power + 2.0 * (second.power + third.power) + fourth.power)
     new = RigidState(

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Mat3, Vec, solve_symmetric
+from springback.vehicle.state import PlanarInverse
 
 
 class Free(NamedTuple):
@@ -31,29 +32,12 @@ class System(NamedTuple):
     """The six equations of `springback.dynamics.motion`."""
 
     mass: float  # m [kg]
-    inverse_mass: float  # 1/m [1/kg]
     sliding: Vec  # Σ u m (e_x², e_y², e_x e_y)
+    inverse: PlanarInverse  # of M
     carried: Vec  # s, in the body plane
     inertia: Mat3  # J
     force: Vec  # right-hand side of a', body
     moment: Vec  # right-hand side of α, body
-
-
-class PlanarInverse(NamedTuple):
-    """Inverse of M = m 1 − Σ u m e eᵀ with all e in the body plane: a 2 x 2 block and a number."""
-
-    xx: float
-    yy: float
-    xy: float
-    zz: float
-
-
-@kernel
-def planar_inverse(mass: float, inverse_mass: float, sliding: Vec) -> PlanarInverse:
-    """Inverse of the mass matrix of translation, with the arms' accelerations eliminated [1/kg]."""
-    xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
-    scale = 1.0 / (xx * yy - xy * xy)
-    return PlanarInverse(yy * scale, xx * scale, -xy * scale, inverse_mass)
 
 
 @kernel
@@ -72,7 +56,7 @@ def solve(guide: Any, system: System, r: Mat3, gravity: float) -> Accelerations:
 @kernel
 def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Accelerations:
     """Eliminate the translation, a' = M⁻¹(b − α × s); then solve (J − Ĉᵀ M⁻¹ Ĉ) α, 3 x 3."""
-    n, s = planar_inverse(system.mass, system.inverse_mass, system.sliding), system.carried
+    n, s = system.inverse, system.carried
     alone = times(n, system.force)
     j = system.inertia
     sxx, sxy, syy = s.x * s.x, s.x * s.y, s.y * s.y

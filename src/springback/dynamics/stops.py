@@ -7,7 +7,7 @@ from typing import NamedTuple
 from springback.contact.cage import LANDED
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
-from springback.kernels.vectors import positive_part
+from springback.kernels.vectors import larger, positive_part, smaller
 from springback.vehicle.state import Arm
 
 #: Steps look ahead by this time, in which contacts stiffen and stops are reached [s].
@@ -31,16 +31,17 @@ def end_stop(arm: Arm, length: float, rate: float) -> Stop:
 
     One acts on an arm that has bottomed out, the other on an arm beyond its free length.
     """
-    low, high = positive_part(arm.shortest - length), positive_part(length - arm.length)
-    pressing = -rate if low > 0.0 else rate
-    elastic = arm.stop_stiffness * (low + high)
-    force = positive_part(elastic * (1.0 + arm.stop_dissipation * pressing))
+    within = larger(arm.shortest, smaller(length, arm.length))
+    shift = within - length  # positive beyond the lower stop, negative beyond the upper one
+    pressing = -rate if shift > 0.0 else rate
+    elastic = arm.stop_stiffness * shift
+    force = elastic * positive_part(1.0 + arm.stop_dissipation * pressing)
     # A step that ends at a stop ends slightly before it: the next one acts on it.
     ahead = AHEAD * rate
     soon = (length - arm.length + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
-    stiffness = arm.stop_stiffness if (elastic > 0.0) | soon else 0.0
-    damper = arm.stop_dissipation * elastic
-    return Stop(force if low > 0.0 else -force, (force - elastic) * pressing, stiffness, damper)
+    stiffness = arm.stop_stiffness if (shift != 0.0) | soon else 0.0
+    damper = arm.stop_dissipation * abs(elastic)
+    return Stop(force, (elastic - force) * rate, stiffness, damper)
 
 
 @kernel

@@ -41,15 +41,15 @@ class SineCosine(NamedTuple):
 
 
 @kernel
-def rounded(x: float) -> float:
+def nearest_integer(x: float) -> float:
     """The integer nearest to x, ties to even; for |x| < 2⁵¹."""
     return (x + _WHOLE) - _WHOLE
 
 
 @kernel
-def rounded_down(x: float) -> float:
+def floor(x: float) -> float:
     """The largest integer not above x, for |x| < 2⁵¹; a float, unlike math.floor."""
-    nearest = rounded(x)
+    nearest = nearest_integer(x)
     return nearest - 1.0 if nearest > x else nearest
 
 

@@ -9,7 +9,7 @@ import numba
 import numpy as np
 from numba import types
 
-from springback.kernels.compiler import compiled
+from springback.kernels.compiler import compiler_rule
 
 _intrinsic: Any = numba.extending.intrinsic
 
@@ -42,7 +42,7 @@ def _as_float(context: Any, bits: Any) -> Any:
 
 
 @_intrinsic  # type: ignore[untyped-decorator]
-def selected(context: Any, claim: Any, a: Any, b: Any) -> Any:
+def select_scalar(context: Any, claim: Any, a: Any, b: Any) -> Any:
     """The number a where ``claim`` holds, else b, of one type; compiled code only."""
     kind = context.unify_types(a, b)
 
@@ -53,11 +53,11 @@ def selected(context: Any, claim: Any, a: Any, b: Any) -> Any:
     return kind(claim, kind, kind), choose
 
 
-@compiled(bits_of)
+@compiler_rule(bits_of)
 def _bits_of(x: Any) -> Any:
     return lambda x: _as_bits(x)
 
 
-@compiled(float_of)
+@compiler_rule(float_of)
 def _float_of(bits: Any) -> Any:
     return lambda bits: _as_float(bits)

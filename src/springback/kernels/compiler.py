@@ -117,7 +117,7 @@ def rare_kernel(function: F) -> F:
     return registered
 
 
-def compiled(
+def compiler_rule(
     function: Callable[..., Any], options: dict[str, Any] = INLINED, *, literal: bool = False
 ) -> Callable[[F], F]:
     """Decorator for a rule that gives the compiler an implementation of a function by types.
@@ -150,7 +150,7 @@ class Generic(Protocol[P, R]):
 _GENERICS: list[Generic[..., Any]] = []
 
 
-def registered(cls: type) -> list[Callable[..., Any]]:
+def implementations(cls: type) -> list[Callable[..., Any]]:
     """Implementations of every generic function for ``cls``."""
     return [known.dispatch(cls) for known in _GENERICS]
 
@@ -171,7 +171,7 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
     chosen: Any = choosing
     chosen.register, chosen.dispatch = by_class.register, by_class.dispatch
 
-    @compiled(chosen)
+    @compiler_rule(chosen)
     def by_type(*arguments: Any) -> Any:
         return chosen.dispatch(arguments[0].instance_class)
 
@@ -265,7 +265,7 @@ class Origin(NamedTuple):
 
 
 @functools.cache
-def own_executor(function: F, origin: Origin | None, **options: Any) -> F:
+def user_executor(function: F, origin: Origin | None, **options: Any) -> F:
     """Compile an entry point for a user's types, cached apart from the package's own kernels.
 
     A cached kernel can be read only where its types can be imported under the same names, and it

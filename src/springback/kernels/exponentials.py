@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from springback.kernels.angles import rounded
+from springback.kernels.angles import nearest_integer
 from springback.kernels.bits import bits_of, float_of
 from springback.kernels.compiler import kernel
 
@@ -56,7 +56,7 @@ def exponential(x: float) -> float:
     2⁻⁵⁷.
     """
     inside = x if x > LEAST else LEAST
-    n = rounded(inside * _PER_LN2)
+    n = nearest_integer(inside * _PER_LN2)
     r = (inside - n * _LN2_HIGH) - n * _LN2_LOW
     s = 1.0 / 39916800.0 + r * (1.0 / 479001600.0 + r * (1.0 / 6227020800.0))
     s = 1.0 / 40320.0 + r * (1.0 / 362880.0 + r * (1.0 / 3628800.0 + r * s))

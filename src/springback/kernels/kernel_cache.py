@@ -74,7 +74,7 @@ class KernelCache:
         key = self._key(signature, context.codegen())
         for path in self._candidates(key):
             try:
-                data = _trusted(path)
+                data = _verified_content(path)
                 if data is None:
                     return None
                 known, payload = pickle.loads(data)
@@ -82,7 +82,7 @@ class KernelCache:
                     continue
                 return _rebuild(context, *payload)
             except Exception as error:  # any error that a truncated or foreign file causes
-                _ignored(path, error)
+                _warn_ignored(path, error)
                 return None
         return None
 
@@ -97,7 +97,7 @@ class KernelCache:
             data = _dumps((key, result._reduce()))
             _write(self._free(key), data)
         except Exception as error:
-            _not_cached(self._folder, error)
+            _warn_not_cached(self._folder, error)
 
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
@@ -112,7 +112,7 @@ class KernelCache:
         path = Path()
         for path in self._candidates(key):
             try:
-                data = _trusted(path)
+                data = _verified_content(path)
                 if data is None or pickle.loads(data)[0] == key:
                     return path
             except Exception:
@@ -120,14 +120,14 @@ class KernelCache:
         return path
 
 
-def cached(path: Path) -> bytes | None:
-    """Content written by `keep`; None if there is no file, or, with a warning, no trusted one.
+def load_program(path: Path) -> bytes | None:
+    """Content written by `save_program`; None if there is no file, or no trusted one (a warning).
 
     Args:
         path: Its last part is the key.
     """
     try:
-        data = _trusted(path)
+        data = _verified_content(path)
         if data is None:
             return None
         name, _, content = data.partition(b"\n")
@@ -135,11 +135,11 @@ def cached(path: Path) -> bytes | None:
             raise ValueError("it holds another key")
         return content
     except (OSError, ValueError) as error:
-        _ignored(path, error)
+        _warn_ignored(path, error)
         return None
 
 
-def keep(path: Path, content: bytes) -> None:
+def save_program(path: Path, content: bytes) -> None:
     """Save a compiled program for other processes; a failure is a warning.
 
     Args:
@@ -149,10 +149,10 @@ def keep(path: Path, content: bytes) -> None:
     try:
         _write(path, path.name.encode() + b"\n" + content)
     except OSError as error:
-        _not_cached(path.parent, error)
+        _warn_not_cached(path.parent, error)
 
 
-def _trusted(path: Path) -> bytes | None:
+def _verified_content(path: Path) -> bytes | None:
     """Content of a file after its digest; None if there is no such file.
 
     Raises:
@@ -198,11 +198,11 @@ def _reason(error: BaseException) -> str:
     return text[:200] or type(error).__name__
 
 
-def _ignored(path: Path, error: BaseException) -> None:
+def _warn_ignored(path: Path, error: BaseException) -> None:
     _say(f"{path}: cached kernel ignored ({_reason(error)}); recompiling it")
 
 
-def _not_cached(folder: Path, error: BaseException) -> None:
+def _warn_not_cached(folder: Path, error: BaseException) -> None:
     _say(
         f"{folder}: compiled kernels cannot be cached ({_reason(error)}); every start recompiles "
         "them. SPRINGBACK_CACHE_DIR names another folder"

@@ -18,7 +18,7 @@ from llvmlite import binding, ir
 from numba import types
 from numba.core.typing import templates
 
-from springback.kernels.compiler import compiled, is_named
+from springback.kernels.compiler import compiler_rule, is_named
 from springback.kernels.trees import (
     Rarely,
     branches,
@@ -119,7 +119,7 @@ def write(tree: Any, buffer: Buffer, row: int, width: int, lane: int) -> None:
         buffer[(row + k) * width + lane] = leaf
 
 
-class Parted(NamedTuple):
+class SplitBuffer(NamedTuple):
     """A buffer in two pieces: `load` and `store` find the one that holds a tree."""
 
     like: TreeLayout  # layout of the first
@@ -127,19 +127,19 @@ class Parted(NamedTuple):
     second: Buffer
 
 
-def load(like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> Any:
+def load(like: TreeLayout, buffer: Buffer | SplitBuffer, width: int, lane: int) -> Any:
     """The tree in the column ``lane`` of ``width``, at the position given by ``like``."""
     return read(like, *_piece(like, buffer), width, lane)
 
 
-def store(tree: Any, like: TreeLayout, buffer: Buffer | Parted, width: int, lane: int) -> None:
+def store(tree: Any, like: TreeLayout, buffer: Buffer | SplitBuffer, width: int, lane: int) -> None:
     """Store a tree in the column ``lane`` of ``width``, at the position given by ``like``."""
     write(tree, *_piece(like, buffer), width, lane)
 
 
-def _piece(like: TreeLayout, buffer: Buffer | Parted) -> tuple[Buffer, int]:
+def _piece(like: TreeLayout, buffer: Buffer | SplitBuffer) -> tuple[Buffer, int]:
     """The buffer that holds a tree, and its first row there."""
-    if not isinstance(buffer, Parted):
+    if not isinstance(buffer, SplitBuffer):
         return buffer, like._row
     before = rows(buffer.like)
     inside = like._row < before
@@ -173,7 +173,7 @@ _numba.register_model(TreeLayoutType)(_numba.models.OpaqueModel)
 
 
 @_numba.unbox(TreeLayoutType)  # type: ignore[untyped-decorator]
-def _unboxed(typ: Any, value: Any, c: Any) -> Any:
+def _unbox(typ: Any, value: Any, c: Any) -> Any:
     return _numba.NativeValue(c.context.get_dummy_value())
 
 
@@ -199,12 +199,12 @@ def _tree_of(like: Any) -> Any:
     return like.tree if isinstance(like, TreeLayoutType) else like
 
 
-@compiled(rows)
+@compiler_rule(rows)
 def _rows(like: Any) -> Any:
     return function_of("like", [f"return {leaf_count(_tree_of(like))}"], {})
 
 
-@compiled(row_of, literal=True)
+@compiler_rule(row_of, literal=True)
 def _row_of(like: Any, field: Any) -> Any:
     tree = _tree_of(like)
     place = tree.fields.index(field.literal_value)
@@ -218,7 +218,7 @@ _STEP = ("step = whole(width)", "start = whole(lane if width != 1 else 0)")
 _PLACE = (*_STEP, "start = whole(row) * step + start")
 
 
-@compiled(read)
+@compiler_rule(read)
 def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     tree = like.tree
     scope: dict[str, Any] = {}
@@ -232,33 +232,33 @@ def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
 _KNOWN = _STEP
 
 
-def _typed_piece(like: Any, buffer: Any) -> tuple[str, int]:
+def _compiled_piece(like: Any, buffer: Any) -> tuple[str, int]:
     """`_piece` when compiled: name of the buffer in generated code, and the first row."""
-    if not is_named(buffer, Parted):
+    if not is_named(buffer, SplitBuffer):
         return "buffer", like.row
     before = leaf_count(buffer.types[0].tree)
     inside = like.row < before
     return ("buffer[1]", like.row) if inside else ("buffer[2]", like.row - before)
 
 
-@compiled(load)
-def _got(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    scope: dict[str, Any] = {"whole": np.uint64, "taken_from": _taken_from}
-    name, row = _typed_piece(like, buffer)
+@compiler_rule(load)
+def _load(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+    scope: dict[str, Any] = {"whole": np.uint64, "get_leaf": _get_leaf}
+    name, row = _compiled_piece(like, buffer)
     places = range(leaf_count(like.tree))
-    texts = [f"taken_from({name}, start + whole({row + k}) * step, {like.row + k})" for k in places]
+    texts = [f"get_leaf({name}, start + whole({row + k}) * step, {like.row + k})" for k in places]
     lines = [*_KNOWN, f"return {construct(like.tree, texts, scope)}"]
     return function_of("like, buffer, width, lane", lines, scope)
 
 
-@compiled(store)
-def _put(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+@compiler_rule(store)
+def _store(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
     lines = [*_KNOWN]
-    name, row = _typed_piece(like, buffer)
+    name, row = _compiled_piece(like, buffer)
     row = like.row - row  # of the piece, were it whole
-    place = f"laid_into({name}, start + (whole({{row}}) - whole({row})) * step, {{row}}, {{leaf}})"
+    place = f"set_leaf({name}, start + (whole({{row}}) - whole({row})) * step, {{row}}, {{leaf}})"
     _lay(tree, "tree", like.row, lines, "", place)
-    scope = {"whole": np.uint64, "laid_into": _laid_into}
+    scope = {"whole": np.uint64, "set_leaf": _set_leaf}
     return function_of("tree, like, buffer, width, lane", [*lines, "return None"], scope)
 
 
@@ -268,7 +268,7 @@ def _element(context: Any, builder: Any, typ: Any, buffer: Any, place: Any) -> A
     return builder.gep(data, [place], inbounds=True)
 
 
-def _tagged(builder: Any, access: Any, row: int) -> Any:
+def _tag_row(builder: Any, access: Any, row: int) -> Any:
     """Mark a load or store as touching one row only (LLVM: type-based alias analysis)."""
     module = builder.module
     root = module.add_metadata([ir.MetaDataString(module, "springback rows")])
@@ -279,12 +279,12 @@ def _tagged(builder: Any, access: Any, row: int) -> Any:
 
 
 @_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def _taken_from(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
+def _get_leaf(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
     """An element of a row of a buffer."""
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         pointer = _element(context, builder, signature.args[0], *arguments[:2])
-        return _tagged(builder, builder.load(pointer), row.literal_value)
+        return _tag_row(builder, builder.load(pointer), row.literal_value)
 
     return types.float64(buffer, types.uint64, row), lower
 
@@ -295,7 +295,7 @@ def _has_slow_masks() -> bool:
     return not binding.get_host_cpu_features().get("avx512f")
 
 
-def _frozen(builder: Any, leaf: Any) -> Any:
+def _freeze(builder: Any, leaf: Any) -> Any:
     """The same number, hidden from the optimiser, which might see that it is already stored.
 
     Otherwise it makes one masked store out of a select and a store.
@@ -306,19 +306,19 @@ def _frozen(builder: Any, leaf: Any) -> Any:
 
 
 @_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def _laid_into(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
+def _set_leaf(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
     """Store a number in a row of a buffer."""
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         pointer = _element(context, builder, signature.args[0], *arguments[:2])
-        leaf = _frozen(builder, arguments[3]) if _has_slow_masks() else arguments[3]
-        _tagged(builder, builder.store(leaf, pointer), row.literal_value)
+        leaf = _freeze(builder, arguments[3]) if _has_slow_masks() else arguments[3]
+        _tag_row(builder, builder.store(leaf, pointer), row.literal_value)
         return context.get_dummy_value()
 
     return types.void(buffer, types.uint64, row, types.float64), lower
 
 
-@compiled(write)
+@compiler_rule(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
     lines = [*_PLACE]
     _lay(tree, "tree", 0, lines, "", "buffer[start + whole({row}) * step] = {leaf}")
@@ -336,7 +336,7 @@ def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place:
             lines.append(f"{indent}if {stem}[0] > 0.5:")
             indent += "    "
         inner = f"{stem}[{k}]"
-        if isinstance(branch, types.BaseTuple):  # extracted once: see `reached`
+        if isinstance(branch, types.BaseTuple):  # extracted once: see `leaf_sources`
             lines.append(f"{indent}{stem}_{k} = {inner}")
             inner = f"{stem}_{k}"
         first = _lay(branch, inner, first, lines, indent, place)

@@ -19,13 +19,13 @@ FOREVER = "ever"
 
 
 class Build(Protocol):
-    """Interface of `uncached` and of a `Memo`."""
+    """Interface of `plain_build` and of a `Memo`."""
 
     def __call__(self, function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
         """``function(*given)``."""
 
 
-def uncached(function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
+def plain_build(function: Callable[..., R], /, *given: Any, place: Hashable = None) -> R:
     """``function(*given)``, computed anew."""
     return function(*given)
 

@@ -42,7 +42,7 @@ class Tape:
         self.first = [Traced(self, k, value) for k, value in enumerate(rows[0].tolist())]
         """Cells for the numbers of the first row."""
 
-    def computed(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
+    def record(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
         """Record an operation; returns the traced result, with its value in the first row."""
         self._steps.append(Step(many, operands, None))
         return Traced(self, self._rows.shape[1] + len(self._steps) - 1, value)
@@ -52,7 +52,7 @@ class Tape:
         self._steps.append(Step(many, operands, outcome))
         return outcome
 
-    def filled(self) -> Evaluated:
+    def evaluate(self) -> Evaluated:
         """Evaluate all formulas for every row."""
         columns: list[Any] = list(self._rows.T)
         holds = np.ones(len(self._rows), dtype=bool)
@@ -92,7 +92,7 @@ class Traced:
         if not isinstance(other, Traced | float | int):
             return NotImplemented
         a, b = (other, self) if turned else (self, other)
-        return self.tape.computed(many, one(_value(a), _value(b)), a, b)
+        return self.tape.record(many, one(_value(a), _value(b)), a, b)
 
     def __add__(self, other: Any) -> Any:
         return self._with(other, np.add, operator.add)
@@ -113,46 +113,46 @@ class Traced:
         return self._with(other, np.multiply, operator.mul, True)
 
     def __truediv__(self, other: Any) -> Any:
-        return self._divided(self, other)
+        return self._divide(self, other)
 
     def __rtruediv__(self, other: Any) -> Any:
-        return self._divided(other, self)
+        return self._divide(other, self)
 
-    def _divided(self, a: Any, b: Any) -> Any:
+    def _divide(self, a: Any, b: Any) -> Any:
         if not (isinstance(a, Traced | float | int) and isinstance(b, Traced | float | int)):
             return NotImplemented
         quotient = _value(a) / _value(b)
         self.tape.guard(np.not_equal, True, b, 0.0)  # Python raises on division by zero
-        return self.tape.computed(np.divide, quotient, a, b)
+        return self.tape.record(np.divide, quotient, a, b)
 
     def __neg__(self) -> Traced:
-        return self.tape.computed(np.negative, -self.value, self)
+        return self.tape.record(np.negative, -self.value, self)
 
     def __abs__(self) -> Traced:
-        return self.tape.computed(np.absolute, abs(self.value), self)
+        return self.tape.record(np.absolute, abs(self.value), self)
 
-    def _asked(self, other: Any, many: Callable[..., Any], one: Callable[..., Any]) -> Any:
+    def _compare(self, other: Any, many: Callable[..., Any], one: Callable[..., Any]) -> Any:
         if not isinstance(other, Traced | float | int):
             return NotImplemented
         return self.tape.guard(many, bool(one(self.value, _value(other))), self, other)
 
     def __lt__(self, other: Any) -> Any:
-        return self._asked(other, np.less, operator.lt)
+        return self._compare(other, np.less, operator.lt)
 
     def __le__(self, other: Any) -> Any:
-        return self._asked(other, np.less_equal, operator.le)
+        return self._compare(other, np.less_equal, operator.le)
 
     def __gt__(self, other: Any) -> Any:
-        return self._asked(other, np.greater, operator.gt)
+        return self._compare(other, np.greater, operator.gt)
 
     def __ge__(self, other: Any) -> Any:
-        return self._asked(other, np.greater_equal, operator.ge)
+        return self._compare(other, np.greater_equal, operator.ge)
 
     def __eq__(self, other: object) -> Any:
-        return self._asked(other, np.equal, operator.eq)
+        return self._compare(other, np.equal, operator.eq)
 
     def __ne__(self, other: object) -> Any:
-        return self._asked(other, np.not_equal, operator.ne)
+        return self._compare(other, np.not_equal, operator.ne)
 
     __hash__ = None  # type: ignore[assignment]  # a hash cannot be traced
 
@@ -182,18 +182,18 @@ def sqrt(x: Any) -> Any:
         return math.sqrt(x)
     root = math.sqrt(x.value)
     x.tape.guard(np.greater_equal, True, x, 0.0)
-    return x.tape.computed(np.sqrt, root, x)
+    return x.tape.record(np.sqrt, root, x)
 
 
 def sin(x: Any) -> Any:
     """Sine of a float or a traced number [rad]."""
     if not isinstance(x, Traced):
         return math.sin(x)
-    return x.tape.computed(_SINES, math.sin(x.value), x)
+    return x.tape.record(_SINES, math.sin(x.value), x)
 
 
 def cos(x: Any) -> Any:
     """Cosine of a float or a traced number [rad]."""
     if not isinstance(x, Traced):
         return math.cos(x)
-    return x.tape.computed(_COSINES, math.cos(x.value), x)
+    return x.tape.record(_COSINES, math.cos(x.value), x)

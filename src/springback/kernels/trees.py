@@ -12,8 +12,8 @@ from typing import Any, NamedTuple, TypeVar
 
 from numba import types
 
-from springback.kernels.bits import selected
-from springback.kernels.compiler import GUARDING, compiled
+from springback.kernels.bits import select_scalar
+from springback.kernels.compiler import GUARDING, compiler_rule
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -178,7 +178,7 @@ def branches(tree: Any) -> list[Any]:
     return [tree.types[k] for k in range(len(tree))]
 
 
-def reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
+def leaf_sources(tree: Any, stem: str, lines: list[str]) -> list[str]:
     """Source text of every leaf, after lines that give each branch a name.
 
     A branch is extracted from its parent once: the compiler copies whatever is extracted, and
@@ -188,7 +188,7 @@ def reached(tree: Any, stem: str, lines: list[str]) -> list[str]:
     for k, branch in enumerate(branches(tree)):
         if isinstance(branch, types.BaseTuple):
             lines.append(f"{stem}_{k} = {stem}[{k}]")
-            texts += reached(branch, f"{stem}_{k}", lines)
+            texts += leaf_sources(branch, f"{stem}_{k}", lines)
         else:
             texts.append(f"{stem}[{k}]")
     return texts
@@ -225,7 +225,7 @@ def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Call
     return generated
 
 
-@compiled(tree_map)
+@compiler_rule(tree_map)
 def _each(function: Any, zipped: Any, shared: Any) -> Any:
     calls = []
     for j in range(len(zipped[0])):
@@ -235,8 +235,8 @@ def _each(function: Any, zipped: Any, shared: Any) -> Any:
     return function_of("function, zipped, shared", [f"return {_tuple(calls)}"], {})
 
 
-@compiled(tree_map_sum, literal=True)
-def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
+@compiler_rule(tree_map_sum, literal=True)
+def _map_sum(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
     name, count, lines = field.literal_value, len(zipped[0]), []
@@ -249,15 +249,15 @@ def _each_summed(function: Any, field: Any, zipped: Any, shared: Any) -> Any:
     return function_of("function, field, zipped, shared", lines, {"total": tree_sum})
 
 
-@compiled(fold)
-def _folded(function: Any, start: Any, values: Any, shared: Any) -> Any:
+@compiler_rule(fold)
+def _fold_source(function: Any, start: Any, values: Any, shared: Any) -> Any:
     given = ", ".join(f"shared[{k}]" for k in range(len(shared)))
     lines = ["r = start"]
     lines += [f"r = function(r, values[{k}], {given})" for k in range(len(values))]
     return function_of("function, start, values, shared", [*lines, "return r"], {})
 
 
-@compiled(field_of, literal=True)
+@compiler_rule(field_of, literal=True)
 def _column(trees: Any, field: Any) -> Any:
     if not isinstance(field, types.StringLiteral):
         return None
@@ -265,21 +265,21 @@ def _column(trees: Any, field: Any) -> Any:
     return function_of("trees, field", [f"return {_tuple(fields)}"], {})
 
 
-@compiled(tree_sum)
+@compiler_rule(tree_sum)
 def _total(trees: Any) -> Any:
     if not isinstance(trees[0], types.BaseTuple):
         return function_of(
             "trees", [f"return {' + '.join(f'trees[{j}]' for j in range(len(trees)))}"], {}
         )
     lines = [f"t{j} = trees[{j}]" for j in range(len(trees))]
-    columns = zip(*(reached(trees[j], f"t{j}", lines) for j in range(len(trees))), strict=True)
+    columns = zip(*(leaf_sources(trees[j], f"t{j}", lines) for j in range(len(trees))), strict=True)
     scope: dict[str, Any] = {}
     text = construct(trees[0], [" + ".join(column) for column in columns], scope)
     return function_of("trees", [*lines, f"return {text}"], scope)
 
 
-@compiled(replace)
-def _replaced(tree: Any, **fields: Any) -> Any:
+@compiler_rule(replace)
+def _replace_fields(tree: Any, **fields: Any) -> Any:
     cls = getattr(tree, "instance_class", None)
     if cls is None or not fields.keys() <= set(cls._fields):
         return None
@@ -288,15 +288,15 @@ def _replaced(tree: Any, **fields: Any) -> Any:
     return function_of(", ".join(["tree", *fields]), [built], {cls.__name__: cls})
 
 
-@compiled(select)
+@compiler_rule(select)
 def _pick(claim: Any, a: Any, b: Any) -> Any:
     """Select leaf by leaf: a branch between trees would compile to one between addresses."""
     if not isinstance(a, types.BaseTuple):
-        return lambda claim, a, b: selected(claim, a, b)
+        return lambda claim, a, b: select_scalar(claim, a, b)
     lines: list[str] = []
-    pairs = zip(reached(a, "a", lines), reached(b, "b", lines), strict=True)
-    scope: dict[str, Any] = {"selected": selected}
-    text = construct(a, [f"selected(claim, {one}, {other})" for one, other in pairs], scope)
+    pairs = zip(leaf_sources(a, "a", lines), leaf_sources(b, "b", lines), strict=True)
+    scope: dict[str, Any] = {"select_scalar": select_scalar}
+    text = construct(a, [f"select_scalar(claim, {one}, {other})" for one, other in pairs], scope)
     return function_of("claim, a, b", [*lines, f"return {text}"], scope)
 
 
@@ -310,22 +310,22 @@ def _fold(sign: str) -> Callable[[Any], Any]:
     return typed
 
 
-compiled(minimum)(_fold("<"))
-compiled(maximum)(_fold(">"))
+compiler_rule(minimum)(_fold("<"))
+compiler_rule(maximum)(_fold(">"))
 
 
-@compiled(axpy_strictly, GUARDING)
-@compiled(axpy)
+@compiler_rule(axpy_strictly, GUARDING)
+@compiler_rule(axpy)
 def _along(x: Any, rate: Any, h: Any) -> Any:
     lines: list[str] = []
-    pairs = zip(reached(x, "x", lines), reached(rate, "rate", lines), strict=True)
+    pairs = zip(leaf_sources(x, "x", lines), leaf_sources(rate, "rate", lines), strict=True)
     scope: dict[str, Any] = {}
     text = construct(x, [f"{a} + h * {b}" for a, b in pairs], scope)
     return function_of("x, rate, h", [*lines, f"return {text}"], scope)
 
 
-@compiled(square, GUARDING)
+@compiler_rule(square, GUARDING)
 def _square(tree: Any) -> Any:
     lines: list[str] = []
-    terms = ["0.0", *(f"{leaf} * {leaf}" for leaf in reached(tree, "tree", lines))]
+    terms = ["0.0", *(f"{leaf} * {leaf}" for leaf in leaf_sources(tree, "tree", lines))]
     return function_of("tree", [*lines, f"return {' + '.join(terms)}"], {})

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, overload
 from numba import types
 
 from springback.kernels.angles import angle_of, sine_cosine
-from springback.kernels.compiler import compiled, is_named, kernel
+from springback.kernels.compiler import compiler_rule, is_named, kernel
 
 
 class Vec(NamedTuple):
@@ -168,13 +168,13 @@ def _teach(
         def typed_unary(a: Any) -> Any:
             return next((f for (k,), f in cases if fits(a, k)), None)
 
-        compiled(symbol)(typed_unary)
+        compiler_rule(symbol)(typed_unary)
         return
 
     def typed(a: Any, b: Any) -> Any:
         return next((f for (k, m), f in cases if fits(a, k) and fits(b, m)), None)
 
-    compiled(symbol)(typed)
+    compiler_rule(symbol)(typed)
 
 
 _teach(operator.add, [((Vec, Vec), _add), ((Mat3, Mat3), _add_matrices)])
@@ -199,6 +199,18 @@ _teach(
     ],
 )
 _teach(operator.xor, [((Vec, Vec), _cross)])
+
+
+@kernel
+def larger(a: float, b: float) -> float:
+    """The larger of two floats."""
+    return a if a > b else b
+
+
+@kernel
+def smaller(a: float, b: float) -> float:
+    """The smaller of two floats."""
+    return a if a < b else b
 
 
 @kernel
@@ -240,14 +252,14 @@ def quaternion_rate(q: Quat, omega: Vec) -> Quat:
 
 
 @kernel
-def normalised(q: Quat) -> Quat:
+def normalise(q: Quat) -> Quat:
     """Unit quaternion in the direction of q."""
     scale = 1.0 / math.sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)
     return Quat(q.w * scale, q.x * scale, q.y * scale, q.z * scale)
 
 
 @kernel
-def renormalised(q: Quat) -> Quat:
+def renormalise(q: Quat) -> Quat:
     """Unit quaternion from a q of nearly unit length, without root and division.
 
     With e = 1 − q·q the remaining length is 1 − 5 e³/16: exact to the last bit for e < 1e-5.
@@ -290,7 +302,7 @@ def inverse_symmetric(m: Mat3) -> Mat3:
 
 
 @kernel
-def transposed(m: Mat3) -> Mat3:
+def transpose(m: Mat3) -> Mat3:
     """The transposed matrix."""
     return Mat3(
         Vec(m.x.x, m.y.x, m.z.x),
@@ -302,7 +314,7 @@ def transposed(m: Mat3) -> Mat3:
 @kernel
 def symmetric_part(m: Mat3) -> Mat3:
     """Symmetric part ½ (m + mᵀ)."""
-    return 0.5 * (m + transposed(m))
+    return 0.5 * (m + transpose(m))
 
 
 @kernel
@@ -339,7 +351,7 @@ _NO_ANGLE = 1e-300
 
 
 @kernel
-def turned_by(angle: Vec) -> Quat:
+def exponential_map(angle: Vec) -> Quat:
     """Exponential map: the rotation by a rotation vector [rad]."""
     half = math.sqrt(0.25 * (angle @ angle) + _NO_ANGLE)
     of = sine_cosine(half)
@@ -348,8 +360,8 @@ def turned_by(angle: Vec) -> Quat:
 
 
 @kernel
-def turned_a_little(angle: Vec) -> Quat:
-    """Small-angle `turned_by`, by four terms of cosine and sine.
+def small_angle_map(angle: Vec) -> Quat:
+    """Small-angle `exponential_map`, by four terms of cosine and sine.
 
     It is exact to the last bit below 0.1 rad, to 1e-9 at 0.6 rad, and takes a third of the time.
     """
@@ -399,5 +411,5 @@ def quaternion_of(r: Mat3) -> Quat:
     first = by_w if ww > xx else by_x
     second = by_y if yy > zz else by_z
     row = first if (ww if ww > xx else xx) > (yy if yy > zz else zz) else second
-    q = normalised(row)
+    q = normalise(row)
     return q if q.w >= 0.0 else Quat(-q.w, -q.x, -q.y, -q.z)

@@ -138,14 +138,14 @@ def bounce(surface: str, law: ArmLaw, dissipation: float, speed: float = SLIDER_
     left: float | None = None
     while time < LONGEST:
         k1 = rates(state)
-        k2 = rates(_moved(state, k1, 0.5 * STEP))
-        k3 = rates(_moved(state, k2, 0.5 * STEP))
-        k4 = rates(_moved(state, k3, STEP))
+        k2 = rates(_motion(state, k1, 0.5 * STEP))
+        k3 = rates(_motion(state, k2, 0.5 * STEP))
+        k4 = rates(_motion(state, k3, STEP))
         before = state[0]
         mean = [
             (a + 2.0 * b + 2.0 * c + d) / 6.0 for a, b, c, d in zip(k1, k2, k3, k4, strict=True)
         ]
-        x, v, s, r, u, q = _moved(state, mean, STEP)
+        x, v, s, r, u, q = _motion(state, mean, STEP)
         if law.has_stop:
             s, r = (0.0, 0.0) if s < 0.0 else (s, r)
             u, q = (0.0, 0.0) if u < 0.0 else (u, q)
@@ -163,7 +163,7 @@ State = tuple[float, float, float, float, float, float]
 """Place and velocity of the main body, compression and its rate of front and rear arms."""
 
 
-def _moved(state: State, rate: Sequence[float], time: float) -> State:
+def _motion(state: State, rate: Sequence[float], time: float) -> State:
     x, v, s, r, u, q = (y + time * dy for y, dy in zip(state, rate, strict=True))
     return x, v, s, r, u, q
 
@@ -193,7 +193,7 @@ class Fit(NamedTuple):
         return sum(abs(one) <= share for one in self.deviations)
 
 
-def fitted(base: str, variant: FittedLaw) -> Fit:
+def fit(base: str, variant: FittedLaw) -> Fit:
     """A variant with the number that makes its root mean square deviation least.
 
     Args:

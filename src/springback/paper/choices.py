@@ -162,7 +162,7 @@ class ChoiceResults:
         }
 
     @property
-    def flown(self) -> list[tuple[AssumptionSet, float]]:
+    def combinations(self) -> list[tuple[AssumptionSet, float]]:
         """Choices and durations that were flown, in their order."""
         return list(dict.fromkeys((c.choice, c.duration) for c in self.cells))
 
@@ -183,7 +183,9 @@ class ChoiceResults:
 
     def best(self) -> Agreement:
         """The set of choices that gives most of the printed table; the first of equals."""
-        return max((self.agreement(*one) for one in self.flown), key=lambda a: (a.total, a.close))
+        return max(
+            (self.agreement(*one) for one in self.combinations), key=lambda a: (a.total, a.close)
+        )
 
 
 def is_plausible(share: float, printed: float) -> bool:
@@ -265,7 +267,7 @@ def fly_choices(
 def choices_sentences(results: ChoiceResults) -> list[str]:
     """What the sets of choices say, a line each; the best set last."""
     said = []
-    for one in results.flown:
+    for one in results.combinations:
         count, fast = results.agreement(*one), results.table(*one)
         shares = ", ".join(
             f"{robot} {fast[robot, 0.0, 3.5].successes} of {fast[robot, 0.0, 3.5].trials}"
@@ -286,7 +288,7 @@ def choices_sentences(results: ChoiceResults) -> list[str]:
 
 def choices_data(results: ChoiceResults) -> dict[str, Any]:
     """Counts and medians of every condition, and how much of the printed table each set gives."""
-    sets = [results.agreement(*one) for one in results.flown]
+    sets = [results.agreement(*one) for one in results.combinations]
     return {
         "trials": results.trials,
         "seed": results.seed,

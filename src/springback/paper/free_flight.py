@@ -240,7 +240,7 @@ def drop_tables(vehicle: Any, roll: float, pitch: float) -> dict[str, Any]:
     }
 
 
-def dropped(vehicle: dict[str, Any]) -> list[Drop]:
+def drop_repeatedly(vehicle: dict[str, Any]) -> list[Drop]:
     """Let a vehicle fall again and again; each fall begins with the arms as the last left them."""
     drops: list[Drop] = []
     for roll, pitch in DROP_TILTS:
@@ -263,7 +263,7 @@ def _with_arms(vehicle: dict[str, Any], drops: list[Drop]) -> dict[str, Any]:
     return {**vehicle, "arms": arms}
 
 
-def flown_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) -> Response:
+def fly_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) -> Response:
     """Fly one trial of the steps and measure it; the flight is kept on demand."""
     flight = fly(step_tables(vehicle, seed))
     rise: dict[Axis, float] = {}
@@ -274,7 +274,7 @@ def flown_steps(robot: Robot, vehicle: Any, seed: int, *, keep: bool = False) ->
     return Response(robot, seed, rise, error, flight if keep else None)
 
 
-def flown_circle(
+def fly_circle(
     robot: Robot, vehicle: Any, pace: Pace, seed: int, *, keep: bool = False
 ) -> CircleRun:
     """Fly one trial of a circle and measure it; the flight is kept on demand."""
@@ -297,7 +297,7 @@ def flight_experiments(
         progress: Called with the share that is done.
     """
     results = FlightResults(trials)
-    results.drops = dropped({"preset": "arq"})
+    results.drops = drop_repeatedly({"preset": "arq"})
     vehicles: dict[Robot, dict[str, Any]] = {
         "quad": {"preset": "quad"},
         "arq": {"preset": "arq"},
@@ -305,9 +305,9 @@ def flight_experiments(
     }
     for done, (k, trial) in enumerate(product(range(len(ROBOTS)), range(trials)), start=1):
         robot, seed, keep = ROBOTS[k], SEEDS_APART * k + trial, trial == 0
-        results.responses.append(flown_steps(robot, vehicles[robot], seed, keep=keep))
+        results.responses.append(fly_steps(robot, vehicles[robot], seed, keep=keep))
         for pace in PERIODS:
-            results.circles.append(flown_circle(robot, vehicles[robot], pace, seed, keep=keep))
+            results.circles.append(fly_circle(robot, vehicles[robot], pace, seed, keep=keep))
         if progress is not None:
             progress(done / (len(ROBOTS) * trials))
     return results

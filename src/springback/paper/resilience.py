@@ -188,26 +188,26 @@ class ResilienceResults:
         of = (robot, pitch, speed)
         return next((s for s in self.samples if (s.robot, s.pitch, s.speed) == of), None)
 
-    def repeated(self, robot: str) -> list[Repeat]:
+    def repeats_of(self, robot: str) -> list[Repeat]:
         """Flights of the repeated test."""
         return [repeat for repeat in self.repeats if repeat.robot == robot]
 
     def rows(self) -> list[Row]:
         """Ours beside print, for every printed number."""
         found = [*self._success_rows(), *self._pitch_rows(), *self._repeated_rows()]
-        return [*_given_rows(), *found, *self._chosen_rows()] if self.flown else []
+        return [*_input_rows(), *found, *self._chosen_rows()] if self.flown else []
 
-    def chosen(self) -> dict[tuple[str, float, float], ConditionOutcome]:
+    def ekf2_conditions(self) -> dict[tuple[str, float, float], ConditionOutcome]:
         """Conditions with the paper's friction and EKF2's noise; empty if they were not flown."""
         if self.choices is None:
             return {}
-        flown = self.choices.flown
+        flown = self.choices.combinations
         found = [one for one in flown if (one[0].friction, one[0].estimator) == (VERTICAL, EKF2)]
         return self.choices.table(*found[0]) if found else {}
 
     def _chosen_rows(self) -> list[Row]:
         """Printed shares beside ours with EKF2's noise."""
-        rows, table = [], self.chosen()
+        rows, table = [], self.ekf2_conditions()
         for of, printed in SUCCESS.items():
             cell = table.get(of)
             if cell is not None:
@@ -252,11 +252,11 @@ class ResilienceResults:
                 mark = predicted_or_contradicted(ours, printed)
                 rows.append(_row("arq", name, f"pitch, {side}", "deg", ours, printed, mark, note))
         sample = self.sample("arq", *FASTEST)
-        asked = asked_extremes(sample.flight) if sample is not None else None
+        asked = command_extremes(sample.flight) if sample is not None else None
         if asked is not None:
             (up, down), (least, most) = asked, RECOVERY_PITCH
             mark = predicted_or_contradicted(down, most)
-            what = "pitch asked for"
+            what = "commanded pitch"
             rows += [
                 _row("arq", name, f"{what}, nose up", "deg", up, least, Mark.FITTED, PACE),
                 _row("arq", name, f"{what}, nose down", "deg", down, most, mark, PACE),
@@ -264,7 +264,7 @@ class ResilienceResults:
         return rows
 
     def _repeated_rows(self) -> list[Row]:
-        found = self.repeated("arq")
+        found = self.repeats_of("arq")
         if not found or found[0].asked != COLLISIONS_IN_A_ROW:
             return []
         ours = float(min(repeat.recovered for repeat in found))
@@ -278,7 +278,7 @@ class ResilienceResults:
         return [_row("arq", name, "recovered in a row", "", ours, COLLISIONS_IN_A_ROW, mark, note)]
 
 
-def _given_rows() -> list[Row]:
+def _input_rows() -> list[Row]:
     """Printed numbers of the tests in flight that are put in."""
     given = (
         ("distance of the wall, D", WALL_DISTANCE),
@@ -342,8 +342,8 @@ def motion(flight: Flight) -> dict[str, Array]:
     }
 
 
-def asked_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
-    """Smallest and largest pitch asked for on the way to p_r [deg]; None if there was no way."""
+def command_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float, float] | None:
+    """Smallest and largest commanded pitch on the way to p_r [deg]; None if there was no way."""
     pitch = np.degrees(motion(flight)[curve][flight.telemetry["phase"] == RECOVER])
     return (float(pitch.min()), float(pitch.max())) if len(pitch) else None
 
@@ -366,11 +366,11 @@ def returns_of(flight: Flight) -> tuple[float, ...]:
 # -- flights --------------------------------------------------------------------------------------
 
 
-def repeated_test(
+def fly_repeated_test(
     robot: str, trial: int, scatter: Scatter, seed: int, collisions: int, *, keep: bool = False
 ) -> Repeat:
     """Fly the repeated test once."""
-    noise_stream = scatter.drawn(robot, *REPEATED, trial, seed)
+    noise_stream = scatter.draw(robot, *REPEATED, trial, seed)
     changes = {
         "recovery": {"runs": collisions}, "simulation": {"duration": TIME_EACH * collisions},
     }  # fmt: skip
@@ -384,9 +384,9 @@ def repeated_test(
     )  # fmt: skip
 
 
-def sampled(robot: str, pitch: float, speed: float, scatter: Scatter, seed: int) -> Sample:
+def fly_sample(robot: str, pitch: float, speed: float, scatter: Scatter, seed: int) -> Sample:
     """The first trial of a condition once more, with its trajectory."""
-    noise_stream = scatter.drawn(robot, pitch, speed, 0, seed)
+    noise_stream = scatter.draw(robot, pitch, speed, 0, seed)
     return Sample(
         robot, pitch, speed, noise_stream, fly(trial_tables(robot, pitch, speed, noise_stream))
     )
@@ -440,11 +440,13 @@ def resilience_experiments(
             progress(0.6 + 0.4 * done / left)
 
     for sample in SAMPLES:
-        results.samples.append(sampled(*sample, dealt, seed))
+        results.samples.append(fly_sample(*sample, dealt, seed))
         tick()
     for robot in ROBOTS:
         for trial in range(repeats):
             keep = trial == 0
-            results.repeats.append(repeated_test(robot, trial, dealt, seed, collisions, keep=keep))
+            results.repeats.append(
+                fly_repeated_test(robot, trial, dealt, seed, collisions, keep=keep)
+            )
             tick()
     return results

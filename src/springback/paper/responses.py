@@ -26,7 +26,7 @@ def mean_over_time(time: Array, values: Array) -> float:
     return float(np.trapezoid(values, time) / (time[-1] - time[0]))
 
 
-def attained(time: Array, response: Array) -> float:
+def steady_state(time: Array, response: Array) -> float:
     """The steady state that a response attains: its mean over the last `SETTLED` seconds."""
     end = time >= time[-1] - SETTLED
     return mean_over_time(time[end], response[end])
@@ -52,7 +52,7 @@ def rise_time(time: Array, response: Array) -> float:
         time: Instants [s].
         response: Of a step from 0; to where is of no account.
     """
-    end = attained(time, response)
+    end = steady_state(time, response)
     return crossing(time, response, 0.9 * end) - crossing(time, response, 0.1 * end)
 
 

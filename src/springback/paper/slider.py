@@ -27,7 +27,7 @@ from springback.paper.printed import (
     PrintedImpact,
 )
 from springback.results.flight import Flight, fly
-from springback.scenario.files import overridden
+from springback.scenario.files import apply_overrides
 from springback.scenario.presets import vehicle_table
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 from springback.vehicle.parameters import Vehicle
@@ -63,7 +63,7 @@ class Interpretation:
     def arms_mass(self) -> float:
         """Mass of all arms [kg]."""
         own = [word for word in self.overrides if word.startswith("vehicle.")]
-        tables = overridden({"vehicle": {"preset": self.vehicle}}, own)
+        tables = apply_overrides({"vehicle": {"preset": self.vehicle}}, own)
         vehicle = Vehicle.model_validate(vehicle_table(tables["vehicle"]))
         return float(vehicle.mass - vehicle.body.mass)
 
@@ -200,7 +200,7 @@ class SliderResults:
     sweep: list[SweepPoint] = field(default_factory=list)
     readings: tuple[Interpretation, ...] = READINGS
 
-    def counted(self, reading: str) -> list[Row]:
+    def unique_rows(self, reading: str) -> list[Row]:
         """ARQ's rows of a reading for the printed numbers of Table III, each once.
 
         Args:
@@ -227,7 +227,7 @@ def _fly(
     return fly(tables, *reading.overrides, trajectory=keep)
 
 
-def _solved(error: Callable[[float], float], low: float = 0.0, high: float = 1.5) -> float | None:
+def _root(error: Callable[[float], float], low: float = 0.0, high: float = 1.5) -> float | None:
     """c_a at which ``error`` vanishes; None if it does not within the range."""
     if error(low) * error(high) > 0.0:
         return None
@@ -264,7 +264,7 @@ def _rows(case: Case, fitted: str | None) -> list[Row]:
     return rows
 
 
-def _given_rows() -> list[Row]:
+def _input_rows() -> list[Row]:
     library = SURFACES["wall"], SURFACES["mat"]
     given = [
         ("speed at touch", "m/s", SLIDER_SPEED, "section IV-A, about"),
@@ -315,7 +315,7 @@ def slider_experiments(
     twice = {name for name in taken if taken.count(name) > 1}
     if twice:
         raise InputError(f"reading {', '.join(sorted(twice))} is named twice; names must differ")
-    results.rows += _given_rows()
+    results.rows += _input_rows()
     total = 2 + 4 * len(results.readings) + len(SWEEP_SPEEDS) * len(results.readings)
     done = 0
 
@@ -354,7 +354,7 @@ def _arq_cases(reading: Interpretation, surface: str) -> list[Case]:
         flown = _fly(reading, surface, SLIDER_SPEED, trial, None, False)
         return (flown.measures["restitution_at_separation"] or 0.0) - wanted
 
-    own = _solved(error)
+    own = _root(error)
     if own is not None:
         flight = _fly(reading, surface, SLIDER_SPEED, own, None, True)
         cases.append(Case("arq", surface, reading, own, "ARQ's own restitution", flight))
@@ -385,7 +385,7 @@ def _sweep(reading: Interpretation, results: SliderResults, tick: Callable[[], N
 
     ours = results.sweep[-1].gap
     results.rows.append(row(ours, predicted_or_contradicted(ours, SWEEP_GAP), c_a, QUADS, ""))
-    own = _solved(lambda trial: gap(trial) - SWEEP_GAP)
+    own = _root(lambda trial: gap(trial) - SWEEP_GAP)
     if own is not None:
         results.rows.append(
             row(

@@ -15,12 +15,12 @@ from springback.control.cascade import (
     Offboard,
     fly_on,
     hear,
-    steered,
+    position_loop,
 )
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -106,7 +106,7 @@ class RecoveryPilotMemory(NamedTuple):
 
 
 def recovery_pilot_memory(
-    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = uncached
+    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = plain_build
 ) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 
@@ -144,10 +144,10 @@ def _phase_command(
     c, at, before, state = pilot.cascade, m.flight.estimate, m.flight.offboard, m.recovery_state
     if state.phase <= LOOK:
         reference = DelayedReference(c.reference, state.away)
-        return steered(c, reference, tick, time, at, before)
+        return position_loop(c, reference, tick, time, at, before)
     if state.phase <= RECOVER:
-        return steered(c, SmoothReturn(state.recovery), tick, time, at, before)
-    return steered(c, SmoothReturn(state.homeward), tick, time, at, before)
+        return position_loop(c, SmoothReturn(state.recovery), tick, time, at, before)
+    return position_loop(c, SmoothReturn(state.homeward), tick, time, at, before)
 
 
 @kernel
@@ -205,7 +205,7 @@ def _steered(pilot: TreeLayout, reference: Any, lanes: Lanes, i: int) -> Offboar
     avionics, g, w, _, tick = lanes
     flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
     at, before = load(flight.estimate, g, w, i), load(flight.offboard, g, w, i)
-    return steered(load(pilot.cascade, g, w, i), reference, tick, time, at, before)
+    return position_loop(load(pilot.cascade, g, w, i), reference, tick, time, at, before)
 
 
 @steer.register(Staged)

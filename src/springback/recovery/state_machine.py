@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from springback.control.references import Polynomials
 from springback.control.target import Target, target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
@@ -95,7 +95,9 @@ def _without_jerk(reference: SmoothReturn, time: float) -> Target:
     return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
 
-def recovery_at_start(route: Route, nothing: Collision, build: Build = uncached) -> RecoveryState:
+def recovery_at_start(
+    route: Route, nothing: Collision, build: Build = plain_build
+) -> RecoveryState:
     """State before the first run-up.
 
     Args:

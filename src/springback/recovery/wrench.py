@@ -19,7 +19,7 @@ from springback.control.mixing import wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
@@ -79,7 +79,7 @@ def no_wrench(
     airframe: Airframe,
     start: Estimate,
     thrust: tuple[float, ...],
-    build: Build = uncached,
+    build: Build = plain_build,
 ) -> ExternalWrench:
     """Estimate and memory of an observer at the start, without an external wrench."""
     none, inertia = ZERO, build(_whole_inertia, airframe)

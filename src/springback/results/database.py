@@ -26,7 +26,7 @@ _LOCK = (
 )
 
 
-def locked(
+def sandbox(
     paths: Sequence[Path] = (), folders: Sequence[Path] = (), *, threads: int | None = None
 ) -> Any:
     """A new in-memory database that can only access given files.
@@ -43,10 +43,10 @@ def locked(
         made.execute(f"SET threads = {int(threads)}")
     names = dict.fromkeys(name for path in paths for name in (str(path), pattern(path)))
     if names:
-        made.execute(f"SET allowed_paths = [{', '.join(map(quoted, names))}]")
+        made.execute(f"SET allowed_paths = [{', '.join(map(literal, names))}]")
     if folders:
         made.execute(
-            f"SET allowed_directories = [{', '.join(quoted(str(one)) for one in folders)}]"
+            f"SET allowed_directories = [{', '.join(literal(str(one)) for one in folders)}]"
         )
     for statement in _LOCK:
         made.execute(statement)
@@ -67,7 +67,7 @@ def in_database(work: Callable[[Any], T], connection: Any = None) -> T:
     Raises:
         KeyboardInterrupt: After Ctrl-C at any instant, once the query has ended.
     """
-    asked = _Asked(work, connection if connection is not None else locked())
+    asked = _Asked(work, connection if connection is not None else sandbox())
     try:
         threading.Thread(target=asked.run, daemon=True, name="springback database").start()
         asked.ended.wait()
@@ -117,12 +117,12 @@ class _Asked:
 # -- texts in SQL ---------------------------------------------------------------------------------
 
 
-def quoted(text: str) -> str:
+def literal(text: str) -> str:
     """A text as an SQL literal."""
     return "'" + text.replace("'", "''") + "'"
 
 
-def named(column: str) -> str:
+def identifier(column: str) -> str:
     """A column name as an SQL identifier."""
     return '"' + column.replace('"', '""') + '"'
 
@@ -134,7 +134,7 @@ def pattern(path: Path) -> str:
 
 def parquet(paths: Sequence[Path]) -> str:
     """The rows of Parquet files, as a table in SQL."""
-    return f"read_parquet([{', '.join(quoted(pattern(path)) for path in paths)}])"
+    return f"read_parquet([{', '.join(literal(pattern(path)) for path in paths)}])"
 
 
 def one_select(sql: str) -> str:

@@ -44,7 +44,7 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
     work, world = flight.work, flight.scenario.flight_model()
     columns = {"t": flight.t, "work_thrust": work["thrust"]}
     columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
-    columns |= _stored(world.airframe, world.world.gravity, flight.columns)
+    columns |= _stored_energy(world.airframe, world.world.gravity, flight.columns)
     # Contact energy is the remainder, as the ledger closes (tests/results/test_energy_history.py).
     known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
     before = sum(float(columns[name][0]) for name in HELD[:-1])  # flights start without contact
@@ -53,7 +53,7 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
     return {name: columns[name] for name in ("t", *HELD, "work_thrust", *LOST)}
 
 
-def _stored(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
+def _stored_energy(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
     """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns."""
     velocity, spin, r = _vectors(c, "v"), _vectors(c, "w"), _rotations(c)
     body_mass = airframe.mass - sum(arm.mass for arm in airframe.arms)

@@ -24,7 +24,7 @@ class EstimateErrors(NamedTuple):
 def _ticks(flight: Flight) -> Array:
     """Instants of the ticks [s]; without a pilot, those of the clock."""
     if not flight.columns:
-        raise InputError("the flight kept no trajectory")
+        raise InputError("the flight has no trajectory")
     if "t" in flight.telemetry:
         return flight.telemetry["t"]
     clock = float(flight.scenario.clock)
@@ -44,7 +44,7 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
         InputError: If the trajectory was not recorded, or there is no estimate.
     """
     if "est_x" not in flight.telemetry:
-        raise InputError("the flight kept no trajectory, or no estimate was made")
+        raise InputError("the flight has no trajectory, or no estimate was made")
     names = ("x", "y", "z"), ("vx", "vy", "vz"), ("qw", "qx", "qy", "qz")
     truth = [_at_ticks(flight, group) for group in names]
     believed = [
@@ -61,7 +61,7 @@ def estimate_errors(flight: Flight) -> EstimateErrors:
     )
 
 
-def felt_force(flight: Flight) -> Array:
+def specific_force(flight: Flight) -> Array:
     """Mean specific force over each tick along the body axes, shape (ticks, 3) [m/s²].
 
     From the velocities at the ticks and the attitude at the later one; zero at the first.  It is
@@ -84,6 +84,6 @@ def clipped_area(flight: Flight, full_scale: float) -> float:
         flight: Flight with its trajectory.
         full_scale: Range of each axis [m/s²].
     """
-    force = felt_force(flight)
+    force = specific_force(flight)
     beyond = force - np.clip(force, -full_scale, full_scale)
     return float(np.linalg.norm(beyond.sum(axis=0)) / float(flight.scenario.clock))

@@ -26,10 +26,10 @@ from springback.results.recovery_measures import (
 from springback.scenario.arguments import check_executor, chosen_pilot
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import PLAIN_PYTHON, ReadyFlight
-from springback.scenario.files import checked_scenario, overridden, read_scenario
+from springback.scenario.files import apply_overrides, checked_scenario, read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user_obstacles import check_own_obstacles
-from springback.scenario.user_pilots import as_written, guarded, in_words, validated
+from springback.scenario.user_pilots import guarded_pilot, in_words, source_text, validate
 from springback.simulation.flight import Executor, FlightRecord, Trace, check_instants, fly_one
 from springback.simulation.guided import GuidedFlight, PlainPilot, fly_guided, ticks_of
 from springback.simulation.measures import (
@@ -149,7 +149,7 @@ class Flight:
 
     def _need_trajectory(self) -> None:
         if not self.columns:
-            raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+            raise InputError("this flight has no trajectory: fly it with trajectory=True")
 
     def to_dataframe(self) -> pandas.DataFrame:
         """Trajectory as a pandas DataFrame, one row per instant; units in ``attrs``.
@@ -346,7 +346,7 @@ def fly(
         foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
         check_instants(int(foreseen), timing.until, timing.until)
     if built.built_avionics is not None:
-        flight = _guided(ready, built, flown_by, trajectory, executor, progress)
+        flight = _fly_guided(ready, built, flown_by, trajectory, executor, progress)
         return _wary(replace(flight, own=tuple(own)))
     flown = fly_one(
         built.model, built.start, trace=trajectory, executor=executor, progress=progress
@@ -364,7 +364,7 @@ def _wary(flight: Flight) -> Flight:
     return flight
 
 
-def _guided(
+def _fly_guided(
     ready: Scenario,
     built: ReadyFlight,
     pilot: PlainPilot | CompiledPilot | None,
@@ -377,9 +377,9 @@ def _guided(
     assert built_avionics is not None  # only called for flights with a pilot
     own = pilot if isinstance(pilot, CompiledPilot) else None
     rotors = len(start.arm_length)
-    plain = guarded(pilot, rotors) if callable(pilot) else None
+    plain = guarded_pilot(pilot, rotors) if callable(pilot) else None
     if own is not None:
-        validated(own, built_avionics.avionics.onboard.measurement, rotors)
+        validate(own, built_avionics.avionics.onboard.measurement, rotors)
     ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
     noise = noise_table(seed, 0, ticks, built_avionics.noise)
     with in_words(own):
@@ -430,11 +430,11 @@ def as_scenario(
     if isinstance(scenario, Mapping):
         if not overrides:
             return scenario_from(scenario, pilot)
-        given = overridden(dict(scenario), overrides)
+        given = apply_overrides(dict(scenario), overrides)
         return checked_scenario(given, "scenario", "", overrides, pilot)
     if not isinstance(scenario, str | Path):
         raise InputError(
             "scenario must be a Scenario, tables, or the path of a TOML file "
-            f"(got {as_written(scenario)})"
+            f"(got {source_text(scenario)})"
         )
     return read_scenario(scenario, overrides, pilot=pilot)

@@ -107,7 +107,7 @@ def surface_of(shape: Any, low: Array, high: Array) -> Mesh:
         if level < HALVINGS:
             cells = (2 * cells[:, None, :] + _CORNERS).reshape(-1, 3)
             size *= 0.5
-    found = _netted(shape, low, size, cells) if len(cells) else None
+    found = _mesh(shape, low, size, cells) if len(cells) else None
     nothing = Mesh(type(shape).__name__, np.zeros((0, 3)), _NO_CELLS, np.zeros((0, 3)))
     return found or nothing
 
@@ -116,7 +116,7 @@ def _distances(shape: Any, points: Array) -> Array:
     return np.array([signed_distance(shape, Vec(*p)) for p in points.tolist()], dtype=float)
 
 
-def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Mesh | None:
+def _mesh(shape: Any, low: Array, size: float, cells: Cells) -> Mesh | None:
     corners = (cells[:, None, :] + _CORNERS).reshape(-1, 3)
     unique, back = np.unique(corners, axis=0, return_inverse=True)
     inside = (_distances(shape, low + size * unique) < 0.0)[back.reshape(-1, 8)]
@@ -125,11 +125,11 @@ def _netted(shape: Any, low: Array, size: float, cells: Cells) -> Mesh | None:
     triangles = _faces(cells, inside)
     if not len(triangles):
         return None
-    vertices, normals = _laid(shape, low + size * (cells + 0.5))
+    vertices, normals = _project(shape, low + size * (cells + 0.5))
     return Mesh(type(shape).__name__, vertices, triangles, normals)
 
 
-def _laid(shape: Any, points: Array) -> tuple[Array, Array]:
+def _project(shape: Any, points: Array) -> tuple[Array, Array]:
     """Points projected to the surface along the normal, and the normals there."""
     n = np.zeros_like(points)
     for _ in range(2):

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from springback.results.database import in_database, locked, quoted
+from springback.results.database import in_database, literal, sandbox
 
 
 def write_parquet(
@@ -30,9 +30,9 @@ def write_parquet(
     """
     path = path.absolute()
     metadata = {"units": json.dumps(dict(units)), **about}
-    pairs = ", ".join(f"{quoted(key)}: {quoted(value)}" for key, value in metadata.items())
+    pairs = ", ".join(f"{literal(key)}: {literal(value)}" for key, value in metadata.items())
     text = (
-        f"COPY ({select}) TO {quoted(str(path))} "
+        f"COPY ({select}) TO {literal(str(path))} "
         f"(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false, KV_METADATA {{{pairs}}})"
     )
 
@@ -50,4 +50,4 @@ def write_parquet(
 @functools.lru_cache(maxsize=4)
 def _database(folder: Path) -> Any:
     """One database for all files of a folder: creating it takes as long as writing a file."""
-    return locked(folders=[folder], threads=1)  # one thread, so that rows keep their order
+    return sandbox(folders=[folder], threads=1)  # one thread, so that rows keep their order

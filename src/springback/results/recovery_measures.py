@@ -73,7 +73,7 @@ def recovery_outcome(guided: GuidedFlown) -> Outcome:
     return recovery_outcomes(record, seen)[0]
 
 
-def _known(time: Array) -> Array:
+def _finite(time: Array) -> Array:
     return where(time >= 0.0, time)
 
 
@@ -109,9 +109,9 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
         "recovered_runs": seen.recovered,
         "false_alarms": seen.false_alarms,
         "alarm_time": where(noticed, run.alarm),
-        "planned_time": _known(log.planned),
-        "rested_time": _known(log.settled),
-        "home_time": _known(log.home),
+        "planned_time": _finite(log.planned),
+        "rested_time": _finite(log.settled),
+        "home_time": _finite(log.home),
         "detection_delay": _since(run.alarm, touch),
         "hall_delay": _since(d.hall.first, first),
         "acceleration_delay": _since(d.acceleration.first, first),

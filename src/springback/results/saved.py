@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from springback.errors import InputError
-from springback.results.database import in_database, locked, parquet, pattern
+from springback.results.database import in_database, parquet, pattern, sandbox
 from springback.results.flight import Flight
 from springback.results.meshes import read_surfaces
 from springback.results.recovery_measures import RECOVERY_MEASURES
@@ -47,7 +47,7 @@ def read_result(folder: str | Path) -> Flight:
         _check_file(folder / name, summary["files"])
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
-    _check(path, columns, _wanted(scenario.vehicle))
+    _check(path, columns, _required_columns(scenario.vehicle))
     telemetry: dict[str, Array] = {}
     path = folder / "telemetry.parquet"
     if path.name in summary["files"]:
@@ -135,7 +135,7 @@ def _measures(folder: Path, summary: Mapping[str, Any]) -> dict[str, float | Non
     return measures
 
 
-def _wanted(vehicle: Vehicle) -> list[str]:
+def _required_columns(vehicle: Vehicle) -> list[str]:
     """Required columns of a trajectory."""
     numbers = range(1, vehicle.arm_count + 1)
     names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
@@ -157,7 +157,7 @@ def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
         return read, metadata
 
     try:
-        read, metadata = in_database(ask, locked([path], threads=1))
+        read, metadata = in_database(ask, sandbox([path], threads=1))
     except duckdb.Error as error:
         raise InputError(f"{path}: cannot be read as Parquet ({_first_line(error)})") from None
     columns: dict[str, Array] = {}

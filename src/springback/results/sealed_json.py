@@ -21,7 +21,7 @@ def digest_of(data: Mapping[str, Any]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def sealed(data: Mapping[str, Any]) -> dict[str, Any]:
+def with_digest(data: Mapping[str, Any]) -> dict[str, Any]:
     """Plain data with its digest."""
     return {**data, SEAL: digest_of(data)}
 

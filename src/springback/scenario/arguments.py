@@ -6,7 +6,7 @@ from typing import Any, get_args
 
 from springback.errors import InputError
 from springback.scenario.avionics import CompiledPilot
-from springback.scenario.user_pilots import as_written, read_pilot
+from springback.scenario.user_pilots import read_pilot, source_text
 from springback.simulation.flight import Executor
 from springback.simulation.guided import PlainPilot
 
@@ -20,7 +20,7 @@ def check_executor(executor: str) -> None:
     known = get_args(Executor)
     if executor not in known:
         names = " or ".join(map(repr, known))
-        raise InputError(f"executor must be {names} (got {as_written(executor)})")
+        raise InputError(f"executor must be {names} (got {source_text(executor)})")
 
 
 def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
@@ -36,7 +36,7 @@ def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
     if isinstance(pilot, type) or not callable(pilot):
         raise InputError(
             "pilot must be a function (time, measurement, memory) -> (thrusts, memory), an "
-            f"CompiledPilot, or 'file.py:name' (got {as_written(pilot)})"
+            f"CompiledPilot, or 'file.py:name' (got {source_text(pilot)})"
         )
     plain: PlainPilot = pilot
     return plain

@@ -19,7 +19,7 @@ from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts
 from springback.errors import InputError
-from springback.kernels.memo import FOREVER, Build, uncached
+from springback.kernels.memo import FOREVER, Build, plain_build
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -120,7 +120,7 @@ class NominalVehicle(NamedTuple):
 
 
 def nominal_vehicle(
-    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = uncached
+    vehicle: Vehicle, propulsion: Propulsion, gravity: float, build: Build = plain_build
 ) -> NominalVehicle:
     """A pilot's model of a vehicle."""
     airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
@@ -144,7 +144,7 @@ def reference_of(
     believed: NominalVehicle,
     rate_limit: float,
     point: Any,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> Any:
     """Build a reference.
@@ -161,24 +161,24 @@ def reference_of(
         The problem of a reference that the vehicle cannot follow.
     """
     limits = build(limits_of, believed, rate_limit)
-    made = build(_made_reference, settings, limits, believed.airframe, point, advises)
+    made = build(_build_reference, settings, limits, believed.airframe, point, advises)
     if isinstance(made, InputError):
         with _in_table("reference"):
             raise made
     return made
 
 
-def _made_reference(
+def _build_reference(
     settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
 ) -> Any:
     """Reference, or the problem with it."""
     if isinstance(settings, RunUpSettings):
-        return _made_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
-    return _found(settings, limits)
+        return _build_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
+    return _build_other(settings, limits)
 
 
 @functools.lru_cache(maxsize=4096)  # used twice per scenario; many vehicles reach equally far
-def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
+def _build_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
     """Reference of a run-up, or the problem with it, which is slowest to find."""
     try:
         return settings.run_up(limits, lambda pitch: ahead, advises).reference
@@ -187,7 +187,7 @@ def _made_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises:
 
 
 @functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
-def _found(settings: Any, limits: Limits) -> Any:
+def _build_other(settings: Any, limits: Limits) -> Any:
     """Reference other than a run-up, or the problem with it."""
     try:
         return settings.reference(limits, lambda pitch: 0.0)  # only run-ups depend on the reach
@@ -277,7 +277,7 @@ def cascade_of(
     scenario: ScenarioTables,
     model: Model,
     start: State,
-    build: Build = uncached,
+    build: Build = plain_build,
     advises: bool = True,
 ) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
@@ -339,7 +339,7 @@ def collision_sensing(
 
 
 def recovery_pilot(
-    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = uncached
+    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = plain_build
 ) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
     s, recovery, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
@@ -361,7 +361,7 @@ def build_avionics(
     start: State,
     pilot: CompiledPilot | MakePilot = cascade_of,
     biases: Sequence[float] | None = None,
-    build: Build = uncached,
+    build: Build = plain_build,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.
 
@@ -399,7 +399,7 @@ def build_avionics(
     return BuiltAvionics(avionics, (*devices.noise, air.noise))
 
 
-class Blowing(NamedTuple):
+class Atmosphere(NamedTuple):
     """The air around a vehicle with a pilot."""
 
     weather: Any
@@ -407,11 +407,11 @@ class Blowing(NamedTuple):
     noise: Draw
 
 
-def _air_of(air: AirSettings, tick: float) -> Blowing:
+def _air_of(air: AirSettings, tick: float) -> Atmosphere:
     with _in_table("air"):
         weather = air.turbulence(tick)
     noise = Draw(GUST_NOISE, 0 if isinstance(weather, NoGusts) else 1)
-    return Blowing(weather, Vec(*air.wind), noise)
+    return Atmosphere(weather, Vec(*air.wind), noise)
 
 
 #: Tables that only the pilot of the paper reads, and those that apply to every pilot.

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics, cascade_of
 from springback.scenario.checks import (
     blaming_the_clock,
@@ -41,7 +41,7 @@ def build_flight(
     scenario: ScenarioTables,
     own: Sequence[Own] = (),
     pilot: CompiledPilot | str | None = None,
-    build: Build = uncached,
+    build: Build = plain_build,
     biases: Sequence[float] | None = None,
     advises: bool = True,
 ) -> ReadyFlight:

@@ -12,7 +12,7 @@ from springback.contact.cage import cage_contact
 from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
     settle_step,
@@ -38,7 +38,7 @@ MOST_TICKS = 5e6
 AMPLE = 1.01
 
 
-def check_tables(scenario: ScenarioTables, build: Build = uncached) -> None:
+def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     """Reject what no pilot can fly; `check_start` is the last of these checks."""
     s = scenario
     check_reference(s)

@@ -15,8 +15,8 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
-from springback.quantities import PerArm, Triple, Unit, checked, number_in
-from springback.settings import Settings, meant
+from springback.quantities import PerArm, Triple, Unit, number_in, si_number
+from springback.settings import Settings, nearest_name
 
 Path = tuple[str | int, ...]
 
@@ -129,7 +129,7 @@ class Parameter:
     def read(self, text: str) -> float:
         """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
         try:
-            value = checked(number_in(text, self.unit, bare=True), self.unit)
+            value = si_number(number_in(text, self.unit, bare=True), self.unit)
         except PydanticCustomError as error:
             raise InputError(f"{self.name}: {error.message()}") from None
         if self.whole and value != round(value):
@@ -172,7 +172,7 @@ def number_at(
             raise InputError(f"{name}: unknown parameter; {key!r} is not inside a table")
         fields = fields_of(kind)
         if key not in fields:
-            near = meant(key, [*fields, *known])
+            near = nearest_name(key, [*fields, *known])
             hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         field, others = fields[key], ()

@@ -10,9 +10,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from springback.errors import InputError, shortened, shown_value
-from springback.problems import dotted, key_path, problem_paths
-from springback.scenario.scenario import Scenario, expanded
+from springback.errors import InputError, excerpt, shown_value
+from springback.problems import dotted_path, key_path, problem_paths
+from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import (
     MOST_DEPTH,
     check_depth,
@@ -34,7 +34,7 @@ def _value(text: str) -> Any:
         return text
 
 
-def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+def apply_overrides(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
     """A raw scenario with ``key=value`` words applied, in order.
 
     Raises:
@@ -60,12 +60,12 @@ def overridden(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any
                 f"{shown_value(word)} is not an override; its key has {len(parts)} parts, "
                 f"and at most {MOST_DEPTH} are read"
             )
-        result = replaced(_spelled_out(result, parts, word), parts, _value(text.strip()), word)
+        result = with_value(_with_full_list(result, parts, word), parts, _value(text.strip()), word)
         check_depth(result, f"override {shown_value(word)}")
     return dict(result)
 
 
-def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
+def _with_full_list(given: Any, parts: Sequence[Key], word: str) -> Any:
     """Raw tables in which the list that ``parts`` refer to is written out.
 
     An entry such as ``start.position.2`` can be overridden although the list is not given, but
@@ -74,7 +74,7 @@ def _spelled_out(given: Any, parts: Sequence[Key], word: str) -> Any:
     lists = [parts[:k] for k, part in enumerate(parts) if isinstance(part, int) and k]
     if not lists or (found := default_at(given, lists[0])) is None:
         return given
-    return replaced(given, lists[0], found, word)
+    return with_value(given, lists[0], found, word)
 
 
 def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
@@ -87,7 +87,7 @@ def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
     if not isinstance(given, dict) or _at(given, path) is not None:
         return None
     try:
-        found = _at(expanded(given), path)
+        found = _at(expand_presets(given), path)
     except InputError:  # from another part, reported when the whole is read
         return None
     table: Any = Scenario
@@ -110,7 +110,7 @@ def _at(tables: Any, path: Sequence[Key]) -> Any:
     return tables
 
 
-def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
+def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
     """``node`` with one value replaced; the path to it is copied, all else is shared.
 
     Args:
@@ -124,17 +124,17 @@ def replaced(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         node = {"preset": node}
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
-            raise InputError(f"{shown_value(word)}: there is no entry {head}{_counted(node)}")
-        entry = replaced(node[head], rest, value, word) if rest else value
+            raise InputError(f"{shown_value(word)}: there is no entry {head}{_entry_count(node)}")
+        entry = with_value(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
         raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = {"preset": value}
-    return {**node, head: replaced(node.get(head, {}), rest, value, word) if rest else value}
+    return {**node, head: with_value(node.get(head, {}), rest, value, word) if rest else value}
 
 
-def _counted(node: Any) -> str:
+def _entry_count(node: Any) -> str:
     """Number of entries, in words."""
     if not isinstance(node, list):
         return "; it is not a list"
@@ -184,7 +184,7 @@ def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]
     for word in reversed(overrides):
         parts = key_path(word.partition("=")[0])
         if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
-            return f"override {shortened(word)}"
+            return f"override {excerpt(word)}"
     return place_of(name, text, path)
 
 
@@ -214,7 +214,7 @@ def read_scenario(
     path = Path(path)
     text = source_text(path)
     given = toml_tables(text, str(path))
-    return checked_scenario(overridden(given, overrides), str(path), text, overrides, pilot)
+    return checked_scenario(apply_overrides(given, overrides), str(path), text, overrides, pilot)
 
 
 def checked_scenario(
@@ -227,7 +227,7 @@ def checked_scenario(
     """A scenario from raw tables; problems refer to lines of ``text`` or to overrides."""
     found: list[tuple[tuple[Key, ...], str]]
     try:
-        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
+        return Scenario.model_validate(expand_presets(given), context={"pilot": pilot})
     except InputError as error:
         found = [(error.path, line) for line in error.problems]
     except ValidationError as error:
@@ -235,5 +235,5 @@ def checked_scenario(
     problems = []
     for path, what in found:
         where = _blame(path, name, text, overrides)
-        problems.append(f"{where}: {dotted(path)}: {what}" if path else f"{where}: {what}")
+        problems.append(f"{where}: {dotted_path(path)}: {what}" if path else f"{where}: {what}")
     raise InputError(*problems)

@@ -17,10 +17,10 @@ from springback.contact.parameters import Own, obstacles
 from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
-from springback.kernels.memo import FOREVER, Build, uncached
+from springback.kernels.memo import FOREVER, Build, plain_build
 from springback.kernels.tracing import sqrt
 from springback.kernels.vectors import Mat3, Quat, Vec
-from springback.quantities import checked
+from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
     ModelSettings,
@@ -33,7 +33,7 @@ from springback.scenario.tables import (
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, State
+from springback.vehicle.state import Airframe, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -68,7 +68,7 @@ def thrusts_of(
         raise problem(f"has {len(thrust)} entries for {count} rotors", "thrust")
     given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
     with naming("thrust"):
-        return tuple(checked(entry, "N", least=0.0) for entry in given)
+        return tuple(si_number(entry, "N", least=0.0) for entry in given)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------
@@ -99,7 +99,7 @@ def masses_of(vehicle: Vehicle) -> Masses:
 
 
 def true_body(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> TrueBody | None:
     """True main body, with model errors and payload; None if it is the nominal one.
 
@@ -152,7 +152,7 @@ def true_vehicle(vehicle: Vehicle, error: ModelError, load: Payload) -> Vehicle:
 
 
 def true_airframe(
-    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = uncached
+    vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> Airframe:
     """Airframe of the true vehicle, for the equations of motion."""
     airframe = build(Vehicle.airframe, vehicle)
@@ -161,13 +161,15 @@ def true_airframe(
         return airframe
     inertia = Mat3(*(Vec(*row) for row in body.inertia))
     mass = body.mass + build(masses_of, vehicle).arms
-    return Airframe(mass, 1.0 / mass, inertia, airframe.arms, airframe.hull)
+    return build_airframe(mass, inertia, airframe.arms, airframe.hull)
 
 
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(world: WorldSettings, own: Sequence[Own] = (), build: Build = uncached) -> World:
+def world_numbers(
+    world: WorldSettings, own: Sequence[Own] = (), build: Build = plain_build
+) -> World:
     """Obstacles and gravity for the equations; ``own`` are the user's own shapes."""
     built = obstacles(world.obstacles, own, build)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
@@ -217,25 +219,25 @@ def contact_point_of(model: ModelSettings) -> Ring | ArmTip:
 
 
 def flight_model(
-    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = uncached
+    scenario: ScenarioTables, own: Sequence[Own] = (), build: Build = plain_build
 ) -> Model:
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
     world = build(world_numbers, s.world, own, build, place=FOREVER)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
-    point, guide, timing = build(_chosen, s.model, s.simulation, s.vehicle)
+    point, guide, timing = build(_flight_options, s.model, s.simulation, s.vehicle)
     return Model(airframe, world, point, guide, build(AirSettings.air, s.air), thrust, timing)
 
 
-def _chosen(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
+def _flight_options(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
     """Contact point, guide and timing."""
     return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
 
 
-def start_state(start: Start, vehicle: Vehicle, build: Build = uncached) -> State:
+def start_state(start: Start, vehicle: Vehicle, build: Build = plain_build) -> State:
     """State at time 0, arms at their free length."""
-    s, arms = start, build(_unpressed, vehicle)
+    s, arms = start, build(_arms_at_rest, vehicle)
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
     spin = build(_vector, s.angular_velocity)
     return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
@@ -245,7 +247,7 @@ def _vector(given: tuple[float, float, float]) -> Vec:
     return Vec(*given)
 
 
-def _unpressed(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _arms_at_rest(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Lengths and rates of arms at rest."""
     lengths = vehicle.lengths()
     return lengths, (0.0,) * len(lengths)

@@ -8,7 +8,7 @@ from typing import Any
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
 from springback.sensing.library import ESTIMATORS
-from springback.settings import meant
+from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
 
 
@@ -20,18 +20,18 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     """
     if name in known:
         return known[name]
-    near = meant(name, known)
+    near = nearest_name(name, known)
     hint = f"did you mean {near}? " if near else ""
     raise InputError(f"unknown {kind} preset {shown_value(name)}; {hint}known: {', '.join(known)}")
 
 
-def merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
+def merge(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
     """``base`` with the values of ``over``, table by table."""
     result = dict(base)
     for key, value in over.items():
         inner = result.get(key)
         if isinstance(value, Mapping) and isinstance(inner, Mapping):
-            result[key] = merged(inner, value)
+            result[key] = merge(inner, value)
         else:
             result[key] = value
     return result
@@ -46,7 +46,7 @@ def vehicle_table(given: Any) -> Any:
     with within(*_key_of_preset(given)):
         base = preset("vehicle", str(table["preset"]), known)
     own = {key: value for key, value in table.items() if key != "preset"}
-    return merged(base.model_dump(), own)
+    return merge(base.model_dump(), own)
 
 
 def _key_of_preset(given: Any) -> tuple[str, ...]:
@@ -67,7 +67,7 @@ def surface_table(given: Any) -> Any:
         base.pop("restitution_speed", None)
     if "restitution" in own and "restitution_speed" not in own:
         base.pop("restitution_speed", None)
-    return merged(base, own)
+    return merge(base, own)
 
 
 def estimator_table(given: Any) -> Any:
@@ -76,7 +76,7 @@ def estimator_table(given: Any) -> Any:
     if not isinstance(table, Mapping) or "preset" not in table:
         return given
     base = preset("estimator", str(table["preset"]), ESTIMATORS).model_dump(exclude_unset=True)
-    return merged(base, {key: value for key, value in table.items() if key != "preset"})
+    return merge(base, {key: value for key, value in table.items() if key != "preset"})
 
 
 def obstacle_table(entry: Any) -> Any:
@@ -91,7 +91,7 @@ def obstacle_table(entry: Any) -> Any:
     return {**entry, **own}
 
 
-def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
+def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario, every preset replaced by its values."""
     result = dict(given)
     if "vehicle" in result:

@@ -11,13 +11,13 @@ from pydantic import ValidationError, ValidationInfo, model_validator
 from springback.contact.parameters import Own
 from springback.errors import InputError
 from springback.kernels.memo import Memo
-from springback.problems import dotted
+from springback.problems import dotted_path
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import PLAIN_PYTHON, ReadyFlight, build_flight
 from springback.scenario.checks import check_start, check_tables
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
-from springback.scenario.presets import expanded as expanded
-from springback.scenario.presets import merged as merged
+from springback.scenario.presets import expand_presets as expand_presets
+from springback.scenario.presets import merge as merge
 from springback.scenario.presets import preset as preset
 from springback.scenario.tables import ScenarioTables
 from springback.simulation.record import Model
@@ -79,9 +79,9 @@ def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenar
         InputError: One line for each problem, with its path.
     """
     try:
-        return Scenario.model_validate(expanded(given), context={"pilot": pilot})
+        return Scenario.model_validate(expand_presets(given), context={"pilot": pilot})
     except InputError as error:
-        where = f"{dotted(error.path)}: " if error.path else ""
+        where = f"{dotted_path(error.path)}: " if error.path else ""
         raise InputError(*(where + line for line in error.problems)) from None
     except ValidationError as error:
         raise InputError(*Scenario.in_words(error)) from None

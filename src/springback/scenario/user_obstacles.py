@@ -133,7 +133,7 @@ class _Sampled:
                 )  # fmt: skip
             self.refuse(
                 "outward_normal", point,
-                f"{_shown(n)}, and the gradient of signed_distance is {_shown(gradient)}",
+                f"{_text(n)}, and the gradient of signed_distance is {_text(gradient)}",
             )  # fmt: skip
 
     def is_crease(self, point: Vec) -> bool:
@@ -158,7 +158,7 @@ class _Sampled:
 
     def distance(self, point: Vec) -> float:
         """Distance returned by the shape [m]."""
-        returned = self.asked(signed_distance, point)
+        returned = self.value(signed_distance, point)
         if not isinstance(returned, float) or not math.isfinite(returned):
             self.refuse(
                 "signed_distance", point, f"{shown_value(returned)}; it must be a finite float"
@@ -167,29 +167,29 @@ class _Sampled:
 
     def normal(self, point: Vec) -> Vec:
         """Normal returned by the shape."""
-        returned = self.asked(outward_normal, point)
+        returned = self.value(outward_normal, point)
         if not isinstance(returned, Vec):
             self.refuse("outward_normal", point, f"{shown_value(returned)}; it must be a Vec")
         if not abs(norm(returned) - 1.0) <= UNIT:
             self.refuse(
                 "outward_normal",
                 point,
-                f"{_shown(returned)}, {norm(returned):.6g} long; it must be 1 long",
+                f"{_text(returned)}, {norm(returned):.6g} long; it must be 1 long",
             )
         return Vec(*returned)
 
-    def asked(self, function: Any, point: Vec) -> Any:
+    def value(self, function: Any, point: Vec) -> Any:
         """Value returned by one of the functions."""
         try:
             return function(self.shape, point)
         except Exception as error:
             raise InputError(
                 f"{self.name}: {failure_place(error)}: {type(error).__name__}: {error}, "
-                f"at {_shown(point)} m"
+                f"at {_text(point)} m"
             ) from error
 
     def refuse(self, function: str, point: Vec, what: str) -> None:
-        raise InputError(f"{self.name}: {function} at {_shown(point)} m is {what}")
+        raise InputError(f"{self.name}: {function} at {_text(point)} m is {what}")
 
 
 _AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
@@ -205,5 +205,5 @@ def _directions() -> Iterator[Vec]:
             yield Vec(x + 0.013, y - 0.017, z + 0.011)
 
 
-def _shown(v: Vec) -> str:
+def _text(v: Vec) -> str:
     return f"[{', '.join(f'{part:.4g}' for part in v)}]"

@@ -49,7 +49,7 @@ def read_pilot(word: str) -> PlainPilot | CompiledPilot:
     path = Path(file)
     if not path.is_file():
         raise InputError(f"{file}: there is no such file")
-    module = _imported(path.resolve(), file)
+    module = _import_file(path.resolve(), file)
     if not hasattr(module, name):
         mine = [key for key, value in vars(module).items() if _is_pilot(value, module)]
         known = f"; there are: {', '.join(mine)}" if mine else ""
@@ -71,7 +71,7 @@ def _is_pilot(value: Any, module: ModuleType) -> bool:
     return isinstance(value, CompiledPilot) or (written and a_function)
 
 
-def _imported(path: Path, shown: str) -> ModuleType:
+def _import_file(path: Path, shown: str) -> ModuleType:
     """Import a file as a module; its folder is searched for its imports.
 
     Its name depends on its path only, so that cached kernels find its types.
@@ -138,7 +138,7 @@ def _home(pilot: Any) -> tuple[str, int]:
 # -- in plain Python ------------------------------------------------------------------------------
 
 
-def guarded(pilot: PlainPilot, rotors: int) -> PlainPilot:
+def guarded_pilot(pilot: PlainPilot, rotors: int) -> PlainPilot:
     """A plain pilot whose errors are reported in one line, with its file and line and the time.
 
     Args:
@@ -165,18 +165,18 @@ def guarded(pilot: PlainPilot, rotors: int) -> PlainPilot:
 def wrong(said: Any, rotors: int) -> str:
     """Error in the command of a pilot, a sentence without its subject; empty if none."""
     if not isinstance(said, tuple) or len(said) != 2:
-        return f"must return (thrusts, memory) (got {as_written(said)})"
+        return f"must return (thrusts, memory) (got {source_text(said)})"
     commanded = said[0]
     if isinstance(commanded, str | bytes | Mapping | Set) or not isinstance(commanded, Iterable):
-        return f"must command a list or tuple of numbers in N (got {as_written(commanded)})"
+        return f"must command a list or tuple of numbers in N (got {source_text(commanded)})"
     if isinstance(commanded, Iterator):  # it could be read only once
-        return f"must command a list or tuple of numbers in N (got {as_written(commanded)})"
+        return f"must command a list or tuple of numbers in N (got {source_text(commanded)})"
     try:
         if any(isinstance(thrust, str | bytes | bool | np.bool_) for thrust in commanded):
-            return f"must command numbers in N (got {as_written(commanded)})"
+            return f"must command numbers in N (got {source_text(commanded)})"
         thrusts = [float(thrust) for thrust in commanded]
     except (TypeError, ValueError, OverflowError):
-        return f"must command numbers in N (got {as_written(commanded)})"
+        return f"must command numbers in N (got {source_text(commanded)})"
     if len(thrusts) != rotors:
         return f"commands {len(thrusts)} thrusts for {rotors} rotors"
     for k, thrust in enumerate(thrusts, start=1):
@@ -185,7 +185,7 @@ def wrong(said: Any, rotors: int) -> str:
     return ""
 
 
-def as_written(value: Any) -> str:
+def source_text(value: Any) -> str:
     """A value as Python source, on one line and not too long, for messages."""
     try:
         text = " ".join(repr(value).split())
@@ -197,7 +197,7 @@ def as_written(value: Any) -> str:
 # -- compiled -------------------------------------------------------------------------------------
 
 
-def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
+def validate(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
     """Call a pilot that is to be compiled once, as plain Python.
 
     Its result must have the layout that the flight stores: compiled code does not check again.
@@ -219,7 +219,7 @@ def validated(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
         raise InputError(f"{_place(error, file, line)}: {_words(error)}, at 0 s") from error
     where = f"{file}:{line}: the pilot"
     if not isinstance(said, PilotOutput):
-        raise InputError(f"{where} must return Piloted(thrusts, memory) (got {as_written(said)})")
+        raise InputError(f"{where} must return Piloted(thrusts, memory) (got {source_text(said)})")
     if problem := wrong(said, rotors):
         raise InputError(f"{where} {problem}")
     _check_floats(said.thrust, f"{where}: thrusts")
@@ -240,7 +240,7 @@ def _check_floats(tree: Any, stem: str) -> None:
         hint = f"; write {float(tree)!r}" if isinstance(tree, int) else ""
         raise InputError(
             f"{stem} must be a float, or a NamedTuple or tuple of floats, to be compiled "
-            f"(got {as_written(tree)}, {kind}){hint}"
+            f"(got {source_text(tree)}, {kind}){hint}"
         )
 
 

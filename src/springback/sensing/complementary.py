@@ -25,14 +25,14 @@ from springback.kernels.vectors import (
     Quat,
     Vec,
     conjugate,
+    exponential_map,
     norm,
-    normalised,
+    normalise,
     positive_part,
     quaternion_product,
-    renormalised,
+    renormalise,
     rotation,
-    turned_a_little,
-    turned_by,
+    small_angle_map,
 )
 from springback.sensing.measurement import (
     Estimate,
@@ -152,7 +152,7 @@ def _moved_on(
 @kernel
 def _at_tick(m: ComplementaryMemory) -> Estimate:
     """Estimate, extrapolated from the last inertial sample at constant rates."""
-    q = quaternion_product(m.attitude, turned_a_little(m.waiting * m.angular_velocity))
+    q = quaternion_product(m.attitude, small_angle_map(m.waiting * m.angular_velocity))
     position = m.position + m.waiting * m.velocity
     return Estimate(position, q, m.velocity, m.angular_velocity)
 
@@ -214,14 +214,14 @@ def _followed(
     turn = _attitude_correction(weights, inertial.specific_force, m)
     bias = _bias(weights, inertial.angular_velocity, turn, m)
     omega = inertial.angular_velocity - bias
-    half = turned_a_little((0.5 * dt) * (omega + turn))
+    half = small_angle_map((0.5 * dt) * (omega + turn))
     middle = quaternion_product(m.attitude, half)
     force = rotation(middle) @ inertial.specific_force
     acceleration = force - Vec(0.0, 0.0, weights.gravity)
     return ComplementaryMemory(
         position=m.position + dt * m.velocity + (0.5 * dt * dt) * acceleration,
         velocity=m.velocity + dt * acceleration,
-        attitude=renormalised(quaternion_product(middle, half)),
+        attitude=renormalise(quaternion_product(middle, half)),
         gyroscope_bias=bias,
         angular_velocity=omega,
         heading_error=m.heading_error,
@@ -250,15 +250,15 @@ def _missing_turn(believed: Quat, measured: Quat) -> Vec:
 def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
     """Memory after a pose, compared with the estimate extrapolated back by the pose's age."""
     age = positive_part(pose.age - m.waiting)
-    then = quaternion_product(m.attitude, turned_by(-age * m.angular_velocity))
+    then = quaternion_product(m.attitude, exponential_map(-age * m.angular_velocity))
     missed = pose.position - (m.position - age * m.velocity)
     z = m.faded
     missing = _missing_turn(then, pose.attitude)
-    whole = turned_by(missing * (weights.whole * (1.0 - z * z)))
+    whole = exponential_map(missing * (weights.whole * (1.0 - z * z)))
     return ComplementaryMemory(
         position=m.position + (1.0 - z * z) * missed,
         velocity=m.velocity + ((1.0 - z) * (1.0 - z) / m.unposed) * missed,
-        attitude=normalised(quaternion_product(m.attitude, whole)),
+        attitude=normalise(quaternion_product(m.attitude, whole)),
         gyroscope_bias=m.gyroscope_bias,
         angular_velocity=m.angular_velocity,
         heading_error=_heading_error(pose.attitude, then),

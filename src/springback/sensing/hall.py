@@ -11,7 +11,7 @@ import functools
 import math
 from typing import Any, NamedTuple
 
-from springback.kernels.angles import rounded_down
+from springback.kernels.angles import floor
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, read, store
 from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
@@ -122,7 +122,7 @@ def counted(sensors: HallSensors, voltage: float) -> float:
     """Converter output for a voltage, an integer from 0 to counts − 1."""
     low = voltage if voltage > sensors.lowest else sensors.lowest
     inside = low if low < sensors.highest else sensors.highest
-    word = rounded_down(inside / sensors.supply * sensors.counts)
+    word = floor(inside / sensors.supply * sensors.counts)
     top = sensors.counts - 1.0
     return word if word < top else top
 

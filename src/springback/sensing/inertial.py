@@ -11,9 +11,9 @@ import functools
 import math
 from typing import Any, NamedTuple
 
-from springback.kernels.angles import rounded
+from springback.kernels.angles import nearest_integer
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import ZERO, Quat, Vec, renormalised, rotation
+from springback.kernels.vectors import ZERO, Quat, Vec, renormalise, rotation
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Inertial, Pace, Truth, due, paced
 from springback.sensing.memory import Nothing
@@ -92,7 +92,7 @@ def middle_attitude(a: Quat, b: Quat) -> Quat:
     """Midpoint of two attitudes: their normalised mean, exact for a steady rotation."""
     half = 0.5 if a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 else -0.5
     w, x, y, z = 0.5 * a.w, 0.5 * a.x, 0.5 * a.y, 0.5 * a.z
-    return renormalised(Quat(w + half * b.w, x + half * b.x, y + half * b.y, z + half * b.z))
+    return renormalise(Quat(w + half * b.w, x + half * b.x, y + half * b.y, z + half * b.z))
 
 
 @kernel
@@ -164,7 +164,7 @@ def clipped(x: float, channel: Channel) -> float:
 @kernel
 def quantised(x: float, step: float) -> float:
     """Multiple of ``step`` nearest to a component."""
-    return step * rounded(x * (1.0 / step))
+    return step * nearest_integer(x * (1.0 / step))
 
 
 @kernel

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.kernels.angles import rounded_down
+from springback.kernels.angles import floor
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.vectors import Quat, Vec
@@ -73,7 +73,7 @@ def due(tick: float, pace: Pace) -> bool:
     Half a tick is added, so that rounding cannot matter: less than 1/ticks of a period has passed.
     """
     rounds = (tick + 0.5) * pace.share
-    return rounds - rounded_down(rounds) < pace.share
+    return rounds - floor(rounds) < pace.share
 
 
 @kernel

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.kernels.angles import rounded_down
+from springback.kernels.angles import floor
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import select
 
@@ -48,7 +48,7 @@ def arriving(line: Line, delay: float, every: float) -> Any:
         delay: Whole ticks, at most four sampling periods.
         every: Sampling period, whole ticks.
     """
-    back = rounded_down(delay / every + 0.5 / every)
+    back = floor(delay / every + 0.5 / every)
     late = select(back < 3.5, line.fourth, line.fifth)
     middle = select(back < 2.5, line.third, late)
     return select(back < 0.5, line.newest, select(back < 1.5, line.second, middle))

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.trees import Rarely, select
-from springback.kernels.vectors import Quat, Vec, normalised, quaternion_rate
+from springback.kernels.vectors import Quat, Vec, normalise, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
@@ -108,7 +108,7 @@ def turned(attitude: Quat, angles: Vec) -> Quat:
     """
     rate = quaternion_rate(attitude, angles)
     w, x, y, z = attitude.w + rate.w, attitude.x + rate.x, attitude.y + rate.y, attitude.z + rate.z
-    return normalised(Quat(w, x, y, z))
+    return normalise(Quat(w, x, y, z))
 
 
 @kernel

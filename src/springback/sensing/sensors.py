@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import TreeLayout, load, rows, store
-from springback.kernels.memo import Build, uncached
+from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
@@ -66,7 +66,7 @@ def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
 
 
 def sensors_at_start(
-    sensors: Sensors, start: State, gravity: float, build: Build = uncached
+    sensors: Sensors, start: State, gravity: float, build: Build = plain_build
 ) -> SensorsMemory:
     """Memory of all sensors before tick 0; plain Python.
 

@@ -29,7 +29,7 @@ from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import axpy, axpy_strictly, replace, select, square, tree_map
-from springback.kernels.vectors import Vec, renormalised
+from springback.kernels.vectors import Vec, renormalise
 from springback.simulation.lanes import (
     CRUISES,
     LOOKS,
@@ -253,7 +253,7 @@ def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     rate = read(shape.motion, b, at.total, w, i)
     new = axpy_strictly(old, rate, SIXTH * h)
     good = square(new.state) < DIVERGED
-    state = replace(new.state, attitude=renormalised(new.state.attitude))
+    state = replace(new.state, attitude=renormalise(new.state.attitude))
     # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
     write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0
@@ -402,6 +402,10 @@ def advance(
     lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
     flying = 1
     while flying > 0 and budget > 0 and logged[0] < lines:
+        # All look first, for a group takes only flights over that are known to cruise.
+        for group in range(first, last if several else first):
+            if classify(shape, buffers[group], w, early).looking > 0:
+                check_clearance(shape, buffers[group], w)
         for turn in range(2 * groups):
             group, cruising = first + turn % groups, turn < groups
             wanted = CRUISES if cruising else STEERS

@@ -15,7 +15,7 @@ from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
 from springback.errors import InputError
-from springback.kernels.compiler import Origin, own_executor, registered
+from springback.kernels.compiler import Origin, implementations, user_executor
 from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
@@ -170,7 +170,7 @@ def sources(types: set[type]) -> Origin | None:
     those of a file that has changed since this process began, which may have read it before, and
     those that use values from elsewhere of which there is no digest.
     """
-    entries = [entry for cls in types for entry in (cls, *registered(cls))]
+    entries = [entry for cls in types for entry in (cls, *implementations(cls))]
     entries = [entry for entry in entries if not entry.__module__.startswith("springback.")]
     own = {entry.__module__ for entry in entries}
     files = {getattr(sys.modules.get(name), "__file__", None) for name in own}
@@ -206,7 +206,7 @@ def entry_for(model: Model, executor: Executor = "compiled") -> Any:
     own = own_types(model)
     if executor == "python":
         return plain
-    return own_executor(plain, sources(own), nogil=True) if own else advance
+    return user_executor(plain, sources(own), nogil=True) if own else advance
 
 
 def fly_one(

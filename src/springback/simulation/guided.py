@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.dynamics.gusts import NoGusts, first_gust
-from springback.kernels.compiler import Origin, executor, own_executor, with_globals
+from springback.kernels.compiler import Origin, executor, user_executor, with_globals
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.executor import advance, to_tick
@@ -235,12 +235,12 @@ def _own_guide(
     """`guide` for a user's own types; without any in the model, the package's physics is used."""
     plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
     for name in ("sense_and_decide", "drive_rotors"):
-        parts[name] = own_executor(plain[name], files, nogil=True)
+        parts[name] = user_executor(plain[name], files, nogil=True)
     if own_model:
-        parts["advance"] = own_executor(plain["advance"], files, nogil=True)
+        parts["advance"] = user_executor(plain["advance"], files, nogil=True)
         between = with_globals(plain["to_tick"], advance=parts["advance"])
-        parts["to_tick"] = own_executor(between, files, nogil=True)
-    return own_executor(with_globals(plain["guide"], **parts), files, nogil=True)
+        parts["to_tick"] = user_executor(between, files, nogil=True)
+    return user_executor(with_globals(plain["guide"], **parts), files, nogil=True)
 
 
 _PARTS: dict[str, Any] = {

@@ -15,7 +15,7 @@ from springback.contact.cage import CageContact, cage_contact
 from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.energy import Energy, energy
-from springback.kernels.compiler import executor, kernel, own_executor
+from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Quat, Vec, rotation
@@ -166,7 +166,7 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
     out = np.zeros((len(states), 10 * parts + len(Energy._fields)))
     own = own_types(asked)
     plain = getattr(_evaluate_all, "py_func", _evaluate_all)
-    run = own_executor(plain, sources(own), nogil=True) if own else _evaluate_all
+    run = user_executor(plain, sources(own), nogil=True) if own else _evaluate_all
     run(TreeLayout(asked), np.ascontiguousarray(instants), out)
     each_part = out[:, : 10 * parts].reshape(len(out), parts, 10)
     normal = each_part[:, :, 3]

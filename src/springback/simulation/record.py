@@ -15,7 +15,7 @@ from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, maximum, minimum, replace, select, tree_map
-from springback.kernels.vectors import Vec, norm
+from springback.kernels.vectors import Vec, larger, norm, smaller
 from springback.simulation.peaks import NOTHING_YET, PeakSample, Recent, peak_of, spacing
 from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
 
@@ -196,18 +196,6 @@ def _rises(now: float, before: float) -> float:
 @kernel
 def _count(so_far: float, now: float, before: float) -> float:
     return so_far + _rises(now, before)
-
-
-@kernel
-def larger(a: float, b: float) -> float:
-    """The larger of two floats."""
-    return a if a > b else b
-
-
-@kernel
-def smaller(a: float, b: float) -> float:
-    """The smaller of two floats."""
-    return a if a < b else b
 
 
 @kernel

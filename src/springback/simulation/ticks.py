@@ -40,7 +40,7 @@ from springback.simulation.onboard import (
     telemetry_of,
 )
 from springback.simulation.record import FINISHED, FLYING, NOT_FINITE
-from springback.vehicle.rotors import all_lagged
+from springback.vehicle.rotors import lagged_thrusts
 from springback.vehicle.state import State
 
 #: Normal numbers that gusts take at each tick, after those of the sensors.
@@ -341,7 +341,7 @@ def drive_rotors(
         thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
         period = load(settings.period, g, w, i)
         rotors, lag = load(settings.rotors, g, w, i), load(settings.lag, g, w, i)
-        spun = all_lagged(rotors, thrust, command, lag)
+        spun = lagged_thrusts(rotors, thrust, command, lag)
         store(spun.thrust, memory.thrust, g, w, i)
         store(spun.mean, model.thrust, b, w, i)
         store(min((now + 1.0) * period, duration), model.timing.until, b, w, i)

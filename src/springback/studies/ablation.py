@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.scenario.scenario import merged
+from springback.scenario.scenario import merge
 from springback.sensing.parameters import STANDARD_GRAVITY
 from springback.studies.run_ups import CONDITIONS, PAPER_WALL
 from springback.studies.trials import Condition, Trial, fly_trials
@@ -42,7 +42,7 @@ def same(tables: Mapping[str, Any]) -> Changes:
     return lambda robot: tables
 
 
-def changed_vehicle(tables: Mapping[str, Any]) -> Changes:
+def vehicle_changes(tables: Mapping[str, Any]) -> Changes:
     """Each robot's preset with some of its numbers changed."""
     return lambda robot: {"vehicle": {"preset": robot, **tables}}
 
@@ -100,9 +100,9 @@ def _ekf2(**numbers: Any) -> Mapping[str, Any]:
 VARIANTS = (
     Ablation("default", "all as documented", same({})),
     Ablation("compliance", "ARQ's arms locked",
-            changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
+            vehicle_changes({"arms": {"compliant": False}}), ("arq",)),
     Ablation("compliance", "arms of reading D: a quarter as stiff and damped",
-            changed_vehicle({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
+            vehicle_changes({"arms": {"stiffness": 1250.0, "damping": 22.5}}), ("arq",)),
     Ablation("IMU clipping", "accelerometer without limit", same(LARGE_RANGE)),
     Ablation("IMU clipping", "filter trusts clipped readings", same({
         "estimator": {"kalman": {"distrust_clipped": False}}})),
@@ -110,20 +110,20 @@ VARIANTS = (
     Ablation("estimator", "complementary, PX4-like",
             same({"estimator": {"type": "complementary"}})),
     Ablation("PX4 EKF2", "the noise it assumes", same(_ekf2())),
-    Ablation("PX4 EKF2", "and an accelerometer of 200 g", same(merged(LARGE_RANGE, _ekf2()))),
+    Ablation("PX4 EKF2", "and an accelerometer of 200 g", same(merge(LARGE_RANGE, _ekf2()))),
     Ablation("PX4 EKF2", "and clipped readings distrusted", same(_ekf2(distrust_clipped=True))),
     Ablation("PX4 EKF2", "and 4.9 m/s² while clipped, as later", same(
         _ekf2(distrust_clipped=True, clipping=LATER_CLIPPING))),
     Ablation("PX4 EKF2", "and friction along both tangents",
-            same(merged(surface_of(axes="both"), _ekf2()))),
-    Ablation("PX4 EKF2", "and ARQ's arms locked", lambda robot: merged(
+            same(merge(surface_of(axes="both"), _ekf2()))),
+    Ablation("PX4 EKF2", "and ARQ's arms locked", lambda robot: merge(
         _ekf2(), {"vehicle": {"preset": robot, "arms": {"compliant": False}}}), ("arq",)),
     Ablation("rate limit", "110 deg/s", same(degrees(110.0))),
     Ablation("rate limit", "1000 deg/s", same(degrees(1000.0))),
     Ablation("thrust limit", "rotors 15 % weaker", thrust(0.85)),
     Ablation("thrust limit", "rotors twice as strong", thrust(2.0)),
-    Ablation("rotor lag", "15 ms", changed_vehicle({"propulsion": {"time_constant": 0.015}})),
-    Ablation("rotor lag", "60 ms", changed_vehicle({"propulsion": {"time_constant": 0.06}})),
+    Ablation("rotor lag", "15 ms", vehicle_changes({"propulsion": {"time_constant": 0.015}})),
+    Ablation("rotor lag", "60 ms", vehicle_changes({"propulsion": {"time_constant": 0.06}})),
     Ablation("attitude loop", "time constant 0.1 s", same({"control": {"time_constant": 0.1}})),
     Ablation("attitude loop", "time constant 0.25 s", same({"control": {"time_constant": 0.25}})),
     Ablation("mixer", "airmode", same({"control": {"lift_share": 1.0}})),
@@ -166,7 +166,7 @@ RANGES = (
     Range("rate gain", "1/s", (15.0, 20.0, 30.0, 40.0, 50.0), 40.0,
           lambda robot, x: {"control": {"rate_gain": x}}),
     Range("rotor time constant", "s", (0.01, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06), 0.025,
-          lambda robot, x: changed_vehicle({"propulsion": {"time_constant": x}})(robot)),
+          lambda robot, x: vehicle_changes({"propulsion": {"time_constant": x}})(robot)),
     Range("most thrust over default", "", (0.8, 0.9, 1.0, 1.25, 1.5), 1.0,
           lambda robot, x: thrust(x)(robot)),
     Range("friction", "", (0.0, 0.2, 0.4, 0.6, 0.8, 1.0), 0.8, lambda robot, x: surface_of(x)),
@@ -336,7 +336,7 @@ def why(
             progress((done + 1) / count)
     for done, (one, value) in enumerate(walked):
         tests = [
-            Condition(robot, pitch, speed, merged({}, one.changes(robot, value)))
+            Condition(robot, pitch, speed, merge({}, one.changes(robot, value)))
             for robot in ROBOTS
             for pitch, speed in conditions
         ]

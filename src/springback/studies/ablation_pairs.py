@@ -12,17 +12,17 @@ from dataclasses import dataclass, field
 from itertools import combinations_with_replacement
 from typing import Any, NamedTuple
 
-from springback.scenario.presets import merged
+from springback.scenario.presets import merge
 from springback.studies.ablation import (
     LARGE_RANGE,
     ROBOTS,
     Ablation,
     Changes,
-    changed_vehicle,
     degrees,
     same,
     surface_of,
     thrust,
+    vehicle_changes,
 )
 from springback.studies.trials import Condition, Trial, fly_trials
 
@@ -46,11 +46,11 @@ CHANGES = (
     Ablation("range", "accelerometer of 200 g", same(LARGE_RANGE)),
     Ablation("friction", "friction along both tangents", same(surface_of(axes="both"))),
     Ablation("compliance", "ARQ's arms locked",
-            changed_vehicle({"arms": {"compliant": False}}), ("arq",)),
+            vehicle_changes({"arms": {"compliant": False}}), ("arq",)),
     Ablation("rate limit", "rate limit 110 deg/s", same(degrees(110.0))),
     Ablation("thrust", "rotors 15 % weaker", thrust(0.85)),
     Ablation("lag", "rotors lag 60 ms",
-            changed_vehicle({"propulsion": {"time_constant": 0.06}})),
+            vehicle_changes({"propulsion": {"time_constant": 0.06}})),
     Ablation("look", "looking for 50 ms first",
             same({"recovery": {"characterisation": {"window": 0.05}}})),
 )  # fmt: skip
@@ -123,7 +123,7 @@ def fly_pairs(
             tables: Mapping[str, Any] = {}
             for change in (one, other):
                 if robot in change.robots:
-                    tables = merged(tables, change.changes(robot))
+                    tables = merge(tables, change.changes(robot))
             asked.append((one.cause, other.cause, robot, tables))
     tests = [Condition(robot, *FASTEST, tables) for _, _, robot, tables in asked]
     flown = iter(fly_trials(tests, trials, seed=seed, progress=progress))

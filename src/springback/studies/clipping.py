@@ -22,7 +22,7 @@ KINDS = (("quad", "vertical"), ("arq", "both"), ("arq", "vertical"))
 """Robots and axes of friction, the hardest impact first; a rigid front hardly minds the axes."""
 
 
-class Hidden(NamedTuple):
+class ClippingLoss(NamedTuple):
     """One collision."""
 
     robot: str
@@ -40,12 +40,12 @@ class Hidden(NamedTuple):
         }  # fmt: skip
 
 
-def hidden_velocity(
+def clipping_losses(
     speeds: Sequence[float] = SPEEDS,
     *,
     full_scale: float = RANGE,
     progress: Callable[[float], None] | None = None,
-) -> list[Hidden]:
+) -> list[ClippingLoss]:
     """Fly both robots straight into the paper's wall, level, and integrate what is clipped.
 
     Args:
@@ -59,7 +59,7 @@ def hidden_velocity(
         flight = fly(impact_tables(robot, axes, PRINTED_FRICTION, 0.0, speed))
         velocity = clipped_area(flight, full_scale)
         restitution = flight.measures["restitution_at_separation"] or 0.0
-        found.append(Hidden(robot, axes, speed, velocity, speed * (1.0 + restitution)))
+        found.append(ClippingLoss(robot, axes, speed, velocity, speed * (1.0 + restitution)))
         if progress is not None:
             progress(done / len(asked))
     return found

@@ -22,7 +22,7 @@ from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, 
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
-from springback.studies.roc import Array, Judged, Quiet, RocPoint, curve, quiet
+from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
 from springback.studies.trials import Scatter, trial_tables
 
 ROBOTS = ("arq", "quad")
@@ -90,7 +90,7 @@ def approach_tables(
         changes: Tables laid over those of the test.
     """
     robot, speed, wall_yaw, robot_yaw, trial = approach
-    noise_stream = Scatter().drawn(robot, 0.0, speed, trial, seed)
+    noise_stream = Scatter().draw(robot, 0.0, speed, trial, seed)
     noise_stream = noise_stream._replace(wall_yaw=noise_stream.wall_yaw + math.radians(wall_yaw))
     given = trial_tables(robot, 0.0, speed, noise_stream, changes)
     run = RUN if speed > SLOW else SHORT_RUN
@@ -155,7 +155,7 @@ class ReadyTrial(NamedTuple):
     avionics: Avionics
 
 
-def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
+def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     """A flight made ready and flown, trajectory, telemetry and all."""
     scenario = scenario_from(tables)
     _, model, start, built = scenario.build()
@@ -167,7 +167,7 @@ def flown(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     return ReadyTrial(scenario, model, avionics), fly_guided(flight, noise)
 
 
-def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, Judged]:
+def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSignal]:
     """The signal of every trigger, tick by tick."""
     assert guided.telemetry is not None  # asked only of flights that keep one
     sensors, tick = ready.scenario.sensors, 1.0 / ready.scenario.clock
@@ -177,7 +177,7 @@ def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, Judged]:
         column, pace = SIGNALS[name], paces[SIGNALS[name]]
         every = 1 if pace.perfect else round(1.0 / (pace.rate * tick))
         values = np.ascontiguousarray(guided.telemetry[f"told.{column}"])
-        found[name] = Judged(values, tick, every)
+        found[name] = TriggerSignal(values, tick, every)
     return found
 
 
@@ -197,7 +197,7 @@ class CharacterisationError(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Encounter:
+class CollisionTrial:
     """One collision: when it was noticed, and as what."""
 
     approach: Approach
@@ -205,7 +205,7 @@ class Encounter:
     """Time of first touch [s]."""
     delays: dict[str, float | None]
     """Of each trigger at its threshold, after touch [s]; None if it missed."""
-    signals: dict[str, Judged] = field(repr=False)
+    signals: dict[str, TriggerSignal] = field(repr=False)
     characterisation_error: CharacterisationError | None = None
 
 
@@ -221,7 +221,7 @@ def _vectors(columns: Any, stem: str, axes: str = "xyz") -> Array:
     return np.stack([columns[f"{stem}.{axis}"] for axis in axes], axis=1)
 
 
-def _turned(quaternion: Array) -> Array:
+def _rotation_matrix(quaternion: Array) -> Array:
     """Rotation matrix, body to world, of a quaternion wxyz."""
     w, (x, y, z) = quaternion[0], quaternion[1:]
     skewed = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
@@ -239,7 +239,7 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
         normal: Into the obstacle, world.
         arms: Which are hit, true or false.
     """
-    r = _turned(_vectors(trace, "state.attitude", "wxyz")[row])
+    r = _rotation_matrix(_vectors(trace, "state.attitude", "wxyz")[row])
     place = _vectors(trace, "state.position")[row]
     flat = normal - (normal @ r[:, 2]) * r[:, 2]
     rim = flat / np.linalg.norm(flat)
@@ -302,7 +302,9 @@ def characterisation_error(
     )
 
 
-def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = None) -> Encounter:
+def fly_collision(
+    approach: Approach, seed: int, changes: dict[str, Any] | None = None
+) -> CollisionTrial:
     """Fly one approach and look at the collision.
 
     Args:
@@ -310,7 +312,7 @@ def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = No
         seed: Of all luck.
         changes: Tables laid over those of the test.
     """
-    ready, guided = flown(approach_tables(approach, seed, changes))
+    ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
     touch = guided.flown.record.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
@@ -320,7 +322,7 @@ def encounter(approach: Approach, seed: int, changes: dict[str, Any] | None = No
         name: one._replace(signal=one.signal[:end].copy())
         for name, one in signals_of(ready, guided).items()
     }
-    return Encounter(
+    return CollisionTrial(
         approach, touch, delays, signals, characterisation_error(approach, ready, guided, touch)
     )
 
@@ -332,14 +334,14 @@ class DetectionResults:
     flights: int
     """Trials of each approach."""
     seed: int
-    encounters: list[Encounter] = field(default_factory=list)
-    on_momentum: list[Encounter] = field(default_factory=list)
-    free: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    collisions: list[CollisionTrial] = field(default_factory=list)
+    on_momentum: list[CollisionTrial] = field(default_factory=list)
+    free: dict[str, list[dict[str, TriggerSignal]]] = field(default_factory=dict)
     """Signals of the free flights of each robot."""
-    free_on_momentum: dict[str, list[dict[str, Judged]]] = field(default_factory=dict)
+    free_on_momentum: dict[str, list[dict[str, TriggerSignal]]] = field(default_factory=dict)
     alarms: dict[str, dict[str, float]] = field(default_factory=dict)
     """Alarms of each trigger in the free flights of each robot, at its default threshold."""
-    _quiet: dict[tuple[str, str, int], Quiet] = field(default_factory=dict, repr=False)
+    _false_alarms: dict[tuple[str, str, int], FalseAlarms] = field(default_factory=dict, repr=False)
     """Looked through once: free flight is long."""
 
     def free_time(self, robot: str) -> float:
@@ -350,9 +352,9 @@ class DetectionResults:
         """Triggers that say anything on a robot: where no arm slides, its sensors do not."""
         return [name for name in SIGNALS if name != "hall" or robot == "arq"]
 
-    def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[Encounter]:
+    def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[CollisionTrial]:
         """Collisions of a robot, on which a trigger looked."""
-        flights = self.on_momentum if trigger == "momentum" else self.encounters
+        flights = self.on_momentum if trigger == "momentum" else self.collisions
         return [
             one for one in flights
             if one.approach.robot == robot and speed in (None, one.approach.speed)
@@ -370,12 +372,12 @@ class DetectionResults:
         """The receiver operating curve of a trigger, at one speed or over all."""
         key, name = (robot, trigger, persistence), "wrench" if trigger == "momentum" else trigger
         thresholds = THRESHOLDS[trigger].tolist()
-        if key not in self._quiet:
+        if key not in self._false_alarms:
             free = self.free_on_momentum if trigger == "momentum" else self.free
             signals = [one[name] for one in free[robot]]
-            self._quiet[key] = quiet(signals, thresholds, persistence=persistence)
+            self._false_alarms[key] = false_alarms(signals, thresholds, persistence=persistence)
         return curve(
-            self._quiet[key],
+            self._false_alarms[key],
             [(one.signals[name], one.touch) for one in self.hits(robot, trigger, speed)],
             thresholds, persistence=persistence, within=IN_TIME,
         )  # fmt: skip
@@ -385,7 +387,7 @@ class DetectionResults:
     ) -> list[CharacterisationError]:
         """Collisions that were made out, of all or of some."""
         return [
-            one.characterisation_error for one in self.encounters
+            one.characterisation_error for one in self.collisions
             if one.characterisation_error is not None and robot in (None, one.approach.robot)
             and speed in (None, one.approach.speed) and one.approach.speed >= CHARACTERISED_FROM
         ]  # fmt: skip
@@ -426,16 +428,16 @@ def detection_study(
             progress(done / total)
 
     for approach in hits:
-        results.encounters.append(encounter(approach, seed))
+        results.collisions.append(fly_collision(approach, seed))
         step()
     for approach in straight:
-        results.on_momentum.append(encounter(approach, seed, ON_MOMENTUM))
+        results.on_momentum.append(fly_collision(approach, seed, ON_MOMENTUM))
         step()
     for robot in ROBOTS:
         raised = dict.fromkeys(("hall", "acceleration", "wrench", "momentum"), 0.0)
         for number in range(pieces):
             for changes, kept in ((None, results.free), (ON_MOMENTUM, results.free_on_momentum)):
-                ready, guided = flown(free_tables(robot, number, changes))
+                ready, guided = fly_ready_trial(free_tables(robot, number, changes))
                 kept.setdefault(robot, []).append(signals_of(ready, guided))
                 seen = guided.onboard.pilot.detection
                 if changes is None:

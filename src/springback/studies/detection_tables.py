@@ -58,7 +58,7 @@ def roc_rows(results: DetectionResults) -> Rows:
 def delay_rows(results: DetectionResults) -> Rows:
     """Every delay of every trigger at its default threshold; empty where it missed."""
     rows = []
-    for one in results.encounters:
+    for one in results.collisions:
         for name, delay in one.delays.items():
             if name in results.triggers(one.approach.robot):
                 rows.append({**one.approach._asdict(), "trigger": name, "delay_s": delay})

@@ -187,13 +187,13 @@ def friction_study(
         flown = fly_trials(tests, trials, seed=seed)
         for n, test in enumerate(tests):
             mine = flown[n * trials : (n + 1) * trials]
-            results.flown.append(_flown(test, axes, mine))
+            results.flown.append(_fly_piloted(test, axes, mine))
         if progress is not None:
             progress(0.5 + 0.5 * (k + 1) / len(AXES))
     return results
 
 
-def _flown(test: Condition, axes: str, trials: Sequence[Trial]) -> PilotedImpacts:
+def _fly_piloted(test: Condition, axes: str, trials: Sequence[Trial]) -> PilotedImpacts:
     def median(name: str) -> float:
         return float(np.median([trial.measures[name] or 0.0 for trial in trials]))
 

@@ -124,7 +124,7 @@ def _at_rest(scenario: Scenario) -> Scenario:
 # -- in flight ------------------------------------------------------------------------------------
 
 
-def _away(flight: Flight, since: float = 0.0) -> float:
+def _farthest(flight: Flight, since: float = 0.0) -> float:
     """Largest distance from the start [m], from some time on."""
     c, start = flight.columns, flight.scenario.start.position
     offsets = np.stack([c[axis] - begin for axis, begin in zip("xyz", start, strict=True)])
@@ -138,7 +138,7 @@ def _tilt(flight: Flight, since: float) -> float:
     return float(np.arccos(np.clip(cosine, -1.0, 1.0))[c["t"] >= since].max())
 
 
-def _flown(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding:
+def _flight_finding(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding:
     """A finding of a flight, or of why it could not be flown."""
     try:
         return Finding(name, *judge())
@@ -153,18 +153,18 @@ def _hovers(pilot: PlainPilot, scenario: Scenario, calls: list[Call]) -> Finding
         return thrusts, after
 
     def judge() -> tuple[bool, str]:
-        flight = fly(scenario, pilot=_marked(noting, pilot))
-        away = _away(flight)
+        flight = fly(scenario, pilot=_with_location(noting, pilot))
+        away = _farthest(flight)
         return (
             flight.is_finite and away <= REACH,
             f"from rest it strays {100.0 * away:.2g} cm in {DURATION:g} s "
             f"(at most {100.0 * REACH:g} cm)",
         )
 
-    return _flown("hovers", judge)
+    return _flight_finding("hovers", judge)
 
 
-def _marked(function: Any, pilot: Any) -> Any:
+def _with_location(function: Any, pilot: Any) -> Any:
     """A function that stands for a pilot: its slips are told with the pilot's file and line."""
     function.__wrapped__ = pilot
     return function
@@ -177,7 +177,7 @@ def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
 
     def judge() -> tuple[bool, str]:
         flight = fly(tilted, pilot=pilot)
-        away, tilt = _away(flight, DURATION - LAST), _tilt(flight, DURATION - LAST)
+        away, tilt = _farthest(flight, DURATION - LAST), _tilt(flight, DURATION - LAST)
         return (
             flight.is_finite and away <= REACH and tilt <= UPRIGHT,
             f"released with a tilt of {math.degrees(TILT):g} deg it is {100.0 * away:.2g} cm away "
@@ -185,7 +185,7 @@ def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
             f"most {100.0 * REACH:g} cm and {math.degrees(UPRIGHT):g} deg)",
         )
 
-    return _flown("recovers from a tilt", judge)
+    return _flight_finding("recovers from a tilt", judge)
 
 
 def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
@@ -201,15 +201,15 @@ def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
         return pilot(time, measurement, memory)
 
     def judge() -> tuple[bool, str]:
-        flight = fly(scenario, pilot=_marked(blinded, pilot))
-        away = _away(flight)
+        flight = fly(scenario, pilot=_with_location(blinded, pilot))
+        away = _farthest(flight)
         return (
             flight.is_finite and away <= REACH,
             f"without motion capture for {GAP:g} s it strays {100.0 * away:.2g} cm "
             f"(at most {100.0 * REACH:g} cm)",
         )
 
-    return _flown("bridges a gap of motion capture", judge)
+    return _flight_finding("bridges a gap of motion capture", judge)
 
 
 def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Finding:
@@ -223,7 +223,7 @@ def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Find
             f"compiled and plain flights are {apart:.2g} m apart (at most {COMPILED:g} m)",
         )
 
-    return _flown("compiles to the same flight", judge)
+    return _flight_finding("compiles to the same flight", judge)
 
 
 # -- the same questions again ---------------------------------------------------------------------
@@ -258,7 +258,7 @@ def _again(
     return largest, first
 
 
-def _asked_again(
+def _repeat_finding(
     name: str,
     pilot: PlainPilot,
     calls: list[Call],
@@ -279,7 +279,7 @@ def _asked_again(
 
 
 def _repeats(pilot: PlainPilot, calls: list[Call]) -> Finding:
-    return _asked_again(
+    return _repeat_finding(
         "says the same twice", pilot, calls, [lambda call: call],
         ("asked the same again it says the same",
          "asked the same again it says something else, so it remembers outside its memory"),
@@ -288,27 +288,27 @@ def _repeats(pilot: PlainPilot, calls: list[Call]) -> Finding:
 
 def _ignores_truth(pilot: PlainPilot, calls: list[Call]) -> Finding:
     def poisoned(sign: float) -> Callable[[Call], Call]:
-        absurd: Any = _filled(calls[0].measurement.exact, sign * 1e6) if calls else None
+        absurd: Any = _constant_tree(calls[0].measurement.exact, sign * 1e6) if calls else None
 
         def changed(call: Call) -> Call:
             return call._replace(measurement=call.measurement._replace(exact=absurd))
 
         return changed
 
-    return _asked_again(
+    return _repeat_finding(
         "does not look at the truth", pilot, calls, [poisoned(1.0), poisoned(-1.0)],
         ("an absurd measurement.exact changes nothing",
          "measurement.exact, which no robot has, changes its commands"),
     )  # fmt: skip
 
 
-def _filled(like: Any, number: float) -> Any:
+def _constant_tree(like: Any, number: float) -> Any:
     """A tree shaped like another, with one number everywhere."""
     return rebuilt(like, [number] * len(leaves(like)))
 
 
 def _forgets_the_clock(pilot: PlainPilot, calls: list[Call]) -> Finding:
-    return _asked_again(
+    return _repeat_finding(
         "hovers at any time", pilot, calls,
         [lambda call: call._replace(time=call.time + SHIFT)],
         (f"{SHIFT:g} s later it commands the same",

@@ -18,66 +18,68 @@ HOUR = 3600.0
 NONE_SEEN = 2.9957
 
 
-class Judged(NamedTuple):
-    """A trigger whose signal is judged afterwards."""
+class TriggerSignal(NamedTuple):
+    """Signal of a trigger, evaluated after the flight."""
 
     signal: Array  # tick by tick
     period: float  # of a tick [s]
     every: int  # ticks between samples; between them the signal stands
 
 
-def held(judged: Judged, persistence: int) -> Array:
+def persistent_level(trigger: TriggerSignal, persistence: int) -> Array:
     """What the last samples have all reached, tick by tick, from the first tick on."""
-    span = (persistence - 1) * judged.every + 1
+    span = (persistence - 1) * trigger.every + 1
     if span == 1:
-        return judged.signal
-    padded = np.concatenate([np.full(span - 1, -np.inf), judged.signal])
+        return trigger.signal
+    padded = np.concatenate([np.full(span - 1, -np.inf), trigger.signal])
     windows = np.lib.stride_tricks.sliding_window_view(padded, span)
     least: Array = windows.min(axis=1)
     return least
 
 
-def alarms(judged: Judged, threshold: float, persistence: int, refractory: float) -> list[int]:
+def alarms(
+    trigger: TriggerSignal, threshold: float, persistence: int, refractory: float
+) -> list[int]:
     """Ticks at which `springback.recovery.detection.trigger_step` goes off.
 
     Args:
-        judged: The signal.
+        trigger: The signal.
         threshold: In its unit.
         persistence: Samples in a row above it.
         refractory: After an alarm nothing is noticed for so long [s].
     """
-    above = held(judged, persistence) > threshold
+    above = persistent_level(trigger, persistence) > threshold
     begins = np.flatnonzero(above & ~np.concatenate([[False], above[:-1]]))
     raised: list[int] = []
     for tick in begins.tolist():
-        if not raised or (tick - raised[-1]) * judged.period >= refractory - 1e-9:
+        if not raised or (tick - raised[-1]) * trigger.period >= refractory - 1e-9:
             raised.append(tick)
     return raised
 
 
 def delay(
-    judged: Judged, touch: float, threshold: float, persistence: int, within: float
+    trigger: TriggerSignal, touch: float, threshold: float, persistence: int, within: float
 ) -> float | None:
     """From touch to the first alarm after it [s]; None if there is none in time.
 
     A signal that is above the threshold already when the robot touches has raised its alarm before.
 
     Args:
-        judged: The signal, from tick 0 at time 0.
+        trigger: The signal, from tick 0 at time 0.
         touch: Time of first touch [s].
         threshold: In the unit of the signal.
         persistence: Samples in a row above it.
         within: A later alarm does not count [s].
     """
-    first = int(np.ceil(touch / judged.period))
-    last = int((touch + within) / judged.period) + 1
-    before = max(first - 1 - (persistence - 1) * judged.every, 0)
-    near = judged._replace(signal=judged.signal[before:last])
-    above = held(near, persistence)[max(first - 1, 0) - before :] > threshold
+    first = int(np.ceil(touch / trigger.period))
+    last = int((touch + within) / trigger.period) + 1
+    before = max(first - 1 - (persistence - 1) * trigger.every, 0)
+    near = trigger._replace(signal=trigger.signal[before:last])
+    above = persistent_level(near, persistence)[max(first - 1, 0) - before :] > threshold
     begins = np.flatnonzero(above[1:] & ~above[:-1])
     if not len(begins):
         return None
-    return float((first + begins[0]) * judged.period - touch)
+    return float((first + begins[0]) * trigger.period - touch)
 
 
 class RocPoint(NamedTuple):
@@ -107,20 +109,20 @@ class RocPoint(NamedTuple):
         return self.noticed / self.collisions
 
 
-class Quiet(NamedTuple):
+class FalseAlarms(NamedTuple):
     """What free flight says of every threshold."""
 
     false_alarms: tuple[int, ...]
     hours: float
 
 
-def quiet(
-    free: Sequence[Judged],
+def false_alarms(
+    free: Sequence[TriggerSignal],
     thresholds: Sequence[float],
     *,
     persistence: int = 1,
     refractory: float = 1.0,
-) -> Quiet:
+) -> FalseAlarms:
     """False alarms of every threshold.
 
     Args:
@@ -139,12 +141,12 @@ def quiet(
         )
         for threshold in thresholds
     )
-    return Quiet(tuple(counts), hours)
+    return FalseAlarms(tuple(counts), hours)
 
 
 def curve(
-    free: Quiet,
-    hits: Sequence[tuple[Judged, float]],
+    free: FalseAlarms,
+    hits: Sequence[tuple[TriggerSignal, float]],
     thresholds: Sequence[float],
     *,
     persistence: int = 1,

@@ -65,13 +65,13 @@ def run_up_errors(flight: Flight) -> Arrival:
         flight: Of a scenario with a run-up, its trajectory kept.
 
     Raises:
-        InputError: If the flight was no run-up, touched nothing, or kept no trajectory.
+        InputError: If the flight was no run-up, touched nothing, or has no trajectory.
     """
     wanted, time = flight.scenario.reference, flight.measures["touch_time"]
     if not isinstance(wanted, RunUpSettings):
         raise InputError("reference.type: must be run-up, to ask how a run-up arrived")
     if time is None or not flight.columns:
-        raise InputError("the flight touched nothing, or kept no trajectory")
+        raise InputError("the flight touched nothing, or has no trajectory")
     c = flight.columns
     at = {name: c[name][np.searchsorted(c["t"], time)] for name in ("qw", "qx", "qy", "qz", "wy")}
     pitch = math.asin(2.0 * (at["qw"] * at["qy"] - at["qz"] * at["qx"]))

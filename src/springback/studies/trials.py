@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
-from springback.scenario.scenario import Scenario, merged, scenario_from
+from springback.scenario.scenario import Scenario, merge, scenario_from
 from springback.simulation.measures import Outcome, scalars_of
 from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
@@ -37,7 +37,7 @@ class Scatter(NamedTuple):
     inertia: float = 0.05  # true over believed
     gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
 
-    def drawn(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
+    def draw(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
         """What one trial is dealt.  It depends on these words alone, in whatever order they fly.
 
         Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
@@ -93,7 +93,7 @@ def trial_tables(
         noise_stream: Of the trial.
         changes: Tables laid over those of the test, the same in every trial.
     """
-    base = merged(run_up_scenario(robot, pitch, speed), changes or {})
+    base = merge(run_up_scenario(robot, pitch, speed), changes or {})
     control = dict(base.get("control", {}))
     defaults = Scenario.model_fields["control"].default
     names = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")
@@ -204,7 +204,7 @@ def fly_trials(
 def _tables(condition: Condition, scatter: Scatter, number: int, seed: int) -> dict[str, Any]:
     """The scenario of a trial of a condition."""
     robot, pitch, speed, changes = condition
-    noise_stream = scatter.drawn(robot, pitch, speed, number, seed)
+    noise_stream = scatter.draw(robot, pitch, speed, number, seed)
     return trial_tables(robot, pitch, speed, noise_stream, changes)
 
 

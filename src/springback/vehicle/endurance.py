@@ -35,7 +35,7 @@ def induced_power(thrust: float, disk_radius: float, air_density: float) -> floa
     return float(thrust**1.5 / math.sqrt(2.0 * air_density * area))
 
 
-def _known(vehicle: Vehicle, name: str) -> float:
+def _datum(vehicle: Vehicle, name: str) -> float:
     """A number of the propulsion, or an error naming it."""
     if vehicle.propulsion is None:
         raise InputError(f"vehicle {vehicle.name} has no propulsion; give it one")
@@ -50,7 +50,7 @@ def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
     if not (math.isfinite(payload) and payload >= 0.0):
         raise InputError(f"payload must be at least 0 kg (got {payload:g} kg)")
     thrust = (vehicle.mass + payload) * GRAVITY / vehicle.arm_count
-    most = _known(vehicle, "max_thrust")
+    most = _datum(vehicle, "max_thrust")
     if thrust > most * (1.0 + ROUNDING):
         raise InputError(
             f"vehicle {vehicle.name} with {payload:g} kg of payload cannot hover: "
@@ -62,7 +62,7 @@ def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
 def _ideal_power(vehicle: Vehicle, payload: float) -> float:
     """Ideal power of all rotors [W]."""
     thrust = _hover_thrust(vehicle, payload)
-    radius, density = _known(vehicle, "disk_radius"), _known(vehicle, "air_density")
+    radius, density = _datum(vehicle, "disk_radius"), _datum(vehicle, "air_density")
     return vehicle.arm_count * induced_power(thrust, radius, density)
 
 
@@ -77,7 +77,7 @@ def hover_power(vehicle: Vehicle, payload: float = 0.0) -> float:
         InputError: If a number of the propulsion is missing, or the payload cannot be lifted.
     """
     ideal = _ideal_power(vehicle, payload)
-    return ideal / _known(vehicle, "figure_of_merit") + _known(vehicle, "electronics_power")
+    return ideal / _datum(vehicle, "figure_of_merit") + _datum(vehicle, "electronics_power")
 
 
 def hover_time(vehicle: Vehicle, payload: float = 0.0) -> float:
@@ -95,7 +95,7 @@ def hover_time(vehicle: Vehicle, payload: float = 0.0) -> float:
 
 def _usable_energy(vehicle: Vehicle) -> float:
     """Usable energy of the battery [J]."""
-    return _known(vehicle, "usable_share") * _known(vehicle, "battery_energy")
+    return _datum(vehicle, "usable_share") * _datum(vehicle, "battery_energy")
 
 
 def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
@@ -111,7 +111,7 @@ def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
     """
     if not (math.isfinite(thrust_to_weight) and thrust_to_weight >= 1.0):
         raise InputError(f"thrust_to_weight must be at least 1 (got {thrust_to_weight:g})")
-    most = vehicle.arm_count * _known(vehicle, "max_thrust")
+    most = vehicle.arm_count * _datum(vehicle, "max_thrust")
     payload = most / (thrust_to_weight * GRAVITY) - vehicle.mass
     if payload < 0.0:
         raise InputError(
@@ -149,7 +149,7 @@ def figure_of_merit_for(vehicle: Vehicle, time: float, payload: float = 0.0) -> 
     if not (math.isfinite(time) and time > 0.0):
         raise InputError(f"time must be more than 0 s (got {time:g} s)")
     ideal = _ideal_power(vehicle, payload)
-    left = _usable_energy(vehicle) / time - _known(vehicle, "electronics_power")
+    left = _usable_energy(vehicle) / time - _datum(vehicle, "electronics_power")
     if left <= 0.0:
         raise InputError(
             f"vehicle {vehicle.name}: the electronics alone empty the battery within {time:g} s"

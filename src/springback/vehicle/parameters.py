@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
 from springback.kernels.vectors import Mat3, Vec
-from springback.quantities import Mass, PerArm, Triple, Unit, checked
+from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.rotors import Propulsion
-from springback.vehicle.state import Airframe, Arm, Sphere
+from springback.vehicle.state import Airframe, Arm, Sphere, build_airframe
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -29,12 +29,12 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
             f"must be three moments or a 3 x 3 matrix in kg m² (got {shown_value(value)})"
         )
     if not any(isinstance(row, list | tuple) for row in value):
-        moments = [checked(entry, unit, above=0.0) for entry in value]
+        moments = [si_number(entry, unit, above=0.0) for entry in value]
         check_moments(moments)
         return tuple(tuple(m if i == j else 0.0 for j in range(3)) for i, m in enumerate(moments))
     if not all(isinstance(row, list | tuple) and len(row) == 3 for row in value):
         raise problem(f"must be a 3 x 3 matrix in kg m² (got {shown_value(value)})")
-    rows = [[checked(entry, unit) for entry in row] for row in value]
+    rows = [[si_number(entry, unit) for entry in row] for row in value]
     matrix = np.array(rows)
     if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
         raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
@@ -184,7 +184,7 @@ class Arms(Settings):
     def _angles(cls, given: Any) -> Any:
         if isinstance(given, dict) and isinstance(given.get("directions"), list | tuple):
             with naming("directions"):
-                angles = tuple(checked(angle, "rad") for angle in given["directions"])
+                angles = tuple(si_number(angle, "rad") for angle in given["directions"])
             return {**given, "directions": angles}
         return given
 
@@ -305,7 +305,7 @@ class Vehicle(Settings):
         i, given = self.body.inertia, self.hull
         hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
         inertia = Mat3(*(Vec(*row) for row in i))
-        return Airframe(self.mass, 1.0 / self.mass, inertia, tuple(built), hull)
+        return build_airframe(self.mass, inertia, tuple(built), hull)
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""

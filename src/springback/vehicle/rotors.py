@@ -38,7 +38,7 @@ class Lagged(NamedTuple):
 
 
 class Thrusts(NamedTuple):
-    """Result of `lagged` for all rotors, in the order of the arms."""
+    """Result of `lagged_thrust` for all rotors, in the order of the arms."""
 
     thrust: tuple[float, ...]  # at the end [N]; pass it back as the memory
     mean: tuple[float, ...]  # over the time [N]; the equations of motion use it
@@ -52,7 +52,7 @@ class Lag(NamedTuple):
 
 
 @kernel
-def limited(rotors: Rotors, command: float) -> float:
+def limited_command(rotors: Rotors, command: float) -> float:
     """Command [N], limited to the minimum and maximum thrust of one rotor."""
     above = select(command > rotors.least, command, rotors.least)
     return select(above < rotors.most, above, rotors.most)
@@ -75,7 +75,7 @@ def lag_over(time_constant: float, duration: float) -> Lag:
 
 
 @kernel
-def lagged(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
+def lagged_thrust(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
     """Exact response of one rotor to a constant command u: τ Ṫ = u − T.
 
     T(h) = u + (T_0 − u) e^(−h/τ), and its mean over h is u + (T_0 − u) (1 − e^(−h/τ)) τ/h.  The
@@ -88,19 +88,19 @@ def lagged(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
         rotors: Their bounds.
         lag: `lag_over` τ and h.
     """
-    u = limited(rotors, command)
+    u = limited_command(rotors, command)
     return Lagged(u + (thrust - u) * lag.end, u + (thrust - u) * lag.mean)
 
 
 @kernel
-def all_lagged(
+def lagged_thrusts(
     rotors: Rotors,
     thrusts: tuple[float, ...],
     commands: tuple[float, ...],
     lag: Lag,
 ) -> Thrusts:
-    """Apply `lagged` to every rotor, in the order of the arms [N]."""
-    results = tree_map(lagged, (thrusts, commands), (rotors, lag))
+    """Apply `lagged_thrust` to every rotor, in the order of the arms [N]."""
+    results = tree_map(lagged_thrust, (thrusts, commands), (rotors, lag))
     return Thrusts(field_of(results, "thrust"), field_of(results, "mean"))
 
 

@@ -42,14 +42,54 @@ class Sphere(NamedTuple):
     radius: float  # [m]
 
 
+class PlanarInverse(NamedTuple):
+    """Inverse of M = m 1 − Σ m_j e_j e_jᵀ, all e_j in the body plane: a 2 x 2 block and a number.
+
+    M is the mass that resists translation once the arms in the sum slide freely.
+    """
+
+    xx: float  # [1/kg]
+    yy: float
+    xy: float
+    zz: float
+
+
 class Airframe(NamedTuple):
-    """Constants of a vehicle for the equations of motion."""
+    """Constants of a vehicle for the equations of motion; `build_airframe` builds one."""
 
     mass: float  # m, everything [kg]
     inverse_mass: float  # 1/m [1/kg]
     inertia: Mat3  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
     hull: tuple[Sphere, ...]  # of the main body; empty: it has no contact
+    sliding: Vec  # Σ m_j (e_x², e_y², e_x e_y) of the arms that can slide [kg]
+    released: PlanarInverse  # while they can
+    locked: PlanarInverse  # while all arms are locked
+
+
+def _planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
+    xx, yy, xy = mass - sliding.x, mass - sliding.y, -sliding.z
+    scale = 1.0 / (xx * yy - xy * xy)
+    return PlanarInverse(yy * scale, xx * scale, -xy * scale, 1.0 / mass)
+
+
+def build_airframe(
+    mass: float, inertia: Mat3, arms: tuple[Arm, ...], hull: tuple[Sphere, ...] = ()
+) -> Airframe:
+    """Constants of a vehicle, with those that follow from others.
+
+    Args:
+        mass: m, everything [kg].
+        inertia: Of the main body alone, about its centre of mass, body axes [kg m²].
+        arms: At least one.
+        hull: Of the main body; empty: it has no contact.
+    """
+    none = sliding = Vec(0.0, 0.0, 0.0)
+    for arm in arms:
+        x, y = arm.compliance * arm.mass * arm.cosine, arm.compliance * arm.mass * arm.sine
+        sliding = sliding + Vec(x * arm.cosine, y * arm.sine, x * arm.sine)
+    released, locked = _planar_inverse(mass, sliding), _planar_inverse(mass, none)
+    return Airframe(mass, 1.0 / mass, inertia, arms, hull, sliding, released, locked)
 
 
 @kernel

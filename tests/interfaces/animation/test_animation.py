@@ -136,7 +136,7 @@ def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
     faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
     thing = Drawable("mesh", "tetrahedron", vertices=corners, triangles=faces)
     view = bodies.ViewPlane(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), np.array([0, 0, 0.5]))
-    pieces = bodies.cut(thing, view).reshape(-1, 2)
+    pieces = bodies.plane_section(thing, view).reshape(-1, 2)
     assert {tuple(np.round(p, 9)) for p in pieces} == {(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)}
 
 
@@ -257,7 +257,7 @@ def test_what_cannot_be_gets_one_line_and_leaves_nothing(folder: Path, tmp_path:
     assert "one folder, or two" in refused("--out", out)
     assert "one folder, or two" in refused(folder, folder, folder, "--out", out)
     out.write_text("mine")
-    assert "is there already" in refused(folder, "--out", out)
+    assert "already exists" in refused(folder, "--out", out)
     assert out.read_text() == "mine"
     assert [path.name for path in tmp_path.iterdir()] == ["film.gif"]
 

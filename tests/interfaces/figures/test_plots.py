@@ -173,7 +173,7 @@ def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
     )
     (ax,) = plots.energy_figure(fallen).axes
     names = [tick.get_text() for tick in ax.get_yticklabels()]
-    assert names == ["fall put in", "rotors took", "contact damping", "left in motion"]
+    assert names == ["loss of height", "absorbed by rotors", "contact damping", "left in motion"]
     fallen.measures.update(dict.fromkeys(MEASURES))
     assert style.png(plots.energy_figure(fallen))
 

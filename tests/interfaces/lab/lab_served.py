@@ -37,13 +37,13 @@ WRONG = {
 @contextmanager
 def served_lab() -> Iterator[int]:
     """A lab on this machine whose default kind is ready; its port."""
-    desk = RequestQueue(prepared=(DEFAULTS,))
-    desk.open()
-    server = server_of(lab_app(desk))
+    queue = RequestQueue(prepared=(DEFAULTS,))
+    queue.start()
+    server = server_of(lab_app(queue))
     with bound("127.0.0.1", 0) as listening:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()
-        assert desk.wait(DEFAULTS, 400.0)
+        assert queue.wait(DEFAULTS, 400.0)
         while not server.started:
             time.sleep(0.01)
         yield listening.getsockname()[1]

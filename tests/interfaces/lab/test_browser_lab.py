@@ -90,7 +90,7 @@ def test_a_slider_moves_curve_and_outcome_and_the_link_brings_them_back(
     opened(browser, lab)
     before = shown(browser)
     assert before["link"] == lab
-    assert "ARQ meets the wall at 1.85 m/s" in before["outcomes"]
+    assert "ARQ hits the wall at 1.85 m/s" in before["outcomes"]
 
     slide(browser, "stiffness", 200)
     until(

@@ -211,9 +211,7 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
         words = f"{printed.restitution:.3g} ({printed.restitution_test:.3g})"
         assert rows["restitution_at_separation"]["printed"][robot] == words
         assert one["well"]
-        assert one["sentence"].startswith(
-            one["label"] + " meets the wall at 1.85 m/s, leaves it at"
-        )
+        assert one["sentence"].startswith(one["label"] + " hits the wall at 1.85 m/s, leaves it at")
     assert told["printed_for"]["same"]
     assert not answer(setting(speed=2))["printed_for"]["same"]
 

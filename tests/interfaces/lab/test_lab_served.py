@@ -44,12 +44,12 @@ def setting(**words: Any) -> LabSettings:
     return settings_from((name, str(value)) for name, value in words.items())
 
 
-# -- the desk -------------------------------------------------------------------------------------
+# -- the queue -------------------------------------------------------------------------------------
 
 
-def asked(desk: RequestQueue, *requests: tuple[LabSettings, str]) -> list[Any]:
+def asked(queue: RequestQueue, *requests: tuple[LabSettings, str]) -> list[Any]:
     async def all_of_them() -> list[Any]:
-        tasks = [asyncio.ensure_future(desk.ask(*one)) for one in requests]
+        tasks = [asyncio.ensure_future(queue.ask(*one)) for one in requests]
         return list(await asyncio.gather(*tasks, return_exceptions=True))
 
     return asyncio.run(all_of_them())
@@ -63,11 +63,11 @@ def test_of_one_page_only_the_newest_request_is_flown() -> None:
         flown.append(one.speed)
         return {"speed": one.speed}
 
-    desk = RequestQueue(give, threads=1)
-    desk._ready.add(kind_of(DEFAULTS))
+    queue = RequestQueue(give, threads=1)
+    queue._ready.add(kind_of(DEFAULTS))
     threading.Timer(0.3, gate.set).start()
     found = asked(
-        desk, *((setting(speed=1 + k), "page") for k in range(4)), (setting(speed=5.5), "other")
+        queue, *((setting(speed=1 + k), "page") for k in range(4)), (setting(speed=5.5), "other")
     )
     # the first is under way when the others come; of these the last counts
     assert [type(one) for one in found] == [bytes, Superseded, Superseded, bytes, bytes]
@@ -81,10 +81,10 @@ def test_the_queue_has_an_end() -> None:
         gate.wait(5.0)
         return {}
 
-    desk = RequestQueue(give, threads=1)
-    desk._ready.add(kind_of(DEFAULTS))
+    queue = RequestQueue(give, threads=1)
+    queue._ready.add(kind_of(DEFAULTS))
     threading.Timer(0.3, gate.set).start()
-    found = asked(desk, *((DEFAULTS, "") for _ in range(103)))
+    found = asked(queue, *((DEFAULTS, "") for _ in range(103)))
     assert [type(one) for one in found].count(Busy) == 3
     assert [type(one) for one in found].count(bytes) == 100
 
@@ -97,17 +97,17 @@ def test_kinds_are_prepared_aside_and_what_is_asked_for_comes_next() -> None:
         order.append(kind_of(one))
         return {}
 
-    desk = RequestQueue(give, threads=1, prepared=AT_START)
-    desk.open()
+    queue = RequestQueue(give, threads=1, prepared=AT_START)
+    queue.start()
     wanted = setting(mode="flight", recovery="staged", speed=6, pitch=-60)
-    (refusal,) = asked(desk, (wanted, ""))
+    (refusal,) = asked(queue, (wanted, ""))
     assert isinstance(refusal, NotReady)
     assert "staged" in refusal.kind.words
     for _ in range(6):
         gates.release()
-    assert desk.wait(wanted, 5.0)
+    assert queue.wait(wanted, 5.0)
     assert order.index(kind_of(wanted)) <= 1  # at most one was under way before it
-    assert desk.wait(AT_START[-1], 5.0)
+    assert queue.wait(AT_START[-1], 5.0)
     assert order[0] == kind_of(AT_START[0]) or order[0] == kind_of(wanted)
 
 
@@ -177,18 +177,18 @@ def test_wrong_settings_are_refused_with_the_line(port: int, query: str) -> None
 @pytest.mark.parametrize(("path", "how", "status", "words"), [
     ("/flight", {"Host": "evil.example"}, 421, b"name"),
     ("/flight", {"Host": "evil.example:80"}, 421, b"name"),
-    ("/flight", {"Origin": "http://evil.example"}, 403, b"evil.example may not ask"),
-    ("/flight", {"Origin": "null"}, 403, b"may not ask"),
-    ("/flight", {"Origin": "http://["}, 403, b"may not ask"),
-    ("/flight", {"Origin": ""}, 403, b"may not ask"),
+    ("/flight", {"Origin": "http://evil.example"}, 403, b"evil.example may not query"),
+    ("/flight", {"Origin": "null"}, 403, b"may not query"),
+    ("/flight", {"Origin": "http://["}, 403, b"may not query"),
+    ("/flight", {"Origin": ""}, 403, b"may not query"),
     ("/flight", {"Sec_Fetch_Site": "cross-site", "Sec_Fetch_Mode": "no-cors"}, 403, b"other sites"),
-    ("/flight?" + "speed=2&" * 200, {}, 414, b"letters"),
+    ("/flight?" + "speed=2&" * 200, {}, 414, b"characters"),
     ("/flight", {"method": "POST"}, 405, b"GET"),
-    ("/flight", {"method": "POST", "body": "x" * 1_000_000}, 413, b"no body"),
-    ("/flight", {"method": "GET", "body": "speed=2"}, 413, b"no body"),
+    ("/flight", {"method": "POST", "body": "x" * 1_000_000}, 413, b"no request body"),
+    ("/flight", {"method": "GET", "body": "speed=2"}, 413, b"no request body"),
     ("/flight", {"method": "DELETE"}, 405, b"GET"),
-    ("/../../../etc/passwd", {}, 404, b"nothing of that name"),
-    ("/%2e%2e/%2e%2e/etc/passwd", {}, 404, b"nothing of that name"),
+    ("/../../../etc/passwd", {}, 404, b"not found"),
+    ("/%2e%2e/%2e%2e/etc/passwd", {}, 404, b"not found"),
     ("/scenario.toml?of=../arq", {}, 422, b"of: must be arq or quad"),
     ("/scenario.toml?robot=quad&of=arq", {}, 422, b"of: must be quad"),
     ("/flight?of=arq", {}, 422, b"of: unknown key"),

@@ -51,7 +51,7 @@ def flown(folder: Path, **given: Any) -> None:
 
 
 def no_exchange(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(folders, "_exchanged", lambda *_: False)
+    monkeypatch.setattr(folders, "_exchange", lambda *_: False)
 
 
 def mounted(monkeypatch: pytest.MonkeyPatch) -> None:

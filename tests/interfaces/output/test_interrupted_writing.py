@@ -64,7 +64,7 @@ def test_a_folder_is_replaced_whole_or_not_at_all(
     """Also where the system cannot exchange two folders; the next command clears up."""
     monkeypatch.setattr(folders, "YOUNG", -1.0)
     if not exchange:
-        monkeypatch.setattr(folders, "_exchanged", lambda *_: False)
+        monkeypatch.setattr(folders, "_exchange", lambda *_: False)
     whole = {"a": "new", "c": "new"} | ({"mine": "mine"} if there else {})
     out, place = tmp_path / "results" / "out", tmp_path / "results"
 

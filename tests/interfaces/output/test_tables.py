@@ -41,7 +41,7 @@ def test_a_table_shows_the_first_and_says_how_many_more() -> None:
         lines_of(["n"], ([(k,) for k in range(j, j + 50)] for j in range(0, 1000, 50)), "table")
     )
     assert len(lines) == MOST_ROWS + 2
-    assert lines[-1] == "... 800 more rows; --format or --out gives all"
+    assert lines[-1] == "... 800 more rows; use --format or --out for all"
 
 
 def test_rows_are_not_kept() -> None:

@@ -12,7 +12,7 @@ import pytest
 
 from builders.cases import nonempty
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
-from springback.interfaces.replay.viewer import exported, replay_of
+from springback.interfaces.replay.viewer import export_page, replay_of
 from springback.results.flight import Flight, fly
 
 pytestmark = needs_browser
@@ -34,7 +34,7 @@ def flights() -> list[Flight]:
 @pytest.fixture(scope="module")
 def page(flights: list[Flight], tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("pages") / "two.html"
-    exported(replay_of(flights), path)
+    export_page(replay_of(flights), path)
     return path
 
 

@@ -19,7 +19,7 @@ import springback
 from builders.user_obstacles import Ball
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
-from springback.interfaces.replay.geometry import drawn
+from springback.interfaces.replay.geometry import drawables
 from springback.interfaces.replay.instants import (
     ACCELERATION_BOUND,
     APART,
@@ -37,8 +37,8 @@ from springback.interfaces.reports.flight_files import write_flight
 from springback.kernels.vectors import Vec
 from springback.results.flight import Flight, fly
 from springback.results.meshes import read_surfaces, surface_of
-from springback.results.sealed_json import file_digest, sealed
-from springback.scenario.scenario import expanded
+from springback.results.sealed_json import file_digest, with_digest
+from springback.scenario.scenario import expand_presets
 from springback.scenario.tables import WorldSettings
 from springback.simulation import playback
 
@@ -220,7 +220,7 @@ def test_events_are_where_the_measures_say(recovery: Flight) -> None:
     m = recovery.measures
     assert when["touch"] == pytest.approx(m["touch_time"], abs=1e-9)
     assert when["off"] == pytest.approx(m["separation_time"], abs=1e-9)
-    assert when["noticed"] == pytest.approx(m["alarm_time"], abs=1.1e-3)
+    assert when["detected"] == pytest.approx(m["alarm_time"], abs=1.1e-3)
     assert when["way back"] == pytest.approx(m["planned_time"], abs=1.1e-3)
     assert [event.t for event in scene.events] == sorted(event.t for event in scene.events)
     assert scene.events[-1].text == recovery.message
@@ -231,12 +231,12 @@ def test_events_are_where_the_measures_say(recovery: Flight) -> None:
 
 def test_walls_mats_and_ground_stand_where_they_are() -> None:
     """Faces lie in their planes; a wall reaches down to the ground."""
-    world = WorldSettings.model_validate(expanded({"vehicle": "arq", "world": {"obstacles": [
+    world = WorldSettings.model_validate(expand_presets({"vehicle": "arq", "world": {"obstacles": [
         {"type": "mat", "distance": 2.75, "thickness": 0.05, "surface": "mat", "backing": "wall"},
         {"type": "ground", "surface": "wall", "height": 0.1},
     ]}})["world"])  # fmt: skip
     flown = np.array([[0.0, 0.0, 1.0], [2.4, 0.1, 1.1]])
-    mat, ground = drawn(world.obstacles, (), flown, np.zeros((0, 3))).drawables
+    mat, ground = drawables(world.obstacles, (), flown, np.zeros((0, 3))).drawables
     assert (mat.kind, mat.thickness, ground.kind) == ("mat", 0.05, "ground")
     assert mat.centre[0] == pytest.approx(2.70)
     assert mat.normal == (-1.0, 0.0, 0.0)
@@ -269,7 +269,7 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """In plain Python: compiling for a test's own shape takes longer than flying."""
-    monkeypatch.setattr(playback, "own_executor", lambda function, *_, **__: function)
+    monkeypatch.setattr(playback, "user_executor", lambda function, *_, **__: function)
     own = [(Ball(Vec(2.9, 0.0, 1.0), 0.2), springback.WALL)]
     tables = {key: value for key, value in TILTED.items() if key != "world"} | {
         "start": {"position": [2.36, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "yaw": math.pi / 4},
@@ -358,7 +358,7 @@ def edited(folder: Path, **changes: object) -> None:
     """Of a summary something else, with the digest that belongs to it."""
     summary = json.loads((folder / "summary.json").read_text()) | changes
     with contextlib.suppress(ValueError):  # infinity has no digest
-        summary = sealed(summary)
+        summary = with_digest(summary)
     (folder / "summary.json").write_text(json.dumps(summary))
 
 

@@ -29,7 +29,7 @@ from springback.frames import attitude_from_euler, euler_from_attitude
 from springback.interfaces.cli.app import cli
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import guided, style
-from springback.interfaces.figures.panels import POINTS, thinned
+from springback.interfaces.figures.panels import POINTS, thin_curve
 from springback.interfaces.reports import flight_files
 from springback.interfaces.reproduction import report
 from springback.interfaces.reproduction.figures import drawings, free_flight, resilience
@@ -137,14 +137,14 @@ def test_long_curves_keep_their_extremes_and_ends() -> None:
     t = np.linspace(0.0, 20.0, 20_003)
     values = np.sin(t)
     values[7777], values[13] = 50.0, -50.0
-    few, shown = thinned(t, values)
+    few, shown = thin_curve(t, values)
     assert len(few) < 2.2 * POINTS
     assert (shown.max(), shown.min()) == (50.0, -50.0)
     assert (few[0], few[-1]) == (t[0], t[-1])
     assert np.all(np.diff(few) > 0.0)
     assert np.array_equal(shown, values[np.searchsorted(t, few)])
-    assert thinned(t[:100], values[:100])[0] is not None
-    assert len(thinned(t[:100], values[:100])[0]) == 100
+    assert thin_curve(t[:100], values[:100])[0] is not None
+    assert len(thin_curve(t[:100], values[:100])[0]) == 100
 
 
 def test_the_telemetry_is_written_beside_the_trajectory(flight: Flight, tmp_path: Path) -> None:
@@ -176,7 +176,7 @@ def test_an_impact_has_a_picture_of_its_own_with_a_pilot(
 
 
 def test_energy_shows_what_the_air_took_and_what_wind_gave(flight: Flight) -> None:
-    for loss, name in ((1.5, "air"), (-1.5, "wind put in")):
+    for loss, name in ((1.5, "air"), (-1.5, "work of wind")):
         measures = {**flight.measures, "energy_start": 2.0, "loss_air": loss}
         (ax,) = plots.energy_figure(replace(flight, measures=measures)).axes
         bars = {
@@ -321,7 +321,7 @@ def test_table_i_shows_every_feature_with_its_mark(page: Any) -> None:
 
 def test_the_verdict_follows_the_results(results: FlightResults, page: Any) -> None:
     # Made up: ARQ's rise times are 2 % off, its errors 20 %; circles are at half of print.
-    assert "6 come out within 10 %; of the 12 of ARQ's, which are predicted, 6 do." in page.words
+    assert "6 agree within 10 %; of the 12 of ARQ's, which are predicted, 6 do." in page.words
     assert "Of the 24 numbers of the circles" in page.words
     assert "0 do, and 24 are within a factor of two." in page.words
     marks = [row.mark for row in results.rows() if row.printed is not None]

@@ -122,7 +122,7 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
         "with the default choices and 1 in one reading or another (2 within 10 %)."
     )
     words = " ".join(block for block in section.blocks if isinstance(block, str))
-    assert "1 further numbers were put in as printed and 1 fitted" in words
+    assert "1 further numbers were used as inputs and 1 fitted" in words
     (worse,) = overview.overview([*rows, row(9.0, 1.0, Mark.CONTRADICTED)])
     assert worse.answer.startswith("Of 6 printed numbers")
     assert "Nothing was compared" in str(overview.overview([])[0].blocks[0])
@@ -132,7 +132,7 @@ def test_every_number_that_nothing_was_fitted_to_is_in_one_part() -> None:
     rows = [*fake_slider_results().rows, *fake_free_flight_results().rows()]
     parts = overview.groups(rows)
     found = [id(one) for group in parts.values() for one in group]
-    assert sorted(found) == sorted(id(one) for one in overview.untouched(rows))
+    assert sorted(found) == sorted(id(one) for one in overview.unfitted_rows(rows))
 
 
 # -- in a browser

@@ -243,14 +243,14 @@ def test_a_part_is_laid_out_as_its_file_says_and_what_is_missing_is_left_out() -
 
 
 def test_numbers_are_rounded_and_signed_like_print() -> None:
-    assert report_page.rounded(-0.04321, 3) == "−0.043"
-    assert report_page.rounded(None, 1) == "–"
+    assert report_page.decimal(-0.04321, 3) == "−0.043"
+    assert report_page.decimal(None, 1) == "–"
     assert report_page.percent(-1e-9) == "+0.0 %"
     assert report_page.percent(-0.0506) == "−5.1 %"
     assert report_page.plain(2e5) == "200000"
     assert report_page.plain(0.014 * 1e3) == "14"
-    assert report_page.listed([]) == "none"
-    assert report_page.listed("abc") == "a, b and c"
+    assert report_page.join([]) == "none"
+    assert report_page.join("abc") == "a, b and c"
 
 
 def test_parts_that_were_not_flown_are_left_out(tmp_path: Path) -> None:

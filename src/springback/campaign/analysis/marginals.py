@@ -12,7 +12,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import IntervalEstimate, Values, share
 from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
-from springback.results.database import named
+from springback.results.database import identifier
 
 
 class Scale(NamedTuple):
@@ -59,9 +59,9 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     known = {one.column: one for one in campaign.design.dimensions}
     if name not in known:
         raise InputError(f"{name}: is not varied by this campaign; varied are {', '.join(known)}")
-    one, column = known[name], named(name)
+    one, column = known[name], identifier(name)
     if isinstance(one.law, LevelSet) and (one.text or len(one.law.values) <= MOST_LEVELS):
-        values = [one.shown(k, 0) for k in range(one.law.levels)]
+        values = [one.column_value(k, 0) for k in range(one.law.levels)]
         labels = tuple(v if isinstance(v, str) else f"{v:.6g}" for v in values)
         texts = ", ".join(f"{v!r}" if isinstance(v, str) else f"{v!r}::DOUBLE" for v in values)
         places = () if one.text else tuple(float(v) for v in values)
@@ -124,7 +124,7 @@ def marginal(campaign: Campaign, name: str, cells: int = 12) -> Marginal:
     """
     cut = scale(campaign, name, cells)
     text = bool(cut.labels) and not cut.edges
-    place = "cell" if text else f"avg({named(name)})"
+    place = "cell" if text else f"avg({identifier(name)})"
     sql = f"""SELECT robot, {cut.cell} AS cell, {place} AS place, count(success), sum(success)
               FROM flights WHERE success IS NOT NULL GROUP BY robot, cell ORDER BY robot, cell"""
     robots: dict[str, list[MarginalCell]] = {robot: [] for robot in campaign.about["robots"]}

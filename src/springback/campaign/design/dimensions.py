@@ -23,8 +23,8 @@ from springback.campaign.design.targets import (
     WALL_SHIFT,
     Place,
     TargetField,
-    added,
-    multiplied,
+    addition,
+    multiplication,
     target,
 )
 from springback.errors import InputError, shown_value
@@ -63,7 +63,7 @@ class Dimension:
         """Whether it is a part of luck."""
         return self.slot >= 0
 
-    def placed(self, drawn: Any, robot: int) -> Any:
+    def scenario_value(self, drawn: Any, robot: int) -> Any:
         """What goes into a robot's scenario, from what the law gave."""
         if isinstance(self.law, LevelSet):
             return self.law.values[drawn]
@@ -76,10 +76,10 @@ class Dimension:
         """Whether its column holds words."""
         return isinstance(self.law, LevelSet) and not all(map(_is_number, self.law.values))
 
-    def shown(self, drawn: Any, robot: int) -> Any:
+    def column_value(self, drawn: Any, robot: int) -> Any:
         """A value as it stands in the column, from what the law gave."""
         if not isinstance(self.law, LevelSet):
-            return drawn if self.factor else self.placed(drawn, robot)
+            return drawn if self.factor else self.scenario_value(drawn, robot)
         value = self.law.values[drawn]
         if not self.text:
             return float(value)
@@ -102,7 +102,7 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def varied(
+def varied_dimension(
     k: int, entry: Vary, plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
 ) -> Found | None:
     """The dimension of an entry of ``vary``; None if it has a problem, which was told.
@@ -131,7 +131,7 @@ def varied(
         return None
     unit = goal.number.unit if goal.number and not entry.factor else ""
     of_own = entry.factor is not None or (entry.normal is not None and entry.normal.mean is None)
-    own = (found.own() if of_own else None) or ()
+    own = (found.scenario_values() if of_own else None) or ()
     factor = entry.factor is not None
     table = str(goal.path[0])
     one = Dimension(column, unit, law, table, goal.place, own=own, factor=factor)
@@ -249,7 +249,7 @@ class _Reader:
         if given.mean is None:
             return (
                 None
-                if self.own() is None or self.failed
+                if self.scenario_values() is None or self.failed
                 else (NormalDistribution(0.0, deviation), ())
             )
         mean = self.number("normal", given.mean)
@@ -260,7 +260,7 @@ class _Reader:
         """Of a factor."""
         given = self.entry.factor
         assert given is not None
-        if self.goal.relative or self.own() is None:
+        if self.goal.relative or self.scenario_values() is None:
             if self.goal.relative:
                 self.say("factor", "cannot multiply a change; give from and to, or normal")
             return None
@@ -270,7 +270,7 @@ class _Reader:
         assert given.to is not None
         return UniformDistribution(float(given.from_), float(given.to)), ()
 
-    def own(self) -> tuple[float, ...] | None:
+    def scenario_values(self) -> tuple[float, ...] | None:
         """Of each robot, the scenario's own value; None if one has none, which is told."""
         if self.goal.relative:
             return (0.0,) * len(self.scenarios)
@@ -288,7 +288,7 @@ class _Reader:
         return tuple(found)
 
 
-def scattered(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
+def scatter_dimensions(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
     """Dimensions of scatter, as in a trial (`springback.studies.trials.trial_tables`).
 
     Args:
@@ -303,8 +303,8 @@ def scattered(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
         ("position", "m", dealt.position), ("velocity", "m/s", dealt.velocity)
     ):  # fmt: skip
         for k, axis in enumerate("xyz"):
-            rows.append((f"{name}_{axis}", unit, deviation, "start", added((name, k))))
-    rows.append(("heading", "rad", dealt.heading, "start", added(("yaw",))))
+            rows.append((f"{name}_{axis}", unit, deviation, "start", addition((name, k))))
+    rows.append(("heading", "rad", dealt.heading, "start", addition(("yaw",))))
     walls = (dealt.wall_distance, dealt.wall_yaw)
     moves = [
         target(word, scenario).place if deviation > 0.0 else None
@@ -313,9 +313,9 @@ def scattered(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
     rows.append(("wall_distance", "m", walls[0], "world", moves[0]))
     rows.append(("wall_yaw", "rad", walls[1], "world", moves[1]))
     for name, deviation in (("mass", dealt.mass), ("inertia", dealt.inertia)):
-        rows.append((f"{name}{FACTOR}", "", deviation, "model_error", multiplied((name,))))
+        rows.append((f"{name}{FACTOR}", "", deviation, "model_error", multiplication((name,))))
     for name in GAINS:
-        rows.append((f"{name}{FACTOR}", "", dealt.gains, "control", multiplied((name,))))
+        rows.append((f"{name}{FACTOR}", "", dealt.gains, "control", multiplication((name,))))
     found = []
     for slot, (word, unit, deviation, table, place) in enumerate(rows):
         if deviation > 0.0 and place is not None:

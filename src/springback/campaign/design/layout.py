@@ -16,8 +16,8 @@ from springback.campaign.design.dimensions import (
     Dimension,
     Extremes,
     Found,
-    scattered,
-    varied,
+    scatter_dimensions,
+    varied_dimension,
 )
 from springback.campaign.design.plan import (
     MOST_SAMPLES,
@@ -36,7 +36,7 @@ from springback.campaign.design.sampling import (
 from springback.campaign.design.targets import in_numbers
 from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
-from springback.problems import dotted, problem_paths
+from springback.problems import dotted_path, problem_paths
 from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import Scenario, preset, scenario_from
 from springback.settings import Settings
@@ -87,14 +87,14 @@ class Design:
         return {d.column: d.unit for d in self.dimensions}
 
     @functools.cached_property
-    def expanded(self) -> list[dict[str, Any]]:
+    def full_scenarios(self) -> list[dict[str, Any]]:
         """Of each robot, the scenario with every preset and default as numbers, in SI."""
         return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
 
     @functools.cached_property
     def digest(self) -> str:
-        """SHA-256 of `expanded`."""
-        return digest_of({"scenarios": self.expanded})
+        """SHA-256 of `full_scenarios`."""
+        return digest_of({"scenarios": self.full_scenarios})
 
     @property
     def success(self) -> str:
@@ -125,7 +125,7 @@ class Design:
             for name, value in zip(HEAD, head, strict=True):
                 columns[name].append(value)
             for one, value in zip(self.dimensions, drawn, strict=True):
-                columns[one.column].append(one.shown(value, robot))
+                columns[one.column].append(one.column_value(value, robot))
             tables.append({**self._with(robot, drawn, steps, known), "seed": seed})
         return DesignSlice(tables, columns)
 
@@ -152,7 +152,7 @@ class Design:
             if key not in known:
                 for k in changes:
                     one = self.dimensions[k]
-                    table = one.place(table, one.placed(drawn[k], robot))
+                    table = one.place(table, one.scenario_value(drawn[k], robot))
                 known[key] = table
             tables[name] = known[key]
         return tables
@@ -198,10 +198,10 @@ def _numbers(
 @functools.lru_cache(maxsize=4)
 def design_of(text: str) -> Design:
     """The design of a plan as `Plan.canonical` has it; its dimensions are looked up once."""
-    return laid_out(plan_from(json.loads(text)), tried=False)
+    return lay_out(plan_from(json.loads(text)), tried=False)
 
 
-def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> Design:
+def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> Design:
     """Check a plan against its scenario, and lay it out.
 
     Args:
@@ -217,17 +217,22 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     problems: list[str] = []
 
     def blame(path: Sequence[str | int], what: str) -> None:
-        problems.append(where.blamed(path, what))
+        problems.append(where.problem_line(path, what))
 
     bases = _bases(plan, where)
     scenarios = tuple(
-        _checked(base, robot, plan, where) for robot, base in zip(_named(plan), bases, strict=True)
+        _check_base(base, robot, plan, where)
+        for robot, base in zip(_robot_names(plan), bases, strict=True)
     )
-    found = [varied(k, entry, plan, scenarios, blame) for k, entry in enumerate(plan.vary)]
+    found = [
+        varied_dimension(k, entry, plan, scenarios, blame) for k, entry in enumerate(plan.vary)
+    ]
     fields = [one for one in found if one is not None]
     noise_stream: list[Dimension] = []
     try:
-        noise_stream = scattered(plan.scatter.deviations(), scenarios[0]) if plan.scatter else []
+        noise_stream = (
+            scatter_dimensions(plan.scatter.deviations(), scenarios[0]) if plan.scatter else []
+        )
     except InputError as error:
         blame(("scatter",), str(error))
     dimensions = [one.dimension for one in fields]
@@ -246,7 +251,7 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
             samples *= max(1, one.dimension.law.levels)
     design = Design(
         plan,
-        _named(plan),
+        _robot_names(plan),
         bases,
         (*dimensions, *noise_stream),
         _in_order(fields, len(noise_stream)),
@@ -254,7 +259,7 @@ def laid_out(plan: Plan, source: Source | None = None, *, tried: bool = True) ->
     )
     if samples > MOST_SAMPLES or design.flights > MOST_FLIGHTS:
         what = f"{design.flights} flights of {samples} samples are too many; at most {MOST_FLIGHTS}"
-        raise InputError(where.blamed((), f"{what} of {MOST_SAMPLES}"))
+        raise InputError(where.problem_line((), f"{what} of {MOST_SAMPLES}"))
     return design
 
 
@@ -268,7 +273,7 @@ def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
 # -- robots ---------------------------------------------------------------------------------------
 
 
-def _named(plan: Plan) -> tuple[str, ...]:
+def _robot_names(plan: Plan) -> tuple[str, ...]:
     """Names of the robots, as they stand in rows."""
     if plan.robots:
         return plan.robots
@@ -288,25 +293,25 @@ def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
     vehicle = given.get("vehicle", {})
     if isinstance(vehicle, Mapping) and vehicle and "preset" not in vehicle:
         what = "cannot be laid over a vehicle without a preset; leave robots out"
-        raise InputError(where.blamed(("robots",), what))
+        raise InputError(where.problem_line(("robots",), what))
     own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
     bases = []
     for k, robot in enumerate(plan.robots):
         try:
             preset("vehicle", robot, VEHICLES)
         except InputError as error:
-            raise InputError(where.blamed(("robots", k), str(error))) from None
+            raise InputError(where.problem_line(("robots", k), str(error))) from None
         bases.append({**given, "vehicle": {**own, "preset": robot}})
     return tuple(bases)
 
 
-def _checked(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario:
+def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario:
     try:
         return scenario_from(base, False)
     except InputError as error:
         of = f" with {robot}" if plan.robots else ""
         lines = (f"{line}{of}" for line in error.problems)
-        raise InputError(*(where.blamed(("scenario",), line) for line in lines)) from None
+        raise InputError(*(where.problem_line(("scenario",), line) for line in lines)) from None
 
 
 # -- before anything is flown ---------------------------------------------------------------------
@@ -350,7 +355,7 @@ def _try_out(
     few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
         for robot, base in enumerate(bases):
-            shown = checked_text(value)
+            shown = value_text(value)
             problem = _problem({**base, one.table: one.place(base.get(one.table, {}), value)}, one)
             if problem:
                 whose = len(plan.robots) > 1 and one.table == "vehicle"
@@ -359,7 +364,7 @@ def _try_out(
                 return
 
 
-def checked_text(value: Any) -> str:
+def value_text(value: Any) -> str:
     """A value as one would write it."""
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
@@ -381,7 +386,7 @@ def _problem(tables: Tables, one: Dimension) -> str:
         scenario_from(tables | hold, False)
     except ValidationError as error:
         [(path, what), *_] = problem_paths(error)
-        return f"{dotted(path)}: {what}"
+        return f"{dotted_path(path)}: {what}"
     except InputError as error:
         line = error.problems[0]
         weak = line.startswith("reference: ") or "each rotor's share of the true weight" in line

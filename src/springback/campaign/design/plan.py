@@ -10,10 +10,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
-from springback.errors import InputError, shortened, shown_value
-from springback.problems import dotted, key_path, problem_paths
+from springback.errors import InputError, excerpt, shown_value
+from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
-from springback.scenario.files import overridden, place_of, read_scenario
+from springback.scenario.files import apply_overrides, place_of, read_scenario
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
@@ -188,7 +188,7 @@ class Plan(Settings):
     @classmethod
     def in_words(cls, error: ValidationError) -> list[str]:
         """The problems of a plan made in Python, one line each."""
-        return [Source().blamed(*_named(*found)) for found in problem_paths(error)]
+        return [Source().problem_line(*_named(*found)) for found in problem_paths(error)]
 
     def canonical(self) -> str:
         """The plan as JSON, the same text for the same plan."""
@@ -210,15 +210,15 @@ class Source:
         """Of a file, its text and overriding words; of nothing if the plan was made in Python."""
         self.name, self.text, self.overrides = name, text, tuple(overrides)
 
-    def blamed(self, path: Sequence[str | int], what: str) -> str:
+    def problem_line(self, path: Sequence[str | int], what: str) -> str:
         """A problem in one line."""
         keys = tuple("from" if key == FROM else key for key in path)
-        said = f"{dotted(keys)}: {what}" if keys else what
+        said = f"{dotted_path(keys)}: {what}" if keys else what
         if not self.name:
             return said
         for word in reversed(self.overrides):
             if keys and word.partition("=")[0].strip().split(".")[0] == keys[0]:
-                return f"override {shortened(word)}: {said}"
+                return f"override {excerpt(word)}: {said}"
         return f"{place_of(self.name, self.text, keys)}: {said}"
 
 
@@ -239,7 +239,7 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
     source = Source(str(path), text, overrides)
     if any(key_path(word.partition("=")[0])[:1] == ("scenario",) for word in overrides):
         given = _with_tables(given, path.parent, source)
-    plan = plan_from(overridden(given, overrides), source)
+    plan = plan_from(apply_overrides(given, overrides), source)
     return with_scenario(plan, path.parent, source), source
 
 
@@ -256,11 +256,13 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
     Raises:
         InputError: One line for each problem.
     """
-    blamed = (source or Source()).blamed
+    problem_line = (source or Source()).problem_line
     try:
         return Plan.model_validate(given)
     except ValidationError as error:
-        raise InputError(*(blamed(*_named(*found)) for found in problem_paths(error))) from None
+        raise InputError(
+            *(problem_line(*_named(*found)) for found in problem_paths(error))
+        ) from None
 
 
 def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
@@ -292,7 +294,7 @@ def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
     except (OSError, ValueError):  # a name that no file can have
         there = False
     if not there:
-        what = f"there is no file {shortened(str(path))}"
-        raise InputError(source.blamed(("scenario",), what))
+        what = f"there is no file {excerpt(str(path))}"
+        raise InputError(source.problem_line(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
     return toml_tables(source_text(path), str(path))

@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
-from springback.problems import dotted, key_path
+from springback.problems import dotted_path, key_path
 from springback.scenario.fields import Parameter, Path, number_at
-from springback.scenario.files import replaced
+from springback.scenario.files import with_value
 from springback.scenario.scenario import Scenario
 
 Place = Callable[[Any, Any], Any]
@@ -70,8 +70,8 @@ def target(field: str, scenario: Scenario) -> TargetField:
     path = field_path(field)
     if not path:
         raise InputError("must be a short name or a dotted path")
-    column = next((short for short, full in NAMES.items() if full == path), dotted(path))
-    if why := DEALT.get(dotted(path)):
+    column = next((short for short, full in NAMES.items() if full == path), dotted_path(path))
+    if why := DEALT.get(dotted_path(path)):
         raise InputError(f"cannot be varied; {why}")
     name = column if isinstance(path[0], str) else field
     try:
@@ -92,15 +92,15 @@ def _word(field: str) -> str:
 
 def _at_path(path: Path, number: Parameter | None) -> Place:
     """Put a value where a path leads."""
-    rest, word = path[1:], dotted(path)
+    rest, word = path[1:], dotted_path(path)
     others = list(number.others) if number is not None else []
 
     def place(table: Any, value: Any) -> Any:
         if not rest:
             return value
         if others and not isinstance(_at(table, rest[:-1]), list):
-            table = replaced(table, rest[:-1], others, word)
-        return replaced(table, rest, value, word)
+            table = with_value(table, rest[:-1], others, word)
+        return with_value(table, rest, value, word)
 
     return place
 
@@ -159,20 +159,20 @@ def _shifted(entry: Mapping[str, Any], distance: float) -> dict[str, Any]:
 # -- changes of what is there ---------------------------------------------------------------------
 
 
-def added(path: Path) -> Place:
+def addition(path: Path) -> Place:
     """Add a value to the number at a path within a table."""
 
     def place(table: Any, value: float) -> Any:
-        return replaced(table, path, _at(table, path) + value, dotted(path))
+        return with_value(table, path, _at(table, path) + value, dotted_path(path))
 
     return place
 
 
-def multiplied(path: Path) -> Place:
+def multiplication(path: Path) -> Place:
     """Multiply the number at a path within a table by a value."""
 
     def place(table: Any, value: float) -> Any:
-        return replaced(table, path, _at(table, path) * value, dotted(path))
+        return with_value(table, path, _at(table, path) * value, dotted_path(path))
 
     return place
 

@@ -12,45 +12,45 @@ from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Chosen: half the width and height of the main body [m], and of the axis drawn upon it.
+#: Chosen: half the width and height of the main body [m], and of the mast on top of it.
 BODY, BODY_HEIGHT, MAST = 0.055, 0.018, 0.07
-#: Chosen: coils of a spring, their radius, and where they end before the rotor [m].
+#: Chosen: coils of a spring, their radius [m], and their distance from the rotor [m].
 COILS, COIL_RADIUS, COIL_END = 7, 0.013, 0.03
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
 HELIX = np.linspace(0.0, 1.0, 16 * COILS + 1)
 EDGE_ON = 0.2
-"""A face whose normal has less than this in a plane is not drawn in it."""
+"""A face is not drawn if its normal's component in the plane of the view is below this."""
 
 
 class ViewPlane(NamedTuple):
-    """A plane to look at: its axes to the right and up, and a point it goes through, world."""
+    """Plane of a view: axes to the right and up, and a point in the plane, world."""
 
     right: Array
     up: Array
     through: Array
 
     def __call__(self, points: Array) -> Array:
-        """World points, shape (..., 3), in the plane, shape (..., 2) [m]."""
+        """Projection of world points, shape (..., 3), onto the plane, shape (..., 2) [m]."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
 class SceneInstant(NamedTuple):
-    """A scene at an instant."""
+    """State of a scene at one instant."""
 
     position: Array  # [m]
     rotation: Array  # body to world, shape (3, 3)
     lengths: Array  # of the arms [m]
     thrust: Array  # [N]
     force: Array  # on each cage, then the hull [N], shape (parts, 3)
-    point: Array  # where it acts [m], shape (parts, 3)
+    point: Array  # of application [m], shape (parts, 3)
 
 
 def pose(scene: Scene, t: float) -> SceneInstant:
-    """Where everything is at an instant, linear between those of the scene.
+    """State at an instant, interpolated linearly between those of the scene.
 
     Args:
         scene: Of a flight.
-        t: [s]; before the first and after the last instant the flight stands still.
+        t: Time [s]; the state is constant before the first and after the last instant.
     """
     k = int(np.clip(np.searchsorted(scene.t, t, "right") - 1, 0, len(scene.t) - 2))
     share = float(np.clip((t - scene.t[k]) / max(scene.t[k + 1] - scene.t[k], 1e-12), 0.0, 1.0))
@@ -73,7 +73,7 @@ def pose(scene: Scene, t: float) -> SceneInstant:
 
 
 def rotation(attitude: Array) -> Array:
-    """Body to world of a quaternion wxyz, of any length but zero.
+    """Rotation matrix, body to world, of a quaternion wxyz of any length but zero.
 
     Args:
         attitude: Shape (4,).
@@ -87,7 +87,7 @@ def rotation(attitude: Array) -> Array:
 
 
 def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
-    """From the side, the obstacle that is hit first on the right, and from above.
+    """Side view, with the first obstacle hit on the right, and top view.
 
     Args:
         scene: Of a flight.
@@ -107,7 +107,7 @@ def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
 
 
 def _normal(scene: Scene, point: Array, force: Array) -> Array:
-    """Outward normal of the face that a point lies on, or else the direction of the force."""
+    """Outward normal of the face nearest to a point; without faces, direction of the force."""
     faces = [d for d in scene.obstacles if d.normal]
     if not faces:
         return force / np.linalg.norm(force)
@@ -119,19 +119,19 @@ def _normal(scene: Scene, point: Array, force: Array) -> Array:
 
 
 def ring(centre: Array, radius: float, turn: Array) -> Array:
-    """A circle about a point in the plane of the arms, shape (points, 3)."""
+    """Circle around a point in the plane of the arms, shape (points, 3)."""
     return centre + radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1) @ turn[:, :2].T
 
 
 def ends(arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False) -> Array:
-    """Ends of the arms, where cages and rotors are, as they are or at their free length."""
+    """Ends of the arms, with cages and rotors, at present or at free length, shape (arms, 3)."""
     lengths = np.array([arm.length for arm in arms]) if free else now.lengths
     directions = np.array([arm.direction for arm in arms])
     return np.asarray(now.position + (lengths[:, None] * directions) @ now.rotation.T)
 
 
 def arm_line(arm: ArmShape, now: SceneInstant, length: float) -> Array:
-    """An arm from the main body to the rotor: a helix if it gives way, else straight."""
+    """Line of an arm from the main body to the rotor: a helix if compliant, else straight."""
     along = now.rotation @ np.array(arm.direction)
     if not arm.compliant:
         return now.position + np.outer([0.0, length], along)
@@ -144,7 +144,7 @@ def arm_line(arm: ArmShape, now: SceneInstant, length: float) -> Array:
 
 
 def body_outline(now: SceneInstant) -> tuple[Array, Array]:
-    """Upper and lower rim of the main body, shape (points, 3) each."""
+    """Upper and lower rims of the main body, shape (points, 3) each."""
     rim, lift = ring(now.position, BODY, now.rotation), BODY_HEIGHT * now.rotation[:, 2]
     return rim + lift, rim - lift
 
@@ -155,17 +155,17 @@ def sphere_outline(hull: HullShape, now: SceneInstant, view: ViewPlane) -> Array
     return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
 
 
-# -- what is hit ----------------------------------------------------------------------------------
+# -- obstacles ------------------------------------------------------------------------------------
 
 
 def half_plane(thing: Drawable, view: ViewPlane, depth: float, size: float) -> Array | None:
-    """What lies behind a face in the plane of a view, as a quadrangle [m]; None if edge-on.
+    """Quadrangle behind a face in the plane of a view [m]; None if the face is seen flat on.
 
     Args:
-        thing: With a normal.
+        thing: Rectangle, with a normal.
         view: The plane.
-        depth: How far behind the face it begins [m].
-        size: Half the length of its side, and how far it reaches [m].
+        depth: Distance behind the face at which it begins [m].
+        size: Half the length of its side, and its depth [m].
     """
     normal = np.array(thing.normal)
     flat = view(normal)
@@ -181,8 +181,8 @@ def half_plane(thing: Drawable, view: ViewPlane, depth: float, size: float) -> A
     )
 
 
-def cut(thing: Drawable, view: ViewPlane) -> Array:
-    """Where a mesh meets the plane of a view, shape (pieces, 2, 2) [m]."""
+def plane_section(thing: Drawable, view: ViewPlane) -> Array:
+    """Section of a mesh with the plane of a view, shape (pieces, 2, 2) [m]."""
     if thing.vertices is None or thing.triangles is None:
         return np.zeros((0, 2, 2))
     out = (thing.vertices - view.through) @ np.cross(view.right, view.up)

@@ -26,13 +26,13 @@ SIZES = {1: (600, 540), 2: (760, 540)}
 LEAST, MOST = 160, 2160
 """Of a side [px], chosen."""
 FASTEST = 50.0
-"""Frames a second: more, and browsers show a GIF more slowly."""
+"""Frames per second; browsers slow a GIF down above this."""
 COLOURS, SAMPLED = 64, 12
-"""Chosen: colours of a GIF, and frames from which they are taken."""
+"""Chosen: colours of a GIF, and number of frames from which its palette is computed."""
 HOLD = 1.0
-"""Chosen: the last frame stays so long [s]."""
+"""Chosen: how long the last frame is held [s]."""
 INKS = (BLUE, RED, GREEN, ORANGE)
-"""Colours of thin lines, which a palette made from areas would miss."""
+"""Colours of thin lines, which the palette would otherwise lack."""
 QUALITY = 80
 """Of WebP, chosen; of MP4 the constant rate factor is `CRF`."""
 CRF = "20"
@@ -49,23 +49,23 @@ def write_film(
     size: tuple[int, int] | None = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> int:
-    """Write a film of one flight, or of two side by side that touch at the same time.
+    """Write a film of one flight, or of two side by side, synchronised at first touch.
 
     Args:
         scenes: One or two.
         path: Ends in .gif, .webp or .mp4.
-        slow: How many times slower than life impacts are shown.
+        slow: Slow-motion factor of impacts.
         begin: First instant, from first touch [s]; by default shortly before it.
         end: Last instant, from first touch [s].
         fps: Frames a second.
         size: Width and height [px].
-        progress: Is told the share that is drawn.
+        progress: Called with the fraction of frames drawn.
 
     Returns:
         The number of frames.
 
     Raises:
-        InputError: If there is nothing to show, or the suffix or an extra is missing.
+        InputError: If there is nothing to show, the suffix is unknown, or an extra is missing.
     """
     check(path, size, fps)
     from springback.interfaces.animation.frame import Frame
@@ -81,7 +81,7 @@ def write_film(
 
 
 def check(path: Path, size: tuple[int, int] | None, fps: float) -> None:
-    """What can be wrong with a film before anything is drawn.
+    """Check the options of a film before anything is drawn.
 
     Args:
         path: Of the film.
@@ -89,13 +89,13 @@ def check(path: Path, size: tuple[int, int] | None, fps: float) -> None:
         fps: Frames a second.
 
     Raises:
-        InputError: In one line.
+        InputError: If an option is invalid, or an extra is not installed.
     """
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(f"--out {path}: must end in {', '.join(SUFFIXES)}")
     if not 1.0 <= fps <= FASTEST:
-        raise InputError(f"--fps {fps:g}: must be from 1 to {FASTEST:g} frames a second")
+        raise InputError(f"--fps {fps:g}: must be from 1 to {FASTEST:g} frames per second")
     for side in size or ():
         if not LEAST <= side <= MOST:
             raise InputError(f"--size: {side} px must be from {LEAST} to {MOST} px")
@@ -108,14 +108,14 @@ def check(path: Path, size: tuple[int, int] | None, fps: float) -> None:
 
 
 def _durations(count: int, fps: float) -> list[int]:
-    """How long each frame stays [ms], in hundredths of a second as a GIF needs it."""
+    """Duration of each frame [ms], in whole hundredths of a second as GIF requires."""
     ends = np.round(np.arange(1, count + 1) * 100.0 / fps)
     stays = [10 * int(stay) for stay in np.diff(ends, prepend=0.0)]
     return [*stays[:-1], stays[-1] + int(1e3 * HOLD)]
 
 
 def _gif(frames: Frames, path: Path, fps: float) -> None:
-    """One palette for all frames and no dithering: what stands still stays the same."""
+    """Use one palette for all frames, without dithering, so that a still background stays still."""
     from matplotlib.colors import to_rgb
     from PIL import Image
 
@@ -143,7 +143,7 @@ def _webp(frames: Frames, path: Path, fps: float) -> None:
 
 
 def _mp4(frames: Frames, path: Path, fps: float) -> None:
-    """H.264, in a thread of its own so that the bytes do not depend on the machine's cores."""
+    """Encode H.264 in a single thread, so that the bytes do not depend on the number of cores."""
     from fractions import Fraction
 
     import av

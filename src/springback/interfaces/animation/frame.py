@@ -1,4 +1,4 @@
-"""The picture of a film: robots from the side and from above, a clock, and the acceleration."""
+"""Frames of a film: robots from the side and from above, a clock, and the acceleration."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ from matplotlib.lines import Line2D
 from springback.interfaces.animation.bodies import SceneInstant, pose, views
 from springback.interfaces.animation.panel import ScenePanel
 from springback.interfaces.animation.timing import EARLY, LATE, FilmTiming, origin
-from springback.interfaces.figures.style import as_written
+from springback.interfaces.figures.style import escape
 from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 LOOKS = tuple(ROBOTS.values())
-"""Of the first flight and the second."""
+"""Looks of the first and of the second flight."""
 NEAR = 1.25
-"""Chosen: half of what a view shows, over the reach of the robot, at an impact."""
+"""Chosen: half the width of a view at an impact, over the reach of the robot."""
 WIDEST = 1.4
-"""Chosen: half of what a view shows at most [m]; where the flight goes farther, it follows."""
+"""Chosen: largest half width of a view [m]; on longer flights the view follows the robot."""
 ARROW = 0.28
-"""Chosen: length of the arrow of the greatest contact force [m]."""
+"""Chosen: length of the arrow of the largest contact force [m]."""
 ZOOMING = 0.12
-"""Chosen: time in which the view closes in [s of flight]."""
+"""Chosen: flight time in which the view zooms in [s]."""
 SIDE = 0.38
-"""Chosen: share of the views' height that is seen from the side."""
+"""Chosen: fraction of the views' height given to the side view."""
 CURVE, HEAD, GAP = 0.25, 0.07, 0.004
-"""Chosen: shares of the height of curve and clock, and between the views."""
+"""Chosen: heights of curve and clock and gap between the views, as fractions of the figure."""
 
 
 class Frame:
-    """A figure that can be turned to any instant of its scenes."""
+    """A figure of its scenes at any instant."""
 
     def __init__(self, scenes: Sequence[Scene], timing: FilmTiming, size: tuple[int, int]) -> None:
-        """The figure, not yet at any instant.
+        """Create the figure.
 
         Args:
             scenes: One, or two side by side.
@@ -65,18 +65,18 @@ class Frame:
         poses = [pose(scene, origin(scene) + when) for scene in self.scenes]
         self._aim(poses, when)
         for scene, now, column in zip(self.scenes, poses, self.panels, strict=True):
-            past = scene.position[_shown(scene, self.timing.begin, when)]
+            past = scene.position[_places(scene, self.timing.begin, when)]
             for panel in column:
                 panel.turn(now, past, self.newton)
-            column[0].said.set_text(_told(scene, now))
+            column[0].said.set_text(_caption(scene, now))
         self.curve.turn(when)
         sign = "+" if when >= 0.0 else "−"
         self.words[0].set_text(f"t = {sign}{1e3 * abs(when):.0f} ms")
         self.words[1].set_text(f"slow motion 1/{slowness:.0f}")
-        return self._drawn()
+        return self._background()
 
-    def _drawn(self) -> Array:
-        """What stands still is drawn once, what moves is drawn over it."""
+    def _background(self) -> Array:
+        """Pixels of the static artists, drawn once; moving ones are drawn on top."""
         self.canvas.restore_region(self.still)
         for panel in (panel for column in self.panels for panel in column):
             for artist in panel.moving:
@@ -95,7 +95,7 @@ class Frame:
         )
 
     def _column(self, k: int) -> tuple[ScenePanel, ScenePanel]:
-        """A scene from the side, and below from above."""
+        """Draw a scene from the side and, below, from above."""
         scene, width, height = self.scenes[k], 1.0 / len(self.scenes), 1.0 - CURVE - HEAD
         side, above = views(scene)
         low = CURVE + (1.0 - SIDE) * height
@@ -103,7 +103,7 @@ class Frame:
         box = (k * width, CURVE, width, (1.0 - SIDE) * height)
         lower = self._panel(scene, above, k, box, "from above")
         upper.ax.text(
-            0.015, 0.95, as_written(scene.label), transform=upper.ax.transAxes, va="top",
+            0.015, 0.95, escape(scene.label), transform=upper.ax.transAxes, va="top",
             weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2].colour,
         )  # fmt: skip
         return upper, lower
@@ -123,7 +123,7 @@ class Frame:
     # -- where to look ----------------------------------------------------------------------------
 
     def _aim(self, poses: Sequence[SceneInstant], when: float) -> None:
-        """All views on one scale, closing in around impacts; if the way is too long, follow."""
+        """Set one scale for all views: zoomed in around impacts, following on long flights."""
         half = max(half for column in self.ways for half, _ in column)
         follow, half = half > WIDEST, min(half, WIDEST)
         tall = self.panels[0][1].shape()
@@ -136,28 +136,28 @@ class Frame:
                 panel.look(here if follow else (1 - share) * middle + share * here, half)
 
     def _way(self, panel: ScenePanel) -> tuple[float, Array]:
-        """Half the width that shows all of a scene's way, and the middle of it [m]."""
-        inside = _shown(panel.scene, self.timing.begin, self.timing.end)
+        """Half width and centre of a view that shows the whole path of a scene [m]."""
+        inside = _places(panel.scene, self.timing.begin, self.timing.end)
         way = panel.view(panel.scene.position[inside])
         low, high = way.min(axis=0), way.max(axis=0)
         wide, tall = 0.5 * (high - low) + 1.15 * self.reach
-        if panel.view.up[2] > 0.5:  # from the side a robot is flat
+        if panel.view.up[2] > 0.5:  # a robot is flat when seen from the side
             tall -= 0.6 * self.reach
         return max(float(wide), float(tall) / panel.shape()), 0.5 * (low + high)
 
 
 def _canvas(figure: Figure) -> Any:
-    """What a figure is drawn on; its methods carry no types."""
+    """Canvas of a figure; its methods have no type hints."""
     return FigureCanvasAgg(figure)
 
 
 def _size(vectors: Array) -> Array:
-    """Of vectors along the last axis."""
+    """Norms of vectors along the last axis."""
     return np.asarray(np.linalg.norm(vectors, axis=-1))
 
 
-def _shown(scene: Scene, begin: float, end: float) -> Any:
-    """Places of a scene between two instants of a film; at least one."""
+def _places(scene: Scene, begin: float, end: float) -> Any:
+    """Indices of a scene's instants between two instants of a film; at least one."""
     t = scene.t - origin(scene)
     inside = (t >= begin) & (t <= end)
     if not inside.any():
@@ -165,8 +165,8 @@ def _shown(scene: Scene, begin: float, end: float) -> Any:
     return inside
 
 
-def _told(scene: Scene, now: SceneInstant) -> str:
-    """Sum of the contact forces on all cages, and how far the arms give."""
+def _caption(scene: Scene, now: SceneInstant) -> str:
+    """Sum of all contact forces, and compression of the arms, as text."""
     lines = [f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"]
     if any(arm.compliant for arm in scene.arms):
         pressed = [arm.length - v for arm, v in zip(scene.arms, now.lengths, strict=True)]
@@ -175,20 +175,20 @@ def _told(scene: Scene, now: SceneInstant) -> str:
 
 
 def _nearness(when: float, begin: float, end: float) -> float:
-    """How close the view is, from 0 to 1, around what is shown slowly."""
+    """Zoom from 0 to 1: 1 in slow motion, eased at its ends."""
     away = max(0.0, begin + EARLY - when, when - (end - LATE))
     share = min(max(1.0 - away / ZOOMING, 0.0), 1.0)
     return share * share * (3.0 - 2.0 * share)
 
 
 class _Curve:
-    """The acceleration of the main bodies, as it comes to be."""
+    """Plot of the main bodies' acceleration up to the present instant."""
 
     def __init__(self, picture: Frame) -> None:
-        """The axes, and curves without points.
+        """Create the axes, and curves without points.
 
         Args:
-            picture: That it belongs to.
+            picture: Frame that the plot belongs to.
         """
         timing, unit = picture.timing, picture.unit
         self.ax = picture.figure.add_axes((0.105, 0.095, 0.875, CURVE - 0.125))
@@ -202,7 +202,7 @@ class _Curve:
             t = scene.t - origin(scene)
             top = max(top, float(values[(t >= begin) & (t <= end)].max(initial=0.0)))
             look = LOOKS[k % 2]
-            name = as_written(scene.label)
+            name = escape(scene.label)
             (line,) = self.ax.plot([], [], lw=1.8 * unit, label=name, **look.curve)
             (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=look.colour)
             self.curves.append((line, dot, 1e3 * t, values))
@@ -210,9 +210,9 @@ class _Curve:
         for artist in self.moving:
             artist.set_animated(True)
         self.ax.set(xlim=(1e3 * begin, 1e3 * end), ylim=(0.0, 1.08 * top))
-        self._labelled(picture)
+        self._label(picture)
 
-    def _labelled(self, picture: Frame) -> None:
+    def _label(self, picture: Frame) -> None:
         ax, unit = self.ax, picture.unit
         ax.set_ylabel("acceleration\n[m/s²]", fontsize=9 * unit, color=INK)
         zero = "first touch" if any(s.impacts for s in picture.scenes) else "the start"
@@ -225,10 +225,10 @@ class _Curve:
             ax.legend(loc="upper right", fontsize=9 * unit, frameon=False, handlelength=2.2)
 
     def turn(self, when: float) -> None:
-        """Show what has been.
+        """Show the curves up to an instant.
 
         Args:
-            when: From first touch [s].
+            when: Time from first touch [s].
         """
         now = 1e3 * when
         for line, dot, t, values in self.curves:

@@ -1,4 +1,4 @@
-"""One view of one robot in a film, and how it is turned to an instant."""
+"""One view of one robot in a film."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from springback.interfaces.animation.bodies import (
     ViewPlane,
     arm_line,
     body_outline,
-    cut,
     ends,
     half_plane,
+    plane_section,
     ring,
     sphere_outline,
 )
@@ -31,29 +31,29 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
 FAR = 30.0
-"""[m]: farther than any picture reaches."""
+"""Size of half planes, larger than any view [m]."""
 THRUST_BAR = 0.10
-"""Chosen: length of the bar of a rotor's greatest thrust [m]."""
+"""Chosen: length of the bar of a rotor's maximum thrust [m]."""
 SHAFT, BARB, HEAD = 0.006, 0.018, 0.035
 """Chosen: half the width of an arrow's shaft and head, and the length of its head [m]."""
 PRESSED = 1e-3
-"""Chosen: an arm pressed in by more than this [m] has its cage drawn at its free length, too."""
+"""Chosen: compression above which a cage is also drawn at its free length, dotted [m]."""
 FAINT = 0.004
-"""Chosen: arrows shorter than this [m] are not drawn."""
+"""Chosen: length below which an arrow is not drawn [m]."""
 
 
 class ScenePanel:
-    """A view of a scene: what moves in it, in the order in which it is drawn."""
+    """A view of a scene; ``moving`` holds its artists in drawing order."""
 
     def __init__(self, ax: Axes, view: ViewPlane, scene: Scene, colour: str, unit: float) -> None:
-        """All lines and areas, not yet anywhere.
+        """Create all lines and areas.
 
         Args:
-            ax: To draw in.
+            ax: Axes to draw in.
             view: The plane.
-            scene: Of a flight.
-            colour: Of the robot.
-            unit: Of type and lines.
+            scene: Scene of a flight.
+            colour: Colour of the robot.
+            unit: Scale of type and line widths.
         """
         self.ax, self.view, self.scene = ax, view, scene
         self.moving: list[Artist] = []
@@ -97,7 +97,7 @@ class ScenePanel:
         for thing in self.scene.obstacles:
             colour = MATTER.get(thing.kind, MATTER["wall"])
             if thing.vertices is not None:
-                pieces = list(cut(thing, self.view))
+                pieces = list(plane_section(thing, self.view))
                 mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
                 self._moves(self.ax.add_collection(mesh))
                 continue
@@ -109,15 +109,15 @@ class ScenePanel:
                     self._moves(self.ax.add_patch(Polygon(area, fc=fill, **edge)))
 
     def shape(self) -> float:
-        """Height over width."""
+        """Ratio of height to width."""
         box = self.ax.get_window_extent()
         return float(box.height / box.width)
 
     def look(self, middle: Array, half: float) -> None:
-        """Show what is about a point, so far to each side, with a bar for scale.
+        """Centre the view on a point, with a scale bar.
 
         Args:
-            middle: In the plane [m].
+            middle: Point in the plane [m].
             half: Half the width [m].
         """
         tall = half * self.shape()
@@ -130,12 +130,12 @@ class ScenePanel:
         self.length.set_text(f"{bar:g} m")
 
     def turn(self, now: SceneInstant, past: Array, newton: float) -> None:
-        """Put everything where it is.
+        """Move all artists to an instant.
 
         Args:
             now: The instant.
-            past: Where the main body was until now [m].
-            newton: Length of an arrow [m/N].
+            past: Positions of the main body up to now [m].
+            newton: Length of an arrow per force [m/N].
         """
         view, scene = self.view, self.scene
         self.trail.set_data(*view(np.vstack([past, now.position])).T)
@@ -162,11 +162,11 @@ class ScenePanel:
 
 
 def arrow(tail: Array, tip: Array) -> Array:
-    """An arrow as an outline, shape (7, 2).
+    """Outline of an arrow, shape (7, 2).
 
     Args:
-        tail: Where it begins [m].
-        tip: Where it points to [m].
+        tail: Start [m].
+        tip: End [m].
     """
     long = float(np.linalg.norm(tip - tail))
     along = (tip - tail) / max(long, 1e-12)

@@ -1,4 +1,4 @@
-"""Which instants a film shows: as fast as life, or nearly, and slowly around the impacts."""
+"""Instants of a film: close to real time, with slow motion around the impacts."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Chosen: what is shown before and after the first touch [s], unless said otherwise.
+#: Chosen: time shown before and after the first touch by default [s].
 BEFORE, AFTER = 0.30, 0.80
-#: Chosen: how much slower than life a film is away from impacts, so that one can follow.
+#: Chosen: slow-motion factor away from impacts, so that one can follow.
 LIFE = 2.0
-#: Chosen: slow motion begins so long before a touch, and ends so long after a separation [s].
+#: Chosen: slow motion begins this long before a touch and ends this long after a separation [s].
 EARLY, LATE = 0.012, 0.030
-#: Chosen: an impact is slow for so long at most [s]; a robot may lean on a wall for ever.
+#: Chosen: longest slow motion of an impact [s]; a robot may lean on a wall indefinitely.
 LONGEST = 0.15
-#: Chosen: time in which a film slows down [s of flight].
+#: Chosen: flight time in which a film slows down [s].
 EASING = 0.02
-#: Frames that a film may have: chosen, 60 s at 25 frames a second.
+#: Maximum number of frames of a film (chosen: 60 s at 25 frames per second).
 MOST_FRAMES = 1500
 
 
 class FilmTiming(NamedTuple):
-    """Instants of a film, counted from the first touch, or from the start where nothing touches."""
+    """Instants of a film, relative to first touch, or to the start if there is no contact."""
 
     t: Array  # of every frame [s]
-    slowness: Array  # of every frame, how many times slower than life
+    slowness: Array  # of every frame: slow-motion factor
     begin: float
     end: float
-    slow: tuple[tuple[float, float], ...]  # what is shown slowly [s]
+    slow: tuple[tuple[float, float], ...]  # intervals in slow motion [s]
 
 
 def origin(scene: Scene) -> float:
-    """Where the time of a film is zero: first touch, or the start of the flight [s].
+    """Time origin of a film: first touch, or the start of the flight [s].
 
     Args:
         scene: Of a flight.
@@ -53,17 +53,17 @@ def timing(
     begin: float | None = None,
     end: float | None = None,
 ) -> FilmTiming:
-    """The instants of a film.
+    """Instants of a film.
 
     Args:
-        scenes: One, or two side by side, which touch together.
-        slow: How many times slower than life impacts are shown.
+        scenes: One, or two side by side, synchronised at first touch.
+        slow: Slow-motion factor of impacts.
         fps: Frames a second.
         begin: First instant, from first touch [s]; by default shortly before it.
         end: Last instant, from first touch [s].
 
     Raises:
-        InputError: If there is nothing between the two, or too much.
+        InputError: If the interval is empty, or has too many frames.
     """
     first = min(float(s.t[0]) - origin(s) for s in scenes)
     last = max(float(s.t[-1]) - origin(s) for s in scenes)
@@ -84,7 +84,7 @@ def timing(
 
 
 def _windows(scenes: Sequence[Scene], start: float, stop: float) -> tuple[tuple[float, float], ...]:
-    """Times shown slowly: the impacts of all scenes with some room, as few intervals."""
+    """Intervals in slow motion: the impacts of all scenes with some margin, merged."""
     found: list[tuple[float, float]] = []
     spans = [(a - origin(s), b - origin(s)) for s in scenes for a, b in s.impacts]
     for a, b in sorted((a - EARLY, min(b, a + LONGEST) + LATE) for a, b in spans):
@@ -98,7 +98,7 @@ def _windows(scenes: Sequence[Scene], start: float, stop: float) -> tuple[tuple[
 
 
 def _slowness(t: Array, windows: Sequence[tuple[float, float]], slow: float) -> Array:
-    """How many times slower than life, easing in and out of the windows."""
+    """Slow-motion factor, easing in and out of the windows."""
     share = np.zeros_like(t)
     for a, b in windows:
         away = np.maximum(0.0, np.maximum(a - t, t - b)) / EASING
@@ -109,14 +109,14 @@ def _slowness(t: Array, windows: Sequence[tuple[float, float]], slow: float) -> 
 def _instants(
     windows: Sequence[tuple[float, float]], start: float, stop: float, slow: float, fps: float
 ) -> Array:
-    """Instants that are equally far apart on the film: flight time integrated over slowness."""
+    """Flight times of frames, which are equally spaced in the time of the film."""
     fine = np.linspace(start, stop, max(2000, int((stop - start) / 2e-4)))
     pace = _slowness(fine, windows, slow)
     shown = np.concatenate([[0.0], np.cumsum(0.5 * (pace[1:] + pace[:-1]) * np.diff(fine))])
     count = int(shown[-1] * fps) + 1
     if count > MOST_FRAMES:
         raise InputError(
-            f"a film of {count} frames is too long, {MOST_FRAMES} are the most; give --from and "
-            "--to, a smaller --slow or a smaller --fps"
+            f"a film of {count} frames is too long (at most {MOST_FRAMES}); give --from and --to, "
+            "or a smaller --slow or --fps"
         )
     return np.interp(np.arange(count) / fps, shown, fine)

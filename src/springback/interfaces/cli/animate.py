@@ -62,7 +62,7 @@ def animate(
     if begin is not None and end is not None and begin >= end:
         raise InputError(f"--from {begin:g} s must be before --to {end:g} s")
     if out.exists() and (out.is_dir() or not force):
-        ending = "is a folder" if out.is_dir() else "is there already; give another, or --force"
+        ending = "is a folder" if out.is_dir() else "already exists; give another, or --force"
         raise InputError(f"--out {out}: {ending}")
     wanted = _size(size)
     from springback.interfaces.animation.film import check, write_film

@@ -67,7 +67,7 @@ def main() -> None:
         error.show()
         sys.exit(2)
     except Exception as error:
-        if interrupts.came():  # and whatever it led to in a library
+        if interrupts.is_interrupted():  # and whatever it led to in a library
             _interrupted()
         said = environment(error)
         if said is None:
@@ -77,8 +77,8 @@ def main() -> None:
 
 
 def _interrupted() -> NoReturn:
-    interrupts.deafen()
-    note(interrupts.words(), False)
+    interrupts.ignore()
+    note(interrupts.message(), False)
     sys.exit(130)
 
 

@@ -127,17 +127,17 @@ def _tls(
 
 def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> Any:
     from springback.campaign.access import check_conditions
-    from springback.campaign.design.layout import laid_out
+    from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.store import stored_plan
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
-        design = laid_out(read, source)
+        design = lay_out(read, source)
         check_conditions(design, source)
         return design
     assert out is not None
-    return laid_out(stored_plan(out), tried=False)
+    return lay_out(stored_plan(out), tried=False)
 
 
 def _again(
@@ -248,7 +248,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     if out is not None and out.suffix not in SUFFIXES and (out.suffix != ".parquet" or not sql):
         raise InputError(f"--out {out}: must end in .parquet, {', '.join(SUFFIXES)}")
     if out is not None and out.exists() and not force:
-        raise InputError(f"--out {out}: is there already; give another, or --force")
+        raise InputError(f"--out {out}: already exists; give another, or --force")
     if out is not None and sql is not None and out.suffix == ".parquet":
         note(f"{known.save(sql, out)} rows written to {out}", False)
         return

@@ -76,7 +76,7 @@ def choices(
     from springback.files import write_csv, write_json
     from springback.interfaces.output.folders import output_folder
     from springback.paper.choices import choices_data, choices_sentences, fly_choices
-    from springback.studies.clipping import hidden_velocity
+    from springback.studies.clipping import clipping_losses
 
     times = _durations(durations)
     figures = not no_figures and have_figures(quiet)
@@ -85,7 +85,7 @@ def choices(
         with progress_bar("sets of choices", quiet) as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
         with progress_bar("velocity hidden by clipping", quiet) as show:
-            hidden = hidden_velocity(progress=show)
+            hidden = clipping_losses(progress=show)
         data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
         said = choices_sentences(results)
         write_json(folder / "choices.json", data | {"sentences": said})
@@ -93,12 +93,12 @@ def choices(
         write_csv(folder / "agreement.csv", data["agreement"])
         write_csv(folder / "hidden.csv", data["hidden"])
         if figures:
-            from springback.interfaces.figures.friction import hidden_figure
+            from springback.interfaces.figures.friction import clipping_figure
             from springback.interfaces.figures.style import save
             from springback.interfaces.reproduction.figures.choices import choices_figure
 
             save(choices_figure(results), folder / "choices", numbers=False)
-            save(hidden_figure(hidden), folder / "hidden", numbers=False)
+            save(clipping_figure(hidden), folder / "hidden", numbers=False)
     print_result(data if as_json else "\n".join(said), as_json)
     note(f"written to {out}", quiet)
 

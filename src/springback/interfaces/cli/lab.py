@@ -28,7 +28,7 @@ def lab(host: str, port: int, no_browser: bool) -> None:
     from springback.interfaces.lab.queue import RequestQueue
     from springback.interfaces.web.server import serve
 
-    desk = RequestQueue()
-    app = lab_app(desk)
-    desk.open()
+    queue = RequestQueue()
+    app = lab_app(queue)
+    queue.start()
     serve(app, host=host, port=port, what="impact lab", browser=not no_browser)

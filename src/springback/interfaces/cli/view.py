@@ -46,7 +46,7 @@ def view(
     springback view examples/collision.toml --twin --export collision.html
     """
     from springback.extras import needs
-    from springback.interfaces.replay.viewer import exported, flights_of, replay_app, replay_of
+    from springback.interfaces.replay.viewer import export_page, flights_of, replay_app, replay_of
 
     if export is None:
         needs("uvicorn", "web")
@@ -57,7 +57,7 @@ def view(
     ):
         page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
-        exported(page, export, force=force)
+        export_page(page, export, force=force)
         note(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)
         return
     from springback.interfaces.web.server import serve

@@ -1,4 +1,4 @@
-"""Figures of the ablation: which change moves which test, and how far a number may move."""
+"""Figures of the ablation: effect of each change on each test, and ranges of parameters."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, ROBOTS
 from springback.studies.ablation import RANGES, VARIANTS, WhyResults
 from springback.studies.ablation import ROBOTS as FLOWN
@@ -23,14 +23,14 @@ def _test(pitch: float, speed: float) -> str:
 
 
 def _small(ax: Axes, title: str, xlabel: str) -> None:
-    """Words of a heat map."""
+    """Shrink the words of a heat map."""
     ax.set_title(title, size=9)
     ax.set_xlabel(xlabel, size=8)
 
 
-@styled
+@in_style
 def ablation_figure(results: WhyResults) -> Figure:
-    """Successes of each test, robot by robot, variant by variant."""
+    """Successes of each test by robot and variant."""
     rows = [v for v in VARIANTS if any(results.successes(v, robot) for robot in FLOWN)]
     figure = StyledFigure(figsize=(WIDTH * 1.75, 0.24 * len(rows) + 1.1), layout="constrained")
     for ax, robot in zip(figure.subplots(1, 2, sharey=True), FLOWN, strict=True):
@@ -50,9 +50,9 @@ def ablation_figure(results: WhyResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def ranges_figure(results: WhyResults) -> Figure:
-    """Share of all trials that succeed along each number that the paper does not print."""
+    """Success rate over each parameter that the paper does not print."""
     figure = StyledFigure(figsize=(WIDTH * 1.5, 5.6), layout="constrained")
     grid = figure.subplots(-(-len(RANGES) // 2), 2, sharey=True)
     for ax, one in zip(grid.flat, RANGES, strict=False):
@@ -71,9 +71,9 @@ def ranges_figure(results: WhyResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def pairs_figure(results: PairResults) -> Figure:
-    """Recovered trials under every two changes at the paper's fastest; one change on the edge."""
+    """Recovered trials by pair of changes at the paper's highest speed; single ones at the edge."""
     causes, names = [c.cause for c in CHANGES], [c.name for c in CHANGES]
     figure = StyledFigure(figsize=(WIDTH * 1.75, 0.3 * len(names) + 2.0), layout="constrained")
     for ax, robot in zip(figure.subplots(1, 2, sharey=True), FLOWN, strict=True):

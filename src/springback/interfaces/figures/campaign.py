@@ -1,4 +1,4 @@
-"""Figures of campaigns: success along each field, and over two."""
+"""Figures of campaigns: success over one field and over two."""
 
 from __future__ import annotations
 
@@ -14,40 +14,40 @@ from matplotlib.ticker import NullLocator
 from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.envelope import SCALE
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
 SHARE = "Share that succeeds [-]"
 #: Panels side by side, and their size [in].
 ABREAST, PANEL = 3, (2.5, 2.0)
-#: Labels of levels longer than this in all are written at a slant (chosen).
+#: Labels of levels are slanted if longer than this in total [characters] (chosen).
 LONG = 22
-#: Ticks along a logarithmic axis: so many are enough, and at most so many are written (chosen).
+#: Smallest number of ticks of a logarithmic axis, and largest number of labels (chosen).
 ENOUGH, MOST_TICKS = 3, 5
 
 
-def shown_unit(unit: str) -> str:
-    """As people read it: angles in degrees."""
+def display_unit(unit: str) -> str:
+    """Unit for display: degrees for angles."""
     return {"rad": "deg", "": "-"}.get(unit, unit).replace("^2", "²")
 
 
-def shown(scale: Scale, values: Any) -> Any:
-    """Values in the shown unit."""
+def display_values(scale: Scale, values: Any) -> Any:
+    """Values in the displayed unit."""
     return np.degrees(values) if scale.unit == "rad" else np.asarray(values)
 
 
 def label(scale: Scale) -> str:
     """Name of a field and its unit."""
     name = scale.name.replace("_", " ")
-    return name if scale.labels and not scale.edges else f"{name} [{shown_unit(scale.unit)}]"
+    return name if scale.labels and not scale.edges else f"{name} [{display_unit(scale.unit)}]"
 
 
-@styled
+@in_style
 def marginals_figure(found: Sequence[Marginal]) -> Figure:
-    """Share of flights that succeed along each field, with Wilson's intervals.
+    """Success rate over each field, with Wilson intervals.
 
     Args:
-        found: One for each panel.
+        found: Marginals, one for each panel.
     """
     columns = min(ABREAST, len(found))
     lines = math.ceil(len(found) / columns)
@@ -73,9 +73,9 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
 
 
 def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
-    """One robot along one field: points with bars at levels, else a line in a band."""
+    """One robot over one field: points with bars at levels, else a line in a band."""
     cells = one.robots[robot]
-    x = shown(one.scale, [cell.place for cell in cells])
+    x = display_values(one.scale, [cell.place for cell in cells])
     y, low, high = np.array(
         [(cell.success.value, cell.success.low, cell.success.high) for cell in cells], float
     ).T
@@ -106,14 +106,14 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.set_xlim(-0.6, len(scale.labels) - 0.4)
         axes.grid(visible=False, axis="x")
     elif scale.labels and len(scale.labels) <= 7:
-        axes.set_xticks(shown(scale, scale.edges))
+        axes.set_xticks(display_values(scale, scale.edges))
 
 
 def round_ticks(low: float, high: float) -> list[float]:
     """A few round numbers between two of the same sign, for a logarithmic axis.
 
-    They are powers of ten where there are enough, else 1, 2 and 5 times these; if a range holds
-    fewer than two of those, its ends.
+    They are powers of ten if there are enough, else also 2 and 5 times these; if there are fewer
+    than two, the ends of the range.
     """
     if high < 0.0:
         return [-tick for tick in reversed(round_ticks(-high, -low))]
@@ -128,8 +128,8 @@ def round_ticks(low: float, high: float) -> list[float]:
     return found[:: math.ceil(len(found) / MOST_TICKS)]
 
 
-def written(tick: float) -> str:
-    """A tick in plain digits, or as a power of ten where those would be many."""
+def tick_label(tick: float) -> str:
+    """Label of a tick: plain digits, or a power of ten if those would be many."""
     if 1e-3 <= abs(tick) < 1e5:
         return f"{tick:.3g}" if abs(tick) < 1e3 else f"{tick:.0f}"
     power = math.floor(math.log10(abs(tick)))
@@ -138,19 +138,19 @@ def written(tick: float) -> str:
 
 
 def _log_ticks(axis: Any, scale: Scale) -> None:
-    """Round numbers along a logarithmic field."""
-    low, *_, high = (float(edge) for edge in shown(scale, scale.edges))
+    """Set ticks at round numbers of a logarithmic field."""
+    low, *_, high = (float(edge) for edge in display_values(scale, scale.edges))
     ticks = round_ticks(*sorted((low, high)))
-    axis.set_ticks(ticks, [written(tick) for tick in ticks])
+    axis.set_ticks(ticks, [tick_label(tick) for tick in ticks])
     axis.set_minor_locator(NullLocator())
 
 
-@styled
+@in_style
 def field_map_figure(found: FieldMap) -> Figure:
-    """Share of flights that succeed over two fields, robot by robot.
+    """Success rate over two fields, by robot.
 
     Args:
-        found: The shares.
+        found: Success rates.
     """
     robots = list(found.flights)
     figure = StyledFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
@@ -180,24 +180,24 @@ def field_map_figure(found: FieldMap) -> Figure:
 
 
 def _edges(scale: Scale) -> Any:
-    """Bounds of cells: of levels by their number, else in the shown unit."""
+    """Bounds of cells: indices of levels, else values in the displayed unit."""
     if scale.labels:
         return np.arange(len(scale.labels) + 1) - 0.5
-    return shown(scale, scale.edges)
+    return display_values(scale, scale.edges)
 
 
 def _middles(scale: Scale) -> Any:
-    """Middles of cells, those of levels by their words."""
+    """Centres of cells; words for levels."""
     if scale.labels:
         return _level_words(scale)
-    edges = shown(scale, scale.edges)
+    edges = display_values(scale, scale.edges)
     return 0.5 * (edges[1:] + edges[:-1])
 
 
 def _level_words(scale: Scale) -> tuple[str, ...]:
-    """Levels as they are written: numbers in the shown unit."""
+    """Labels of levels: words, or numbers in the displayed unit."""
     if scale.edges:
-        return tuple(f"{value:.4g}" for value in shown(scale, scale.edges))
+        return tuple(f"{value:.4g}" for value in display_values(scale, scale.edges))
     return scale.labels
 
 

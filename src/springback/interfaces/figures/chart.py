@@ -1,7 +1,7 @@
-"""Axes that draw tidy columns, and keep these as the table of their figure.
+"""Axes that draw tidy columns, and record them in the table of their figure.
 
-A column is named by the label of its axis, with the unit.  Where the place of a mark only
-represents a word, as on an axis of names, ``columns`` holds the word.
+A column is named by the label of its axis, with the unit.  Where a position stands for a word, as
+on an axis of names, ``columns`` holds the word.
 """
 
 from __future__ import annotations
@@ -13,35 +13,35 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 
-from springback.interfaces.figures.style import StyledFigure, as_written
+from springback.interfaces.figures.style import StyledFigure, escape
 from springback.interfaces.output.robots import GREY, INK, SHADE
 
 LOW, HIGH = ", low", ", high"
-"""Ends of the heads of bounds."""
+"""Suffixes of the column names of bounds."""
 RULE: dict[str, Any] = {"color": GREY, "lw": 0.9, "ls": (0, (3, 2)), "zorder": 1.5}
-"""A line across a panel."""
+"""Look of a line across a panel."""
 AREA: dict[str, Any] = {"color": SHADE, "lw": 0.0, "zorder": 0.1}
-#: Light to dark with failures: colours of one hue, distinguishable in grey, too.
+#: Light to dark with failures: one hue, distinguishable in grey.
 SHADES = ListedColormap(np.linspace((0.55, 0.16, 0.05), (0.97, 0.97, 0.97), 11).tolist())
 Columns = Mapping[str, Any]
-"""Values by head: an array, or one value for all rows."""
+"""Values by column name: an array, or one value for all rows."""
 
 
 class Chart:
-    """A panel with the heads of its two axes, which are its labels where they have a unit.
+    """A panel whose axis labels, with units, are the column names of its table.
 
-    Every method that draws takes the name of the series first, and keywords of matplotlib last;
+    Every drawing method takes the name of the series first, and keywords of matplotlib last;
     without ``key`` the series is in the table, but not in the legend.
     """
 
     def __init__(self, ax: Axes, x: str, y: str, panel: str = "", *, titled: bool = True) -> None:
-        """Label the axes whose ticks carry numbers, and set the title."""
+        """Label the axes whose ticks are numbers, and set the title."""
         self.ax, self.x, self.y, self.panel = ax, x, y, panel
         for axis, label, which in ((ax.xaxis, x, "labelbottom"), (ax.yaxis, y, "labelleft")):
             if label.endswith("]") and axis.get_tick_params().get(which, True):
                 axis.set_label_text(label)
         if panel and titled:
-            ax.set_title(as_written(panel))
+            ax.set_title(escape(panel))
 
     def record(self, series: str, columns: Columns) -> None:
         """Add rows to the figure's table."""
@@ -53,9 +53,9 @@ class Chart:
         self, series: str, x: Any, y: Any, *, key: bool = True, columns: Columns | None = None,
         **look: Any,
     ) -> Any:  # fmt: skip
-        """Draw a line or marks; ``columns`` replace or join those of x and y in the table."""
+        """Draw a line or marks; ``columns`` replace or extend those of x and y in the table."""
         self.record(series, {self.x: x, self.y: y, **(columns or {})})
-        return self.ax.plot(x, y, label=_named(series, key), **look)[0]
+        return self.ax.plot(x, y, label=_label(series, key), **look)[0]
 
     def errorbars(
         self, series: str, x: Any, y: Any, low: Any, high: Any, *, across: bool = False,
@@ -67,31 +67,31 @@ class Chart:
         self.record(series, {self.x: x, self.y: y, **bounds, **(columns or {})})
         reach = np.clip([np.subtract(middle, low), np.subtract(high, middle)], 0.0, None)
         look["xerr" if across else "yerr"] = reach.reshape(2, -1)
-        return self.ax.errorbar(x, y, label=_named(series), **look)
+        return self.ax.errorbar(x, y, label=_label(series), **look)
 
     def band(self, series: str, x: Any, low: Any, high: Any, **look: Any) -> None:
         """Shade between two curves."""
         self.record(series, {self.x: x, self.y + LOW: low, self.y + HIGH: high})
-        self.ax.fill_between(x, low, high, lw=0.0, label=_named(series, False), **look)
+        self.ax.fill_between(x, low, high, lw=0.0, label=_label(series, False), **look)
 
     def vline(self, series: str, x: float, *, key: bool = False, **look: Any) -> None:
         """Draw a line across the panel at an x."""
         self.record(series, {self.x: x})
-        self.ax.axvline(x, label=_named(series, key), **RULE | look)
+        self.ax.axvline(x, label=_label(series, key), **RULE | look)
 
     def hline(self, series: str, y: float, *, key: bool = False, **look: Any) -> None:
         """Draw a line across the panel at a y."""
         self.record(series, {self.y: y})
-        self.ax.axhline(y, label=_named(series, key), **RULE | look)
+        self.ax.axhline(y, label=_label(series, key), **RULE | look)
 
     def span(self, series: str, low: float, high: float, *, key: bool = False, **look: Any) -> None:
         """Shade the panel between two x."""
         self.record(series, {self.x + LOW: low, self.x + HIGH: high})
-        self.ax.axvspan(low, high, label=_named(series, key), **AREA | look)
+        self.ax.axvspan(low, high, label=_label(series, key), **AREA | look)
 
     def key(self, name: str, **look: Any) -> None:
-        """Explain a look in the legend."""
-        self.ax.plot([], [], label=as_written(name), **look)
+        """Add a look to the legend."""
+        self.ax.plot([], [], label=escape(name), **look)
 
     def heat_map(
         self, head: str, shares: Any, words: Sequence[Sequence[str]], rows: Sequence[str],
@@ -100,11 +100,11 @@ class Chart:
         """Draw shares as colours with a word in each cell.
 
         Args:
-            head: Of the shares in the table, in percent if it says so.
-            shares: From 0 to 1; rows by columns, NaN where there is none.
-            words: Of each cell.
-            rows: Their names, from the top.
-            columns: Their names.
+            head: Column name of the shares, which are in percent if it contains ``%``.
+            shares: From 0 to 1, shape (rows, columns); NaN for missing ones.
+            words: Text of each cell.
+            rows: Names of the rows, from the top.
+            columns: Names of the columns.
         """
         shares, scale = np.asarray(shares), 100.0 if head.endswith("[%]") else 1.0
         self.ax.imshow(shares, cmap=SHADES, vmin=0.0, vmax=1.0, aspect="auto")
@@ -125,6 +125,6 @@ class Chart:
             edge.set_visible(False)
 
 
-def _named(series: str, key: bool = True) -> str:
-    """The label of an artist; matplotlib keeps those with an underscore out of legends."""
-    return as_written(series) if key else f"_{series}"
+def _label(series: str, key: bool = True) -> str:
+    """Label of an artist; matplotlib leaves those with an underscore out of legends."""
+    return escape(series) if key else f"_{series}"

@@ -1,4 +1,4 @@
-"""Figures of the study of detection and characterisation."""
+"""Figures of the study of collision detection and characterisation."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import LOOKS, WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import LOOKS, WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.studies.detection import (
     CHARACTERISED_FROM,
@@ -31,19 +31,19 @@ TRIGGERS = {
     "wrench": ("wrench", 1.0, "External force [N]"),
     "momentum": ("momentum", 1.0, "External force [N]"),
 }
-"""Title, scale, and what the threshold is on."""
+"""Title, scale, and axis label of the threshold."""
 MANY = 3e3
-"""False alarms an hour up to which a receiver operating curve is drawn: one each 1.2 s, hardly more
-than the refractory time of 1 s leaves room for."""
+"""Largest rate of false alarms of a receiver operating curve [1/h]: one per 1.2 s, almost as often
+as the refractory time of 1 s permits."""
 
 
 def _charts(
     results: DetectionResults, figure: Figure, *, x: str, y: str
 ) -> Iterator[tuple[str, str, Chart]]:
-    """A chart for each robot and trigger; where a robot has no such trigger it is empty.
+    """Charts by robot and trigger, empty if a robot lacks the trigger.
 
-    Labels and tick labels are shown only where no panel is below, or to the left.  Without ``x``
-    each column has the axis of its trigger.
+    Only the outer panels have axis labels and tick labels.  Without ``x`` each column has the axis
+    of its trigger.
     """
     shape = (len(FLOWN), len(SIGNALS))
     axes = figure.subplots(*shape, sharex="all" if x else "col", sharey=True)
@@ -66,25 +66,25 @@ def _charts(
             ax.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _bounded(points: Sequence[RocPoint]) -> tuple[list[float], list[float]]:
-    """False alarms an hour and probabilities, falling; where none was seen, the bound."""
+def _curve(points: Sequence[RocPoint]) -> tuple[list[float], list[float]]:
+    """False alarms per hour, descending, and probabilities; the upper bound where none occurred."""
     kept = [p for p in points if p.bound <= MANY]
     return [p.bound for p in kept], [p.probability for p in kept]
 
 
-@styled
+@in_style
 def roc_figure(results: DetectionResults) -> Figure:
-    """Receiver operating curves of every trigger, a curve for each speed; the default is a dot.
+    """Receiver operating curves of each trigger by speed, with a dot at the default threshold.
 
     Args:
-        results: The study.
+        results: Results of the study.
     """
     figure = StyledFigure(figsize=(WIDE, 4.4))
-    noticed = f"Noticed in {1e3 * IN_TIME:g} ms [-]"
+    noticed = f"Detected within {1e3 * IN_TIME:g} ms [-]"
     for robot, trigger, chart in _charts(results, figure, x="False alarms [1/h]", y=noticed):
         for look, speed in zip(LOOKS, SPEEDS, strict=False):
             points = results.curve(robot, trigger, speed)
-            chart.curve(f"{speed:g} m/s", *_bounded(points), **look)
+            chart.curve(f"{speed:g} m/s", *_curve(points), **look)
             usual = min(points, key=lambda p: abs(np.log(p.threshold / default_threshold(trigger))))
             chart.curve(
                 f"{speed:g} m/s, default threshold", usual.bound, usual.probability, key=False,
@@ -98,12 +98,12 @@ def roc_figure(results: DetectionResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def delay_figure(results: DetectionResults) -> Figure:
-    """Delay against threshold, a curve for each speed; shaded are thresholds of false alarms.
+    """Delay over threshold by speed; thresholds with false alarms are shaded.
 
     Args:
-        results: The study.
+        results: Results of the study.
     """
     figure = StyledFigure(figsize=(WIDE, 4.4))
     for robot, trigger, chart in _charts(results, figure, x="", y="Delay [ms]"):
@@ -118,7 +118,7 @@ def delay_figure(results: DetectionResults) -> Figure:
                 1e3 * np.array([np.percentile(p.delays, (0, 50, 100)) for p in sure]).T
             )
             name = f"{speed:g} m/s"
-            chart.band(f"{name}, least to most", x, low, high, color=look["color"], alpha=0.15)
+            chart.band(f"{name}, minimum to maximum", x, low, high, color=look["color"], alpha=0.15)
             chart.curve(name, x, middle, **look)
         loud = [scale * p.threshold for p in points if p.false_alarms]
         if loud:
@@ -135,22 +135,22 @@ def delay_figure(results: DetectionResults) -> Figure:
 
 
 def _legend(figure: Figure) -> None:
-    """One legend for all panels, above them."""
+    """Add one legend for all panels, above them."""
     drawn = [ax.get_legend_handles_labels() for ax in figure.axes]
     handles, names = max(drawn, key=lambda pair: len(pair[1]))
     figure.legend(handles, names, loc="outside upper center", ncols=len(names))
 
 
 SHORT = ("arms", "accel.", "wrench", "fused")
-"""Labels of the sources, in their order."""
+"""Labels of the sources, in order."""
 
 
-@styled
+@in_style
 def direction_figure(results: DetectionResults) -> Figure:
-    """Errors of the direction by source, robot and speed, each collision a dot; and 5 degrees.
+    """Direction errors by source, robot and speed, a dot for each collision, with a line at 5°.
 
     Args:
-        results: The study.
+        results: Results of the study.
     """
     figure = StyledFigure(figsize=(WIDTH, 4.6))
     axes = figure.subplots(len(FLOWN), 2, sharex=True, sharey=True)
@@ -178,7 +178,7 @@ def direction_figure(results: DetectionResults) -> Figure:
 def _dots(
     chart: Chart, source: int, at: float, errors: Sequence[float], speed: float, colour: str
 ) -> None:
-    """Errors of one source at one speed, spread around a place, and their median."""
+    """Draw the errors of one source at one speed, spread around a position, and their median."""
     name, word = f"{speed:g} m/s", {chart.x: SHORT[source]}
     if source == 0:
         chart.key(name, color=colour, marker="o", ls="none", ms=4.0)

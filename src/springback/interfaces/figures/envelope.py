@@ -1,4 +1,4 @@
-"""The resilience envelope as a figure: a map of success for each robot, side by side."""
+"""Figure of the resilience envelope: maps of success of the robots, side by side."""
 
 from __future__ import annotations
 
@@ -15,44 +15,44 @@ from matplotlib.patches import Patch, Rectangle
 
 from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
 from springback.campaign.analysis.intervals import Values
-from springback.interfaces.figures.style import StyledFigure, styled
+from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE
 from springback.studies.run_ups import CONDITIONS
 
-#: What is printed of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
-#: or nothing.
+#: Printed result of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,
+#: or empty.
 Printed = Callable[[str, float, float], str]
 
 ROBOTS = {"quad": "Quad", "arq": "ARQ"}
-#: What an axis means, for parameters whose name does not say it.
+#: Axis labels of parameters whose names need an explanation.
 MEANINGS = {
     "speed": "Speed at contact [m/s]",
     "pitch": "Pitch at contact, nose down [deg]",
 }
-#: Marks of what is printed of tests.
+#: Marks of printed results.
 PRINTED_MARKS = {
     "all succeed": "o", "“fairly good”": "D", "success rate “drops”": "v", "none succeed": "X",
 }  # fmt: skip
-#: From failure to success: dark to light, of one hue each side, so that print keeps the order.
+#: From failure to success, dark to light, so that the order is visible in black and white.
 SCALE = LinearSegmentedColormap.from_list("success", ["#3B1F4F", "#33638D", "#6FB7C4", "#F4F7E8"])
-#: Cells up to which each carries its number of successes (chosen: more are too small).
+#: Largest number of cells that show their number of successes (chosen: more are too small).
 NUMBERED = 200
-#: Values of an axis up to which each has its tick (chosen).
+#: Largest number of values of an axis that all have a tick (chosen).
 LABELLED = 9
 PANEL = (3.5, 3.5)
-"""Of one robot [in]."""
+"""Size of a robot's panel [in]."""
 
 
-@styled
+@in_style
 def map_figure(envelope: Envelope, printed: Printed) -> Figure:
-    """Success share over both axes, the line of 95 %, and the paper's tests where they lie.
+    """Success rate over both axes, its 95 % contour, and the paper's tests.
 
-    The line is linear between the centres of neighbouring cells, and ends where a neighbour was not
+    The contour is interpolated linearly between cell centres, and ends at cells that were not
     flown.
 
     Args:
-        envelope: Of one or more robots.
-        printed: What the paper prints of its tests.
+        envelope: Envelope of one or more robots.
+        printed: Function that returns the paper's result of a test.
     """
     count = len(envelope.robots)
     figure = StyledFigure(figsize=(PANEL[0] * count + 0.9, PANEL[1] + 0.7))
@@ -61,7 +61,7 @@ def map_figure(envelope: Envelope, printed: Printed) -> Figure:
     keys: dict[str, Line2D | Patch] = {}
     for ax, robot in zip(axes, envelope.robots, strict=True):
         image = _cells(ax, envelope, robot)
-        keys |= _line(ax, envelope, robot) | _grounded(ax, envelope, robot)
+        keys |= _line(ax, envelope, robot) | _hatch_infeasible(ax, envelope, robot)
         keys |= _tests(ax, envelope, robot, printed)
         ax.set_title(ROBOTS.get(robot, robot))
         ax.set_xlabel(_meaning(envelope.x))
@@ -113,7 +113,7 @@ def _cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
 
 
 def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
-    """The contour of the level between cell centres."""
+    """Draw the contour of the level between cell centres."""
     key = Line2D([], [], color=RED, lw=1.8)
     shares = envelope.shares(robot)
     known = shares[np.isfinite(shares)]
@@ -125,8 +125,8 @@ def _line(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]
     return {f"{100.0 * LEVEL:g} % succeed": key}
 
 
-def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
-    """Cells that were not flown, hatched."""
+def _hatch_infeasible(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Patch]:
+    """Hatch cells that were not flown."""
     missing = np.argwhere(np.isnan(envelope.shares(robot)))
     if not len(missing):
         return {}
@@ -141,7 +141,7 @@ def _grounded(ax: Axes, envelope: Envelope, robot: str) -> dict[str, Line2D | Pa
 
 
 def _tests(ax: Axes, envelope: Envelope, robot: str, printed: Printed) -> dict[str, Line2D | Patch]:
-    """The paper's tests, where the axes are speed and pitch."""
+    """Mark the paper's tests if the axes are speed and pitch."""
     names = (envelope.x.name, envelope.y.name)
     if set(names) != {"speed", "pitch"}:
         return {}

@@ -1,6 +1,6 @@
 """Figures of flights.
 
-Nothing here computes physics: every number shown is a measure or a trajectory column.
+No physics is computed here: every number is a measure or a column of the trajectory.
 """
 
 from __future__ import annotations
@@ -23,41 +23,41 @@ from springback.interfaces.figures.panels import (
     body_curves,
     contacts,
     short,
-    stacked,
+    stacked_panels,
 )
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
 
 
-@styled
+@in_style
 def flight_figure(flight: Flight) -> Figure:
     """A flight over time.
 
-    With a pilot: the reference beside the flight, attitude, thrusts, and the error of the estimate;
-    without one: the motion around the contacts, as in `impact_figure`.
+    With a pilot: motion and reference, attitude, thrusts, and the error of the estimate; without
+    one: the motion around the contacts, as in `impact_figure`.
 
     Args:
         flight: With a trajectory.
 
     Raises:
-        InputError: If the flight kept no trajectory.
+        InputError: If the flight has no trajectory.
     """
     if not flight.columns:
-        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+        raise InputError("this flight has no trajectory: fly it with trajectory=True")
     if flight.telemetry:
         shades = contacts(flight.columns)
-        return stacked(guided_panels(flight), "Time [s]", shades, height=1.15)
+        return stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
     return _motion(flight)
 
 
-@styled
+@in_style
 def impact_figure(flight: Flight) -> Figure:
     """Main body, arms and contact forces over time, contacts shaded.
 
-    A flight that touches something is shown around its contacts (with a pilot around the
-    first impact), with time and position counted from the first touch; one that touches nothing is
-    shown whole.  Arm lengths appear if an arm slides.
+    A flight with contacts is shown around them (with a pilot around the first impact), with time
+    and position relative to the first touch; a flight without contacts is shown completely.  Arm
+    lengths are shown if an arm slides.
 
     Args:
         flight: With a trajectory.
@@ -98,13 +98,13 @@ def _motion(flight: Flight) -> Figure:
         panels.append(panel("Contact force [N]", forces + friction + body))
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
-    return stacked(panels, time, shades)
+    return stacked_panels(panels, time, shades)
 
 
 def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
-    """The scale of time, and the instants that are shown: all, or those around the contacts.
+    """Time scale and mask of the instants shown: all, or those around the contacts.
 
-    With a pilot, who may push on, only the first impact is shown.
+    With a pilot, who may keep pushing, only the first impact is shown.
     """
     t, measures = flight.columns["t"], flight.measures
     touch = measures.get("touch_time")
@@ -118,11 +118,11 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
 
 
-@styled
+@in_style
 def energy_figure(*flights: Flight) -> Figure:
-    """The energy balance of flights: input, losses, and what remains.
+    """Energy balance of flights: input, losses and remainder.
 
-    Shares are of what was put in: the energy at the start, the work of the rotors, and the fall.
+    Percentages refer to the input: initial energy, work of the rotors, and loss of height.
 
     Args:
         *flights: One panel each, on one scale.
@@ -145,7 +145,7 @@ def energy_figure(*flights: Flight) -> Figure:
 
 
 def _waterfall(chart: Chart, steps: list[tuple[str, float, str]]) -> None:
-    """A bar for each step, each beginning where the last one ended; what is left begins at zero."""
+    """Draw a bar for each step from the end of the last one; the remainder starts at zero."""
     put_in = sum(value for name, value, _ in steps if value > 0.0 and not name.startswith("left"))
     ax, level, leaving = chart.ax, 0.0, False
     for y, (name, value, colour) in enumerate(steps):
@@ -168,15 +168,15 @@ def _waterfall(chart: Chart, steps: list[tuple[str, float, str]]) -> None:
 
 
 def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
-    """Name, size and colour of every step: what put energy in, what took it, what is left."""
+    """Name, energy [J] and colour of every step: inputs, losses, remainder."""
     m = {name: value or 0.0 for name, value in flight.measures.items()}
     rotors, height = m["work_thrust"], m["energy_gravity"]
     return [
         ("at the start", m["energy_start"], INK),
-        ("rotors put in", max(rotors, 0.0), GREY),
-        ("fall put in", max(-height, 0.0), GREY),
-        ("wind put in", max(-m["loss_air"], 0.0), GREY),
-        ("rotors took", min(rotors, 0.0), SKY),
+        ("work of rotors", max(rotors, 0.0), GREY),
+        ("loss of height", max(-height, 0.0), GREY),
+        ("work of wind", max(-m["loss_air"], 0.0), GREY),
+        ("absorbed by rotors", min(rotors, 0.0), SKY),
         ("contact damping", -m["loss_contact"], RED),
         ("arm dampers", -m["loss_arm"], BLUE),
         ("friction", -m["loss_friction"], ORANGE),

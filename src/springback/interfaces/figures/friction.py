@@ -1,4 +1,4 @@
-"""Figures of what friction does to the springs, and of what clipping hides."""
+"""Figures of the effect of friction on the springs, and of the velocity lost to clipping."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import INK, ROBOTS, SKY
-from springback.studies.clipping import Hidden
+from springback.studies.clipping import ClippingLoss
 from springback.studies.friction import PRINTED_FRICTION, FrictionResults
 
 PANELS = (("stroke", "Stroke of an arm [mm]", 1e3), ("peak", "Peak acceleration [m/s²]", 1.0))
 SHOWN = (0.2, 0.4, 0.6, 0.8, 1.0)
-"""Coefficients that get a curve over the yaw."""
+"""Coefficients of the curves over yaw."""
 TURNED = (0.0, 3.0, 10.0, 45.0)
-"""Yaws that get a curve over the coefficient [deg]."""
+"""Yaws of the curves over the coefficient [deg]."""
 DOTTED = (0, (1.2, 1.2))
 FRICTION = "Coefficient of friction μ [-]"
 LOOKS = {
@@ -25,12 +25,12 @@ LOOKS = {
     ("arq", "both"): ("ARQ, friction along both tangents", {"color": SKY, "ls": (0, (8, 2))}),
     ("arq", "vertical"): ("ARQ, friction as in the paper", ROBOTS["arq"].curve),
 }
-"""Name and look of a robot with an axis of friction."""
+"""Name and look of a robot with its axes of friction."""
 
 
-@styled
+@in_style
 def friction_figure(results: FrictionResults) -> Figure:
-    """Stroke and peak of ARQ over the yaw, for some coefficients, and over the coefficient."""
+    """Stroke and peak of ARQ over yaw, for some coefficients, and over the coefficient."""
     figure = StyledFigure(figsize=(1.5 * WIDTH, 5.6), layout="constrained")
     axes = figure.subplots(2, 2, sharex="col", sharey="row")
     shades = colormaps["viridis"]
@@ -73,11 +73,11 @@ def friction_figure(results: FrictionResults) -> Figure:
     return figure
 
 
-@styled
-def hidden_figure(found: Sequence[Hidden]) -> Figure:
-    """Velocity hidden by clipping over the speed of the impact, both robots."""
+@in_style
+def clipping_figure(found: Sequence[ClippingLoss]) -> Figure:
+    """Velocity lost to clipping over the speed of the impact, both robots."""
     figure = StyledFigure(figsize=(WIDTH, 2.9), layout="constrained")
-    chart = Chart(figure.subplots(), "Speed at contact [m/s]", "Hidden by ±16 g [m/s]")
+    chart = Chart(figure.subplots(), "Speed at contact [m/s]", "Lost to clipping at ±16 g [m/s]")
     for (robot, axes), (name, look) in LOOKS.items():
         mine = [one for one in found if (one.robot, one.axes) == (robot, axes)]
         speeds, hidden = [one.speed for one in mine], [one.velocity for one in mine]

@@ -1,4 +1,4 @@
-"""Figures of flights with a pilot: reference and flight."""
+"""Figures of flights with a pilot."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FLOWN: Look = {"color": BLUE, "ls": "-"}
 WANTED: Look = {"color": ORANGE, "ls": (0, (3.2, 1.4))}
 LIMIT: Look = {"color": GREY, "ls": (0, (1.2, 1.2))}
 HOVERING = {"m": 0.05, "deg": 2.0, "m/s": 0.1}
-"""Chosen: curves within this are shown on an axis that spans twice as much, not magnified."""
+"""Chosen: curves that vary less than this are shown on an axis of twice this span."""
 
 
 def _panel(label: str, unit: str, curves: list[Curve], explained: bool = True) -> Panel:
@@ -22,7 +22,7 @@ def _panel(label: str, unit: str, curves: list[Curve], explained: bool = True) -
 
 
 def euler_angles(columns: dict[str, Array], prefix: str = "q") -> tuple[Array, Array, Array]:
-    """Roll, pitch and yaw [rad] of quaternion columns, ZYX, positive pitch nose down."""
+    """Roll, pitch and yaw [rad] of quaternion columns, ZYX, pitch positive nose down."""
     w, x, y, z = (columns[prefix + part] for part in "wxyz")
     roll = np.arctan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
     pitch = np.arcsin(np.clip(2.0 * (w * y - z * x), -1.0, 1.0))
@@ -31,15 +31,15 @@ def euler_angles(columns: dict[str, Array], prefix: str = "q") -> tuple[Array, A
 
 
 def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
-    """Angle between the body's z axis and the vertical [rad]; its cosine is R_zz."""
+    """Angle between the body's z axis and the vertical [rad], with cosine R_zz."""
     x, y = columns[prefix + "x"], columns[prefix + "y"]
     return np.arccos(np.clip(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0))
 
 
 def guided_panels(flight: Flight) -> list[Panel]:
-    """Position, velocity, attitude, tilt, thrusts, arms, contact forces, error of the estimate.
+    """Panels: position, velocity, attitude, tilt, thrusts, arms, contact forces, estimation error.
 
-    What the telemetry lacks (a reference, an attitude set-point, an estimate) is left out.
+    Panels without data in the telemetry (reference, attitude set-point, estimate) are left out.
     """
     return [
         *_positions(flight), _velocities(flight), *_attitudes(flight), _thrusts(flight),
@@ -78,7 +78,7 @@ def _attitudes(flight: Flight) -> list[Panel]:
 
 
 def _thrusts(flight: Flight) -> Panel:
-    """Thrusts of the rotors, with their limits."""
+    """Panel of the rotors' thrusts, with their limits."""
     d = flight.telemetry
     t = d["t"]
     numbers = [int(name[6:]) for name in d if name.startswith("thrust")]
@@ -104,7 +104,7 @@ def _impacts(flight: Flight) -> list[Panel]:
 
 
 def _estimate(flight: Flight) -> list[Panel]:
-    """Error of the estimated position, where there is one that errs."""
+    """Panel of the error of the estimated position, if there is any error."""
     c, d = flight.columns, flight.telemetry
     if "est_x" not in d:
         return []

@@ -1,4 +1,4 @@
-"""Figures over time: stacked panels, with contacts shaded."""
+"""Figures over time: stacked panels with shaded contacts."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 ROUNDING = 1e-6
-"""A curve that varies less than this is drawn as the flat line it is, not magnified."""
+"""A curve that varies less than this is drawn as a flat line, not magnified."""
 
 POINTS = 800
-"""Chosen: groups of points along the axis of time, about as many as a figure has dots."""
+"""Chosen: groups of points along the time axis, about as many as a figure has pixels."""
 
 
 class Curve(NamedTuple):
-    """A curve over time; without a look it gets the next of `LOOKS`."""
+    """A curve over time; without a look it takes the next of `LOOKS`."""
 
     name: str
     t: Array
@@ -36,23 +36,23 @@ class Panel(NamedTuple):
     label: str
     curves: Sequence[Curve]
     min_span: float = 2.0
-    """Span of the vertical axis when the curves are flat."""
+    """Span of the vertical axis if the curves are flat."""
     flat: float = ROUNDING
     """Curves that vary less count as flat."""
     explained: bool = True
     """True for a panel with a legend."""
 
 
-def stacked(
+def stacked_panels(
     panels: Sequence[Panel], time: str, shades: Iterable[tuple[float, float]], height: float = 1.4
 ) -> Figure:
-    """Panels over one axis of time.
+    """Panels over a common time axis.
 
     Args:
-        panels: From the top.
-        time: Label of the axis of time.
-        shades: Intervals that are shaded, in the unit of that axis.
-        height: Of a panel [in].
+        panels: Panels from the top.
+        time: Label of the time axis.
+        shades: Shaded intervals, in the unit of that axis.
+        height: Height of a panel [in].
     """
     figure = StyledFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
     axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
@@ -75,8 +75,8 @@ def stacked(
 def _draw(chart: Chart, panel: Panel) -> None:
     looks = cycle(LOOKS)
     for curve in panel.curves:
-        chart.curve(curve.name, *thinned(curve.t, curve.values), **(curve.look or next(looks)))
-    spread(chart.ax, panel.min_span, panel.flat)
+        chart.curve(curve.name, *thin_curve(curve.t, curve.values), **(curve.look or next(looks)))
+    widen_flat_axis(chart.ax, panel.min_span, panel.flat)
     if panel.explained:
         chart.ax.legend(
             loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.3,
@@ -84,10 +84,10 @@ def _draw(chart: Chart, panel: Panel) -> None:
         )  # fmt: skip
 
 
-def thinned(t: Array, values: Array) -> tuple[Array, Array]:
-    """A long curve with as many points as can be distinguished, its extremes kept.
+def thin_curve(t: Array, values: Array) -> tuple[Array, Array]:
+    """A long curve reduced to as many points as can be distinguished, keeping its extremes.
 
-    Of every few neighbouring points the least and the greatest stay, in their order.
+    Of each group of neighbouring points the minimum and the maximum are kept, in order.
     """
     size = len(t) // POINTS
     if size < 4:
@@ -100,8 +100,8 @@ def thinned(t: Array, values: Array) -> tuple[Array, Array]:
     return t[kept], values[kept]
 
 
-def spread(ax: Axes, least: float, flat: float = ROUNDING) -> None:
-    """Let the vertical axis span at least ``least`` where its curves are flat."""
+def widen_flat_axis(ax: Axes, least: float, flat: float = ROUNDING) -> None:
+    """Widen the vertical axis to at least ``least`` if its curves are flat."""
     low, high = ax.get_ylim()
     if high - low < flat:
         middle = 0.5 * (low + high)
@@ -109,16 +109,16 @@ def spread(ax: Axes, least: float, flat: float = ROUNDING) -> None:
 
 
 def arms_of(columns: Mapping[str, Array]) -> list[int]:
-    """Numbers of the arms, from 1."""
+    """Numbers of the arms, starting from 1."""
     return sorted(int(name[2:]) for name in columns if name[:2] == "fn" and name[2:].isdigit())
 
 
 def body_curves(columns: Mapping[str, Array], kinds: Mapping[str, str]) -> list[tuple[str, Array]]:
-    """Forces on the main body, if it touched anything.
+    """Curves of the forces on the main body, if it touched anything.
 
     Args:
-        columns: Of a trajectory.
-        kinds: ``fn``, ``ff`` or both, and what their curves are called.
+        columns: Columns of a trajectory.
+        kinds: ``fn``, ``ff`` or both, with the names of their curves.
     """
     if not np.any(columns.get("fn_body", np.zeros(1)) > 0.0):
         return []
@@ -126,7 +126,7 @@ def body_curves(columns: Mapping[str, Array], kinds: Mapping[str, str]) -> list[
 
 
 def contacts(columns: Mapping[str, Array]) -> list[tuple[float, float]]:
-    """Intervals of time in which anything touches anything [s]."""
+    """Time intervals with contact [s]."""
     t = columns["t"]
     touching = np.zeros(len(t) + 2, dtype=int)
     for name in columns:
@@ -138,7 +138,7 @@ def contacts(columns: Mapping[str, Array]) -> list[tuple[float, float]]:
 
 
 def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]:
-    """Curves of arms with equal ones as one, so that no curve hides behind another."""
+    """Curves of arms, equal ones merged, so that no curve hides behind another."""
     groups: list[tuple[list[int], Array]] = []
     for arm, values in curves:
         scale = 1e-6 * float(np.max(np.abs(values), initial=0.0))
@@ -151,5 +151,5 @@ def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]
 
 
 def short(name: str, most: int = 24) -> str:
-    """A name that fits into a legend."""
+    """Name shortened to fit into a legend."""
     return name if len(name) <= most else name[: most - 1] + "…"

@@ -1,4 +1,4 @@
-"""The figure of a flight, for those who fly in Python."""
+"""The figure of a flight in the Python interface."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ def plot(flight: Flight) -> Figure:
         flight: With a trajectory.
 
     Raises:
-        InputError: If matplotlib is not installed, or no trajectory was kept.
+        InputError: If matplotlib is not installed, or the flight has no trajectory.
     """
     if not flight.columns:
-        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+        raise InputError("this flight has no trajectory: fly it with trajectory=True")
     needs("matplotlib", "plot")
     from springback.interfaces.figures.flight import flight_figure
 

@@ -1,7 +1,7 @@
-"""The style of figures, and their files.
+"""Style of figures, and their files.
 
 Figures are plain `matplotlib.figure.Figure` objects without pyplot, so they need no display and
-leave no global state behind.  Curves differ in colour and in line style.
+leave no global state.  Curves differ in colour and in line style.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ LOOKS: tuple[Look, ...] = (
     {"color": GREEN, "ls": (0, (5, 1.5, 1, 1.5))}, {"color": PINK, "ls": (0, (1.2, 1))},
     {"color": SKY, "ls": (0, (8, 2))}, {"color": GREY, "ls": (0, (3, 1, 1, 1, 1, 1))},
 )  # fmt: skip
-"""Looks of the curves of a panel, in this order."""
+"""Looks of the curves of a panel, in order."""
 WIDTH = 4.8
-"""Width of a figure [in]: type is 9 pt, and still 6.5 pt when set in a column of 3.5 in."""
+"""Width of a figure [in]: type of 9 pt remains 6.5 pt in a column of 3.5 in."""
 RESOLUTION = 200
 """Resolution of PNG files [dots per inch]."""
 STYLE = ["default", "springback.interfaces.templates.springback"]
@@ -40,16 +40,16 @@ DIGITS = 10
 
 
 class StyledFigure(Figure):
-    """A figure with the table that it was drawn from; notebooks show it without pyplot."""
+    """A figure with the table it was drawn from; notebooks show it without pyplot."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        """A figure of matplotlib, with an empty table."""
+        """Create a figure of matplotlib with an empty table."""
         super().__init__(*args, **kwargs)
         self.table: list[Mapping[str, Any]] = []
-        """Blocks of rows: values by head, each an array, or one value for all rows."""
+        """Blocks of rows: values by column name, each an array, or one value for all rows."""
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """The table row by row, without those that hold a number that is not finite."""
+        """Rows of the table, without those with a number that is not finite."""
         for block in self.table:
             columns = np.broadcast_arrays(*map(np.atleast_1d, block.values()))
             for values in zip(*(column.tolist() for column in columns), strict=True):
@@ -71,23 +71,23 @@ def _plain(value: Any) -> Any:
     return " ".join(value.split()).replace("−", "-") if isinstance(value, str) else value
 
 
-def as_written(text: str) -> str:
-    r"""User text for a figure, in which ``$`` begins no formula.
+def escape(text: str) -> str:
+    r"""User text with ``$`` escaped, so that it does not start a formula.
 
     Otherwise the typesetter would fail on a scenario named ``a $\foo$ b``.
     """
     return text.replace("$", r"\$")
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
-    """Draw in springback's style, whatever the user's settings are, and leave those untouched."""
+def in_style(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
+    """Draw in springback's style, independent of the user's settings, and restore those."""
 
     @functools.wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> StyledFigure:
         with style.context(STYLE):
             figure = cast("StyledFigure", draw(*args, **kwargs))
-            figure.draw_without_rendering()  # ticks are made when first drawn: here, in this style
-            figure.set_layout_engine("none")  # laid out now; once is enough, and it is slow
+            figure.draw_without_rendering()  # ticks are created here, in this style
+            figure.set_layout_engine("none")  # layout now, once: it is slow
         return figure
 
     return drawn
@@ -96,14 +96,14 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, StyledFigure]:
 def picture(
     draw: Callable[P, StyledFigure], *args: P.args, **kwargs: P.kwargs
 ) -> tuple[bytes, str]:
-    """PNG file and numbers (CSV) of a figure wanted for nothing else: laid out once, not twice."""
+    """PNG and CSV of a figure that is not used otherwise, with a single layout."""
     with style.context(STYLE):
         figure = draw.__wrapped__(*args, **kwargs)  # type: ignore[attr-defined]
         return png(figure), figure.csv()
 
 
 def png(figure: Figure) -> bytes:
-    """The figure as a PNG file, the same bytes for the same figure."""
+    """Figure as a PNG file, the same bytes for the same figure."""
     buffer = io.BytesIO()
     with style.context(STYLE):
         figure.savefig(buffer, format="png", dpi=RESOLUTION, metadata={"Software": None})
@@ -111,14 +111,14 @@ def png(figure: Figure) -> bytes:
 
 
 def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path]:
-    """Write a figure as PNG and PDF, and what it shows as CSV, with no dates in them.
+    """Write a figure as PNG and PDF, and its table as CSV.
 
-    The same figure gives the same files.
+    The files contain no dates: the same figure gives the same files.
 
     Args:
         figure: Any figure.
-        path: Without suffix; the folder is made if it is not there.
-        numbers: Whether the CSV is wanted; not where a file of that name holds them already.
+        path: Path without suffix; the folder is created if it does not exist.
+        numbers: Write the CSV, too; False where a file of that name has the numbers already.
 
     Returns:
         The files written.

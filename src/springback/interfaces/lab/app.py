@@ -1,7 +1,7 @@
-"""The impact lab as a web application: a page, what it asks for, and what is refused.
+"""The impact lab as a web application: its page, its routes and its refusals.
 
-It writes nothing, anywhere.  It takes GET requests without a body alone, all of whose words are
-checked; whatever is wrong is told in one line, as on the command line.
+It writes no files.  It accepts only GET requests without a body and checks all parameters of the
+query; problems are reported in one line each, as on the command line.
 """
 
 from __future__ import annotations
@@ -27,20 +27,21 @@ from springback.interfaces.lab.settings import (
 from springback.interfaces.web.page import Page, page_of
 from springback.interfaces.web.server import App, Receive, Scope, Send
 
-#: Name of the header by which a page says that its requests overtake one another, and its longest.
+#: Header in which a page identifies itself, so that its newest request supersedes older ones, and
+#: the largest length of its value.
 PAGE_HEADER, LONGEST_PAGE = "x-lab-page", 40
 
 
-def lab_app(desk: RequestQueue) -> App:
-    """The application; to be served by `springback.interfaces.web.server.serve`.
+def lab_app(queue: RequestQueue) -> App:
+    """Application to be served by `springback.interfaces.web.server.serve`.
 
     Args:
-        desk: Who answers; `RequestQueue.open` has been called, or will be.
+        queue: Queue that answers; `RequestQueue.start` may be called before or after.
     """
 
     async def flight(request: Request) -> Response:
         settings = _settings(request)
-        body = await desk.ask(settings, request.headers.get(PAGE_HEADER, "")[:LONGEST_PAGE])
+        body = await queue.ask(settings, request.headers.get(PAGE_HEADER, "")[:LONGEST_PAGE])
         return Response(body, media_type="application/json")
 
     routes = [
@@ -49,35 +50,35 @@ def lab_app(desk: RequestQueue) -> App:
         Route("/scenario.toml", _scenario),
     ]
     refusals: dict[Any, Any] = {
-        InputError: _told, NotReady: _not_ready, Superseded: _overtaken, Busy: _busy,
+        InputError: _invalid, NotReady: _not_ready, Superseded: _overtaken, Busy: _busy,
         404: _nothing, 405: _only_get, 500: _failed,
     }  # fmt: skip
     return _modest(Starlette(routes=routes, exception_handlers=refusals))
 
 
 def _modest(app: App) -> App:
-    """Refuse bodies, other people's pages and endless queries before anything is read of them."""
+    """Refuse bodies, requests of other sites and overlong queries before reading them."""
 
-    async def careful(scope: Scope, receive: Receive, send: Send) -> None:
+    async def checked(scope: Scope, receive: Receive, send: Send) -> None:
         refusal = _refusal(scope) if scope["type"] == "http" else None
         await (refusal or app)(scope, receive, send)
 
-    return careful
+    return checked
 
 
 def _refusal(scope: Scope) -> Response | None:
-    """What is wrong with a request before it is looked at more closely."""
+    """Refusal of a request by its headers alone; None if it may proceed."""
     heads = {name: value.decode("latin-1") for name, value in scope["headers"]}
     length = heads.get(b"content-length", "0")
     if length != "0" or b"transfer-encoding" in heads:
-        return _error(413, "the lab takes no body: settings stand in the query")
+        return _error(413, "the lab accepts no request body; settings belong in the query")
     origin = heads.get(b"origin")
     if origin is not None and origin.partition("://")[2] != heads.get(b"host"):
-        return _error(403, f"pages of {_short(origin)} may not ask the lab")
+        return _error(403, f"pages of {_short(origin)} may not query the lab")
     if heads.get(b"sec-fetch-site") == "cross-site" and heads.get(b"sec-fetch-mode") != "navigate":
-        return _error(403, "pages of other sites may not ask the lab")
+        return _error(403, "pages of other sites may not query the lab")
     if len(scope["query_string"]) > LONGEST_QUERY:
-        return _error(414, f"the query has more than {LONGEST_QUERY} letters")
+        return _error(414, f"the query is longer than {LONGEST_QUERY} characters")
     return None
 
 
@@ -90,26 +91,26 @@ def _error(status: int, *lines: str, **more: Any) -> Response:
 
 
 def _settings(request: Request, *, beside: tuple[str, ...] = ()) -> LabSettings:
-    """Settings of a query, but for words that mean something else."""
+    """Settings of a query; the parameters ``beside`` are not settings."""
     pairs = parse_qsl(request.url.query, keep_blank_values=True, errors="replace")
     return settings_from(pair for pair in pairs if pair[0] not in beside)
 
 
 async def _scenario(request: Request) -> Response:
-    """The scenario of one robot, to keep."""
+    """Scenario file of one robot, as a download."""
     settings, asked = _settings(request, beside=("of",)), request.query_params.getlist("of")
     robot = asked[0] if asked else robots_of(settings)[0]
     if len(asked) > 1 or robot not in robots_of(settings):
         known = " or ".join(robots_of(settings))
         raise InputError(f"of: must be {known} (got {_short(','.join(asked))!r})")
-    lab_scenario(settings, robot)  # what cannot be flown is not handed out
+    lab_scenario(settings, robot)  # a scenario that cannot be flown is not offered
     name = file_name(settings, robot)
     heads = {"content-disposition": f'attachment; filename="{name}"'}
     return Response(lab_toml(settings, robot), media_type="application/toml", headers=heads)
 
 
 async def _page(request: Request) -> Response:
-    """The page; its settings are read by itself, from its own address."""
+    """The page; it reads its settings from its own address."""
     ready = page()
     heads = {"content-security-policy": f"{ready.policy}; frame-ancestors 'none'"}
     return Response(ready.text, media_type="text/html", headers=heads)
@@ -117,14 +118,14 @@ async def _page(request: Request) -> Response:
 
 @functools.cache
 def page() -> Page:
-    """The page, generated from the table of settings."""
+    """Page generated from the table of settings."""
     return page_of("springback: impact lab", "lab", {"controls": controls()}, asks=True)
 
 
 # -- refusals -------------------------------------------------------------------------------------
 
 
-async def _told(request: Request, error: Exception) -> Response:
+async def _invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, InputError)
     return _error(422, *error.problems)
 
@@ -139,20 +140,20 @@ async def _not_ready(request: Request, error: Exception) -> Response:
 
 
 async def _overtaken(request: Request, error: Exception) -> Response:
-    return _error(409, "a newer request of the same page has come", overtaken=True)
+    return _error(409, "superseded by a newer request of the same page", overtaken=True)
 
 
 async def _busy(request: Request, error: Exception) -> Response:
-    return JSONResponse({"errors": ["too many requests wait"]}, 503, {"retry-after": "1"})
+    return JSONResponse({"errors": ["too many requests are waiting"]}, 503, {"retry-after": "1"})
 
 
 async def _nothing(request: Request, error: Exception) -> Response:
-    return _error(404, "there is nothing of that name")
+    return _error(404, "not found")
 
 
 async def _only_get(request: Request, error: Exception) -> Response:
-    return _error(405, "the lab takes GET requests alone")
+    return _error(405, "the lab accepts GET requests only")
 
 
 async def _failed(request: Request, error: Exception) -> Response:
-    return _error(500, "the lab failed at this; its terminal says more")
+    return _error(500, "internal error of the lab; see its terminal")

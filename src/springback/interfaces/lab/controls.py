@@ -1,4 +1,4 @@
-"""Knobs and choices: how one setting of the impact lab is set, checked and explained."""
+"""Sliders and choices: input, validation and explanation of the settings of the impact lab."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from pydantic_core.core_schema import literal_schema, no_info_before_validator_f
 from springback.quantities import Unit, number_in
 from springback.settings import problem
 
-#: Letters of a value that are looked at at all (chosen).
+#: Longest value quoted in a message [characters] (chosen).
 LONGEST_VALUE = 32
-#: Digits that are kept of a number that was given in another unit (chosen: they fit the field).
+#: Significant digits of a number converted from another unit (chosen: they fit the field).
 DIGITS = 6
 
 
-def shortened(text: str) -> str:
-    """A stranger's text, no longer than fits into a message."""
+def excerpt(text: str) -> str:
+    """Untrusted text, shortened to fit into a message."""
     return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 1] + "…"
 
 
 class SliderMark(NamedTuple):
-    """A value that is marked beside a slider, and whose it is."""
+    """A value marked beside a slider, and its source."""
 
     value: float
     words: str
@@ -33,7 +33,7 @@ class SliderMark(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class SliderControl(Unit):
-    """How a number is set: a slider with a field, in the unit of the page."""
+    """A number set by a slider with a field, in the unit of the page."""
 
     label: str
     least: float
@@ -43,16 +43,16 @@ class SliderControl(Unit):
     marks: tuple[SliderMark, ...] = ()
     group: str = ""
     when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Settings under which it has an effect; elsewhere the page hides it."""
+    """Settings under which it has an effect; otherwise the page hides it."""
     logarithmic: bool = False
 
     def read(self, value: Any) -> float:
-        """A number in its range, in the unit of the page."""
+        """Number in the unit of the page, within its range."""
         if isinstance(value, str):
             unit = value.strip().lstrip("+-.0123456789eE").strip()
             value = number_in(value, self.unit, bare=True)
-            # 10 km/h is 2.77778 m/s, in field, link, file and flight alike; what is typed in the
-            # slider's own unit stays as it is.
+            # 10 km/h is 2.77778 m/s in field, link, file and flight alike; a number typed in the
+            # slider's own unit is not rounded.
             if unit not in ("", self.unit):
                 value = float(f"{value:.{DIGITS}g}")
         return super().read(value)
@@ -60,23 +60,23 @@ class SliderControl(Unit):
 
 @dataclass(frozen=True)
 class ChoiceControl:
-    """How one of several words is chosen."""
+    """A choice among several words."""
 
     label: str
     words: dict[str, str]
-    """What the page says for each."""
+    """Label on the page of each word."""
     explains: str
     group: str = ""
     when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def read(self, value: Any) -> str:
-        """One of the words."""
+        """A valid word."""
         if value in tuple(self.words):
             return str(value)
         *others, last = self.words
         words = f"{', '.join(others)} or {last}"
-        raise problem(f"must be {words} (got {shortened(str(value))!r})")
+        raise problem(f"must be {words} (got {excerpt(str(value))!r})")
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Words are read before pydantic sees them."""
+        """Validate words before pydantic does, for a message of our own."""
         return no_info_before_validator_function(self.read, literal_schema(list(self.words)))

@@ -1,11 +1,11 @@
-"""What the impact lab says of flights: measures beside the printed numbers, and a sentence."""
+"""Results shown by the impact lab: measures beside the printed numbers, and a sentence."""
 
 from __future__ import annotations
 
 import math
 from typing import Any, NamedTuple
 
-from springback.interfaces.lab.settings import DEFAULTS, LabSettings, shown
+from springback.interfaces.lab.settings import DEFAULTS, LabSettings, digits
 from springback.interfaces.output.robots import robot_label
 from springback.paper.printed import (
     RECOVERY_PITCH,
@@ -17,53 +17,53 @@ from springback.paper.printed import (
 from springback.results.flight import Flight
 from springback.simulation.measures import Outcome
 
-#: g, of which accelerations are told as multiples [m/s²].
+#: Standard value of g, for accelerations in multiples of it [m/s²].
 EARTH = 9.81
-#: Pitch [deg] and speed [m/s] of the collision of which largest pitches are printed, and these.
+#: Pitch [deg] and speed [m/s] of the collision whose largest pitches are printed, and these [deg].
 FASTEST = (0.0, 3.5)
 PITCHES = dict(zip(("nose_up", "nose_down"), RECOVERY_PITCH, strict=True))
 
 
-class Shown(NamedTuple):
-    """A measure as the page shows it."""
+class Measure(NamedTuple):
+    """A measure in the unit of the page."""
 
     name: str
     label: str
     unit: str
-    factor: float = 1.0  # of the unit
+    factor: float = 1.0  # from SI to the unit
     printed: str = ""  # field of the printed numbers
 
 
-#: Of an impact, and of a flight with what follows.
+#: Measures of an impact, and of a flight with recovery.
 IMPACT = (
-    Shown("touch_speed", "speed at touch", "m/s"),
-    Shown("restitution_at_separation", "restitution", "", printed="restitution"),
-    Shown("impact_peak_acceleration", "peak acceleration", "m/s²", printed="peak_acceleration"),
-    Shown("contact_time", "contact time", "ms", 1e3, "contact_time"),
-    Shown("travel", "travel of the body", "mm", 1e3, "travel"),
-    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
-    Shown("impact_penetration", "depth of a cage", "mm", 1e3),
-    Shown("impact_peak_normal_force", "peak force on a cage", "N"),
+    Measure("touch_speed", "speed at touch", "m/s"),
+    Measure("restitution_at_separation", "restitution", "", printed="restitution"),
+    Measure("impact_peak_acceleration", "peak acceleration", "m/s²", printed="peak_acceleration"),
+    Measure("contact_time", "contact time", "ms", 1e3, "contact_time"),
+    Measure("travel", "travel of the body", "mm", 1e3, "travel"),
+    Measure("impact_arm_stroke", "arm compression", "mm", 1e3),
+    Measure("impact_penetration", "depth of a cage", "mm", 1e3),
+    Measure("impact_peak_normal_force", "peak force on a cage", "N"),
 )
 FLIGHT = (
-    Shown("touch_speed", "speed at touch", "m/s"),
-    Shown("restitution_at_separation", "restitution", ""),
-    Shown("impact_peak_acceleration", "peak acceleration", "m/s²"),
-    Shown("contact_time", "contact time", "ms", 1e3),
-    Shown("impact_arm_stroke", "arm compression", "mm", 1e3),
-    Shown("detection_delay", "noticed after", "ms", 1e3),
-    Shown("recovery_time", "at rest after", "s"),
-    Shown("height_loss", "height lost", "mm", 1e3),
-    Shown("nose_up", "largest pitch, nose up", "deg", math.degrees(1.0)),
-    Shown("nose_down", "largest pitch, nose down", "deg", math.degrees(1.0)),
+    Measure("touch_speed", "speed at touch", "m/s"),
+    Measure("restitution_at_separation", "restitution", ""),
+    Measure("impact_peak_acceleration", "peak acceleration", "m/s²"),
+    Measure("contact_time", "contact time", "ms", 1e3),
+    Measure("impact_arm_stroke", "arm compression", "mm", 1e3),
+    Measure("detection_delay", "detected after", "ms", 1e3),
+    Measure("recovery_time", "at rest after", "s"),
+    Measure("height_loss", "height loss", "mm", 1e3),
+    Measure("nose_up", "largest pitch, nose up", "deg", math.degrees(1.0)),
+    Measure("nose_down", "largest pitch, nose down", "deg", math.degrees(1.0)),
 )
 
 
 def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict[str, Any]]:
-    """Measures by name, unit and robot, with what the paper prints for them."""
+    """Measures by name, unit and robot, with the paper's printed values."""
     rows = []
     for one in FLIGHT if settings.mode == "flight" else IMPACT:
-        values = {robot: _scaled(f.measures.get(one.name), one) for robot, f in flights.items()}
+        values = {robot: _scale(f.measures.get(one.name), one) for robot, f in flights.items()}
         if all(value is None for value in values.values()):
             continue
         printed = {robot: _printed(settings, robot, one) for robot in flights}
@@ -82,12 +82,12 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
     return rows
 
 
-def _scaled(value: float | None, one: Shown) -> float | None:
+def _scale(value: float | None, one: Measure) -> float | None:
     return None if value is None else one.factor * value
 
 
-def _printed(settings: LabSettings, robot: str, one: Shown) -> str:
-    """A number of Table III as the page shows it: simulated, and tested where that was printed."""
+def _printed(settings: LabSettings, robot: str, one: Measure) -> str:
+    """Number of Table III as shown: simulated, and in brackets the tested one where printed."""
     if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
         return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
     row: PrintedImpact | None = TABLE_III.get((robot, settings.surface))
@@ -99,13 +99,13 @@ def _printed(settings: LabSettings, robot: str, one: Shown) -> str:
 
 
 def printed_for(settings: LabSettings) -> dict[str, Any]:
-    """For which settings the printed numbers hold, and whether these are they."""
+    """Settings for which the printed numbers hold (``words``), and if these are they (``same``)."""
     if settings.mode == "flight":
         return {
             "words": "Paper, section Impact Resilience: trials recovered; pitch of a recovery.",
             "same": _is_default(settings, "yaw", "surface", "recovery", *_ARMS),
         }
-    words = f"Paper, Table III: simulation (test), slider, {shown(DEFAULTS.speed)} m/s, straight."
+    words = f"Paper, Table III: simulation (test), slider, {digits(DEFAULTS.speed)} m/s, straight."
     same = _is_default(settings, "guide", "speed", "pitch", "yaw", *_ARMS)
     return {"words": words if settings.surface != "own" else "", "same": same}
 
@@ -118,7 +118,7 @@ def _is_default(settings: LabSettings, *names: str) -> bool:
 
 
 def printed_success(settings: LabSettings, robot: str) -> str:
-    """What the paper says of the recovery from such a collision, in a word; empty if nothing."""
+    """Success of such a collision as the paper prints it; empty if it prints nothing."""
     key = robot, settings.pitch, settings.speed
     if key in SUCCESS:
         return f"{SUCCESS[key]:.0%} recovered"
@@ -129,37 +129,37 @@ def printed_success(settings: LabSettings, robot: str) -> str:
 
 
 def went_well(settings: LabSettings, flight: Flight) -> bool:
-    """Whether the robot left the wall as it should: recovered, with a pilot who answers."""
+    """True if the robot left the wall as it should: recovered, if it has a pilot."""
     if settings.mode == "flight":
         return flight.outcome is Outcome.RECOVERED
     return flight.outcome is Outcome.SEPARATED
 
 
 def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
-    """What happened to a robot, in one or two sentences."""
+    """Summary of a flight in a sentence."""
     name, m = robot_label(robot), flight.measures
     if m["touch_speed"] is None:
         return f"{name} touches nothing."
     what = "mat" if settings.surface == "mat" else "wall"
-    words = f"{name} meets the {what} at {m['touch_speed']:.2f} m/s"
+    words = f"{name} hits the {what} at {m['touch_speed']:.2f} m/s"
     again, lasted = m["restitution_at_separation"], m["contact_time"]
     if again is not None and lasted is not None:
         left = again * m["touch_speed"]
         words += f", leaves it at {left:.2f} m/s after {1e3 * lasted:.0f} ms"
     peak = m["impact_peak_acceleration"] or 0.0
-    words += f", feels {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
+    words += f", peaks at {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
     return f"{words}; {_ending(settings, flight)}."
 
 
 def _ending(settings: LabSettings, flight: Flight) -> str:
-    """How it ends."""
+    """End of the sentence: the outcome."""
     m, out = flight.measures, flight.outcome
     if settings.mode == "flight" and out is Outcome.RECOVERED:
         rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
         return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower"
     if out is Outcome.SEPARATED:
         stroke = m["impact_arm_stroke"] or 0.0
-        return f"its arms give way by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm gives way"
+        return f"arms compress by {1e3 * stroke:.1f} mm" if stroke > 0.0 else "no arm compresses"
     if out is Outcome.IN_CONTACT:
-        return f"still touches when the time is up, at {m['end_time'] or 0.0:.3g} s"
+        return f"still in contact at the end, at {m['end_time'] or 0.0:.3g} s"
     return flight.message

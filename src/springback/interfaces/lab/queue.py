@@ -1,9 +1,9 @@
-"""The desk of the impact lab: who is served when, so that many can ask at once and nobody stalls.
+"""Request queue of the impact lab.
 
-A flight is a matter of milliseconds once its kernels are compiled, and of a minute before.  So
-kinds of flights are prepared aside, one after another, and until then a request is told to wait.
-What is ready is flown by a few threads (kernels let others run); of one page only the newest
-request counts, and when too many wait, the next is turned away.
+A flight takes milliseconds once its kernels are compiled, and a minute before.  A background thread
+therefore compiles one kind of flight after another; until its kind is ready, a request is answered
+with `NotReady`.  Flights that are ready run on a few threads (kernels release the interpreter
+lock).  Only the newest request of each page counts, and when too many wait, the next is refused.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings
 
-#: Requests that may wait, and pages that are remembered (chosen: some browsers full).
+#: Most requests that may wait, and most pages that are remembered (chosen).
 MOST_WAITING, MOST_PAGES = 100, 1000
 
 
@@ -37,7 +37,7 @@ class Kind(NamedTuple):
 
     @property
     def words(self) -> str:
-        """What the page calls it."""
+        """Description on the page."""
         where = "a mat" if self.mat else "a wall"
         if self.mode == "flight":
             return f"flights into {where}, recovery {self.pilot}"
@@ -45,7 +45,7 @@ class Kind(NamedTuple):
 
 
 def kind_of(settings: LabSettings) -> Kind:
-    """The kind of some settings: quintics of all sorts are one, for instance."""
+    """Kind of flight of some settings; all recoveries along a quintic are one kind."""
     flies, way = settings.mode == "flight", settings.recovery
     if way in ("pre-impact", "post-impact", "set-point"):
         way = "by a quintic"
@@ -54,7 +54,7 @@ def kind_of(settings: LabSettings) -> Kind:
 
 
 def example_of(settings: LabSettings) -> LabSettings:
-    """A flight of the same kind that can be flown, whatever the numbers are."""
+    """Settings of the same kind with default numbers, which can always be flown."""
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
     return DEFAULTS.with_checked(**{"robot": "arq", "surface": surface, **words})
@@ -64,32 +64,32 @@ def _default_with(**words: str) -> LabSettings:
     return DEFAULTS.with_checked(**words)
 
 
-#: Prepared from the start, in this order: the collision alone, and the paper's flight.
+#: Kinds compiled from the start, in this order: the collision alone, and the paper's flight.
 AT_START = (
     DEFAULTS, _default_with(guide="free"), _default_with(surface="mat"),
     _default_with(surface="mat", guide="free"), _default_with(mode="flight"),
 )  # fmt: skip
 
 
-class NotReady(Exception):  # it is a state of affairs, and no error
+class NotReady(Exception):  # a state, not an error
     """The kernels of a request are being compiled."""
 
     def __init__(self, kind: Kind, waited: float) -> None:
-        """What is compiled, and for how long by now [s]."""
+        """Kind being compiled, and for how long [s]."""
         super().__init__(kind.words)
         self.kind, self.waited = kind, waited
 
 
 class Superseded(Exception):
-    """A newer request of the same page has come."""
+    """A newer request of the same page has arrived."""
 
 
 class Busy(Exception):
-    """Too many requests wait."""
+    """Too many requests are waiting."""
 
 
 class RequestQueue:
-    """Takes requests, prepares kinds, hands out answers as JSON."""
+    """Queue that compiles kinds of flights and answers requests with JSON."""
 
     def __init__(
         self,
@@ -98,12 +98,12 @@ class RequestQueue:
         threads: int | None = None,
         prepared: tuple[LabSettings, ...] = AT_START,
     ) -> None:
-        """Open the desk; preparing begins with `open`.
+        """Create the queue; compilation begins with `start`.
 
         Args:
-            give: The answer to some settings.
-            threads: That fly; by default as many as processors, at least 2 and at most 8.
-            prepared: One example of each kind to prepare from the start.
+            give: Function from settings to their answer.
+            threads: Number of flying threads; by default the number of processors, from 2 to 8.
+            prepared: One example of each kind to compile from the start.
         """
         self._give = give
         workers = threads or min(max(os.cpu_count() or 1, 2), 8)
@@ -117,12 +117,12 @@ class RequestQueue:
         self._since: dict[Kind, float] = {}
         self._change = threading.Condition()
 
-    def open(self) -> None:
-        """Begin to prepare, aside."""
+    def start(self) -> None:
+        """Start compiling in the background."""
         threading.Thread(target=self._prepare, name="lab-prepares", daemon=True).start()
 
     def _prepare(self) -> None:
-        """Fly one example of each kind that is asked for, for ever."""
+        """Fly one example of each requested kind, indefinitely."""
         while True:
             with self._change:
                 while not self._todo:
@@ -132,7 +132,7 @@ class RequestQueue:
                 self._since.setdefault(kind, time.monotonic())
             try:
                 self._give(example)
-            except Exception:  # whoever asks for this kind will meet it again, and be told
+            except Exception:  # a request of this kind will raise it again, and report it
                 traceback.print_exc()
             with self._change:
                 self._under_way = None
@@ -140,12 +140,12 @@ class RequestQueue:
                 self._change.notify_all()
 
     def wait(self, settings: LabSettings, patience: float) -> bool:
-        """Whether the kind of some settings is ready, at the latest after some patience [s]."""
+        """Wait at most ``patience`` [s] for the kind of some settings; True if it is ready."""
         with self._change:
             return self._change.wait_for(lambda: kind_of(settings) in self._ready, patience)
 
     def _check_ready(self, settings: LabSettings) -> None:
-        """Have a kind prepared next if it is not ready."""
+        """Raise `NotReady`, and compile the kind next, if it is not ready."""
         kind = kind_of(settings)
         with self._change:
             if kind in self._ready:
@@ -158,17 +158,17 @@ class RequestQueue:
         raise NotReady(kind, time.monotonic() - since)
 
     async def ask(self, settings: LabSettings, page: str = "") -> bytes:
-        """The answer to some settings, as JSON.
+        """Answer to some settings, as JSON.
 
         Args:
-            settings: Checked.
-            page: Whose newest request this is; empty if nobody's.
+            settings: Validated settings.
+            page: Identifier of the requesting page; empty if it has none.
 
         Raises:
             InputError: If they cannot be flown.
-            NotReady: While kernels are compiled.
-            Superseded: If the same page asks anew before it is this one's turn.
-            Busy: If too many wait.
+            NotReady: While kernels are being compiled.
+            Superseded: If a newer request of the same page arrives first.
+            Busy: If too many requests are waiting.
         """
         self._check_ready(settings)
         if self._waiting >= MOST_WAITING:
@@ -187,7 +187,7 @@ class RequestQueue:
             self._waiting -= 1
 
     def _turn(self, settings: LabSettings, page: str, ticket: int) -> bytes:
-        """It is a request's turn."""
+        """Answer a request, unless a newer one of its page has arrived."""
         if page and self._newest.get(page, ticket) > ticket:
             raise Superseded
         return json.dumps(self._give(settings), allow_nan=False).encode()

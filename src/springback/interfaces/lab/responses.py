@@ -1,4 +1,4 @@
-"""What the impact lab answers: flights as scenes with their energy ledger, measures, a sentence."""
+"""Answers of the impact lab: flights as scenes with their energy balance, measures, a sentence."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from springback.interfaces.replay.scene import Scene, Series, plain, scene_of
 from springback.results.energy_history import ledger
 from springback.results.flight import Flight, fly
 
-#: Heading of the ledger among a scene's series; a series is held, or lost for good.
+#: Panel of the energy balance among a scene's series, whose parts are stored or lost.
 ENERGY = "Energy"
-#: Parts of the ledger in the order in which they are stacked, and what the page calls them.
+#: Parts of the energy balance in stacking order, with their labels on the page.
 PARTS = {
     "energy_kinetic": "motion",
     "energy_springs": "arm springs",
@@ -34,13 +34,13 @@ PARTS = {
     "loss_settling": "lost in locking",
     "loss_air": "lost to air",
 }
-#: A part below this share of the largest is left out of the plot (chosen).
+#: Parts below this fraction of the largest are not plotted (chosen).
 TOO_SMALL = 1e-4
-#: Of the curves and the pose in time [s], chosen: arms take some 20 ms to spring back.
+#: Time resolution of curves and pose [s] (chosen: arms take some 20 ms to spring back).
 RESOLUTION = 2.5e-4
-#: Instants of one flight at most, but for touches (chosen): one that leans on a wall steps finely.
+#: Most instants of a flight besides touches (chosen): a robot leaning on a wall takes small steps.
 MOST = 6000
-#: Half a side of the piece of wall that is drawn of an impact [m], chosen.
+#: Half the side of the piece of wall drawn for an impact [m] (chosen).
 PIECE = 0.5
 
 
@@ -48,21 +48,21 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def answer(settings: LabSettings) -> dict[str, Any]:
-    """Everything that the page shows of some settings, in plain data for JSON.
+    """Everything that the page shows for some settings, as plain data for JSON.
 
     Raises:
         InputError: If they cannot be flown; one line for each problem.
     """
     begun, robots = time.perf_counter(), robots_of(settings)
-    with ThreadPoolExecutor(len(robots)) as pool:  # compiled flights let others run
+    with ThreadPoolExecutor(len(robots)) as pool:  # compiled flights release the interpreter lock
         flown_all = pool.map(lambda robot: fly(lab_scenario(settings, robot)), robots)
         flights = dict(zip(robots, flown_all, strict=True))
     flown = time.perf_counter()
-    told = [_told(settings, robot, flight) for robot, flight in flights.items()]
+    scenes = [_flight_response(settings, robot, flight) for robot, flight in flights.items()]
     return {
         "query": query_of(settings),
         "settings": settings.model_dump(),
-        "flights": told,
+        "flights": scenes,
         "measures": measure_rows(settings, flights),
         "printed_for": printed_for(settings),
         "took": {
@@ -72,9 +72,9 @@ def answer(settings: LabSettings) -> dict[str, Any]:
     }
 
 
-def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
-    """One flight: its scene, with the curves of the lab in place of the scene's own."""
-    coarse = coarsened(flight)
+def _flight_response(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
+    """A flight as its scene, with the curves of the lab in place of the scene's own."""
+    coarse = coarse_flight(flight)
     scene = scene_of(coarse, label=robot_label(robot))
     books = ledger(flight)
     series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
@@ -85,14 +85,12 @@ def _told(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
         "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),
         "file": file_name(settings, robot),
-        "scene": plain(
-            replace(scene, series=series, obstacles=_trimmed(settings, scene.obstacles))
-        ),
+        "scene": plain(replace(scene, series=series, obstacles=_nearby(settings, scene.obstacles))),
     }
 
 
-def _trimmed(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
-    """Of an impact only the piece of wall that robots meet is drawn, to show them large."""
+def _nearby(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
+    """Obstacles near the contact: for an impact only a piece of wall, to show robots large."""
     if settings.mode != "impact":
         return things
     found = []
@@ -103,11 +101,11 @@ def _trimmed(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawa
     return tuple(found)
 
 
-def coarsened(flight: Flight) -> Flight:
-    """A flight with fewer instants: what a page shows, and what goes to it.
+def coarse_flight(flight: Flight) -> Flight:
+    """A flight with fewer instants, for transfer to a page.
 
-    Of all steps within `RESOLUTION`, or more where that leaves too many, one stays; and so do
-    touches, separations and the peak.
+    One step per `RESOLUTION`, or fewer if that leaves too many, is kept, together with touches,
+    separations and the peak.
     """
     c, m = flight.columns, flight.measures
     t = c["t"]
@@ -126,11 +124,11 @@ def coarsened(flight: Flight) -> Flight:
 
 
 def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
-    """One curve a panel for each robot, so that robots can be laid over one another.
+    """One curve per panel for each robot, so that robots can be overlaid.
 
     Args:
         flight: Any.
-        scene: Of it; the contact force is the sum, as vectors, of the forces drawn on its cages.
+        scene: Its scene; the contact force is the vector sum of the forces drawn on its cages.
     """
     places = np.searchsorted(flight.columns["t"], scene.t)
     c = {name: values[places] for name, values in flight.columns.items()}
@@ -140,15 +138,15 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
     pushed = np.linalg.norm(scene.force.sum(axis=1), axis=1)
     felt = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
     yield Series("Acceleration", "main body", "m/s²", felt)
-    yield Series("Arm compression", "most pressed arm", "mm", 1e3 * pressed)
+    yield Series("Arm compression", "most compressed arm", "mm", 1e3 * pressed)
     yield Series("Velocity", "along X", "m/s", c["vx"])
     yield Series("Contact force", "sum of all contacts", "N", pushed)
 
 
 def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:
-    """The ledger as series: parts that matter, in the order in which they are stacked.
+    """The energy balance as series: its significant parts, in stacking order.
 
-    What rotors and height give is neither held nor lost but put in: the sum of all parts.
+    The input by rotors and height is not a part of its own: it is the sum of all parts.
     """
     most = max(float(np.max(np.abs(books[name]))) for name in PARTS)
     for name, words in PARTS.items():

@@ -1,7 +1,6 @@
-"""What the impact lab flies: the scenario that its settings stand for, one for each robot.
+"""Scenarios of the impact lab, one for each robot.
 
-The lab flies the very text that it offers for download, read back: so `springback fly` gives the
-same numbers, and whatever the page shows can be had on the command line.
+The lab flies the same text that it offers for download, so `springback fly` gives the same numbers.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ import numpy as np
 import tomli_w
 
 from springback.contact.cage import ArmTip, Ring, support
-from springback.interfaces.lab.settings import DEFAULTS, LabSettings, query_of, shown
+from springback.interfaces.lab.settings import DEFAULTS, LabSettings, digits, query_of
 from springback.interfaces.output.robots import robot_label
 from springback.kernels.vectors import Vec
 from springback.paper.slider import MAT_THICKNESS
@@ -25,11 +24,11 @@ from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
 
-#: Time before and after first touch that an impact shows [s], chosen: contacts last up to 0.1 s.
+#: Time before and after first touch of an impact [s] (chosen: contacts last up to 0.1 s).
 BEFORE, AFTER = 0.025, 0.3
-#: Of a flight with run-up, recovery and return, and of one whose pilot flies on [s], chosen.
+#: Duration of a flight with run-up, recovery and return, and of one without recovery [s] (chosen).
 DURATION, UNANSWERED = 8.0, 5.0
-#: Height of all of it [m], the paper's.
+#: Height of all flights [m], as in the paper.
 HEIGHT = 1.0
 GRAVITY = 9.81
 
@@ -37,22 +36,22 @@ Table = dict[str, Any]
 
 
 def robots_of(settings: LabSettings) -> tuple[str, ...]:
-    """The robots to fly."""
+    """Names of the robots to fly."""
     return ("arq", "quad") if settings.robot == "both" else (settings.robot,)
 
 
 def lab_tables(settings: LabSettings, robot: str) -> Table:
-    """The scenario of some settings, as plain tables.
+    """Scenario of some settings, as plain tables.
 
     Args:
-        settings: Of the lab.
+        settings: Settings of the lab.
         robot: ``arq`` or ``quad``.
     """
     return _flight(settings, robot) if settings.mode == "flight" else _impact(settings, robot)
 
 
 def lab_toml(settings: LabSettings, robot: str) -> str:
-    """The same as the text of a scenario file."""
+    """`lab_tables` as the text of a scenario file."""
     query = query_of(settings)
     head = f"# From the impact lab: {query}\n" if query else "# From the impact lab, as it opens.\n"
     return (
@@ -62,12 +61,12 @@ def lab_toml(settings: LabSettings, robot: str) -> str:
 
 
 def file_name(settings: LabSettings, robot: str) -> str:
-    """Of a downloaded scenario; nothing in it comes from outside."""
+    """File name of a downloaded scenario; it contains no text from outside."""
     return f"{settings.mode}-{robot}.toml"
 
 
 def lab_scenario(settings: LabSettings, robot: str) -> Scenario:
-    """The scenario, ready to fly: that of the text.
+    """Scenario read back from `lab_toml`.
 
     Raises:
         InputError: If it cannot be flown; one line for each problem.
@@ -80,10 +79,10 @@ def lab_scenario(settings: LabSettings, robot: str) -> Scenario:
 
 
 def _impact(s: LabSettings, robot: str) -> Table:
-    """The collision alone; its start is traced back from first touch.
+    """The collision alone, with its start computed backwards from first touch.
 
-    Before it nothing turns the robot, and its rotors, of equal thrust, accelerate it evenly: so it
-    meets the wall at the speed that was asked for, and level.
+    Before it no moment acts on the robot, and its rotors, of equal thrust, accelerate it uniformly:
+    it hits the wall at the requested speed, and level.
     """
     slides = s.guide == "slider"
     vehicle, pitch, yaw = VEHICLES[f"{robot}-slider" if slides else robot].vehicle, s.pitch, s.yaw
@@ -98,8 +97,8 @@ def _impact(s: LabSettings, robot: str) -> Table:
         "start": {
             "position": [float(x) for x in start],
             "velocity": [float(x) for x in velocity - thrust * BEFORE],
-            "pitch": f"{shown(pitch)} deg",
-            "yaw": f"{shown(yaw)} deg",
+            "pitch": f"{digits(pitch)} deg",
+            "yaw": f"{digits(yaw)} deg",
         },
         "simulation": {"duration": BEFORE + AFTER},
     }
@@ -109,7 +108,7 @@ def _impact(s: LabSettings, robot: str) -> Table:
 
 
 def _inward(pitch: float, yaw: float) -> Vec:
-    """World X in body axes, at a pitch and yaw [deg]."""
+    """World X axis in body axes, at a pitch and yaw [deg]."""
     theta, psi = math.radians(pitch), math.radians(yaw)
     return Vec(math.cos(psi) * math.cos(theta), -math.sin(psi), math.cos(psi) * math.sin(theta))
 
@@ -122,10 +121,10 @@ def _upward(pitch: float, yaw: float) -> np.ndarray[Any, np.dtype[np.float64]]:
 
 
 def _reach(vehicle: Vehicle, pitch: float, yaw: float, slides: bool) -> float:
-    """How far the foremost cage is before the main body when it touches the wall [m].
+    """Distance from the main body to the wall at first touch [m].
 
-    On the slider by the paper's contact point, eq. (13); else by the ring, whose rounding lets it
-    touch a few µm before its foremost point does.
+    On the slider by the paper's contact point, eq. (13); else by the ring, whose rounding makes it
+    touch a few µm before its foremost point would.
     """
     n, model = _inward(pitch, yaw), ArmTip(0.0) if slides else Ring(RING_ROUNDING)
     ends = []
@@ -140,7 +139,7 @@ def _reach(vehicle: Vehicle, pitch: float, yaw: float, slides: bool) -> float:
 
 
 def _flight(s: LabSettings, robot: str) -> Table:
-    """Run-up, collision, recovery; a yaw turns the wall, which the pilot does not know."""
+    """Run-up, collision and recovery; a yaw turns the wall, unknown to the pilot."""
     psi = math.radians(s.yaw)
     wall = _obstacle(s, WALL_DISTANCE, slides=False)
     if s.yaw != 0.0:
@@ -167,11 +166,11 @@ def _flight(s: LabSettings, robot: str) -> Table:
 def _name(s: LabSettings, robot: str) -> str:
     where = {"wall": "wall", "mat": "mat", "own": "own surface"}[s.surface]
     slides = ", slider" if s.mode == "impact" and s.guide == "slider" else ""
-    return f"{robot_label(robot)}, {shown(s.speed)} m/s, {shown(s.pitch)} deg, {where}{slides}"
+    return f"{robot_label(robot)}, {digits(s.speed)} m/s, {digits(s.pitch)} deg, {where}{slides}"
 
 
 def _vehicle(s: LabSettings, robot: str, preset: str) -> Any:
-    """The preset, and what differs from it; Quad's arms are no springs."""
+    """The preset with its changes; Quad's arms have no springs to change."""
     arms = {}
     for name, unit, key in (
         ("stiffness", "N/mm", "stiffness"), ("damping", "N s/m", "damping"),
@@ -179,12 +178,12 @@ def _vehicle(s: LabSettings, robot: str, preset: str) -> Any:
     ):  # fmt: skip
         value = getattr(s, name)
         if robot == "arq" and value != getattr(DEFAULTS, name):
-            arms[key] = f"{shown(value)} {unit}"
+            arms[key] = f"{digits(value)} {unit}"
     return {"preset": preset, "arms": arms} if arms else preset
 
 
 def _obstacle(s: LabSettings, face: float, slides: bool) -> Table:
-    """Wall or mat with its face at a distance [m]."""
+    """Wall or mat whose face is at a distance [m]."""
     more: Table = {"friction_axes": "vertical"} if slides else {}
     if s.surface == "mat":
         mat, wall = ({"preset": name, **more} if more else name for name in ("mat", "wall"))

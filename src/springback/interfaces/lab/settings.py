@@ -1,8 +1,7 @@
-"""What can be set in the impact lab: one table of knobs, from which page, checks and links follow.
+"""Settings of the impact lab: one table from which page, validation and links follow.
 
-Every number of the lab stands here once, in the unit in which the page shows it: its range, its
-step, its default, and the values of the paper that are marked beside it, which come from where the
-package keeps them.
+Every number of the lab is here once, in the unit of the page: its range, step and default, and the
+paper's values marked beside it, which come from the modules that define them.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from springback.interfaces.lab.controls import (
     ChoiceControl,
     SliderControl,
     SliderMark,
-    shortened,
+    excerpt,
 )
 from springback.interfaces.output.robots import ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
@@ -31,14 +30,14 @@ from springback.studies.run_ups import CONDITIONS
 from springback.vehicle.library import ARQ
 
 When = Mapping[str, tuple[str, ...]]
-#: Letters of all settings together that are looked at at all (chosen).
+#: Longest query that is read [characters] (chosen).
 LONGEST_QUERY = 800
 
 WAYS = fields_of(Answering)["way"].words
 
 
 _WALL, _MAT = SURFACES["wall"], SURFACES["mat"]
-_ARMS: dict[str, Any] = ARQ.vehicle.arms.model_dump()  # four that are alike
+_ARMS: dict[str, Any] = ARQ.vehicle.arms.model_dump()  # the same for all four
 _STIFFNESS, _DAMPING = 1e-3 * _ARMS["stiffness"], _ARMS["damping"]  # [N/mm], [N s/m]
 _ARM_MASS = round(1e3 * _ARMS["mass"], 9)  # [g]
 _IMPACT: When = {"mode": ("impact",)}
@@ -57,8 +56,8 @@ _PITCHES = tuple(
 )
 
 
-def _fitted(surface: Any) -> float:
-    """c_a of a surface of the library, to the step of its knob [s/m]."""
+def _dissipation(surface: Any) -> float:
+    """c_a of a surface of the library, rounded to the step of its slider [s/m]."""
     return round(float(surface.dissipation_value()), 3)
 
 
@@ -67,8 +66,8 @@ Modes = Annotated[
     ChoiceControl(
         "What to fly",
         {"impact": "Impact", "flight": "Flight"},
-        "Impact: the collision alone, rotors as before it. Flight: run-up, collision and recovery, "
-        "with a pilot aboard.",
+        "Impact: the collision alone, with constant thrust. Flight: run-up, collision and "
+        "recovery, with a pilot.",
     ),
 ]
 Robots = Annotated[
@@ -85,8 +84,8 @@ Guides = Annotated[
     ChoiceControl(
         "Guided by",
         {"slider": "Slider", "free": "Nothing"},
-        "Slider: the paper's testbed, along X, with its bar's mass and no rotors. Nothing: the "
-        "robots as flown, hovering.",
+        "Slider: the paper's test bench, along X, with the mass of its bar and without rotors. "
+        "Nothing: free flight at hover thrust.",
         "Collision",
         _IMPACT,
     ),
@@ -96,7 +95,8 @@ Surfaces = Annotated[
     ChoiceControl(
         "Surface",
         {"wall": "Wall", "mat": "Mat", "own": "Own"},
-        "Wall and mat are Table II's; a mat lies before the wall. Own: a wall of your numbers.",
+        "Wall and mat are those of Table II; the mat is in front of the wall. Own: a wall with "
+        "your numbers.",
         "Surface",
     ),
 ]
@@ -105,7 +105,7 @@ Recoveries = Annotated[
     ChoiceControl(
         "Recovery",
         {"none": "None: flies on", **{way: way.capitalize() for way in WAYS}},
-        "How the pilot answers a collision; the paper's is pre-impact.",
+        "Response of the pilot to a collision; the paper's is pre-impact.",
         "Collision",
         _FLIGHT,
     ),
@@ -113,7 +113,7 @@ Recoveries = Annotated[
 
 
 class LabSettings(Settings):
-    """The settings of the impact lab, in the units of its page."""
+    """Settings of the impact lab, in the units of its page."""
 
     mode: Modes = "impact"
     robot: Robots = "both"
@@ -129,8 +129,8 @@ class LabSettings(Settings):
     yaw: Annotated[float, SliderControl(
         "deg", label="Yaw", least=-45.0, most=45.0, step=1.0, group="Collision",
         marks=(SliderMark(0.0, "paper: all tests"),),
-        explains="Of the robot against the wall; at 45 deg one arm meets it. In flight the wall "
-        "is turned, and the robot meets it aslant.",
+        explains="Of the robot relative to the wall; at 45 deg one arm hits it. In flight the wall "
+        "is turned, and the robot hits it at an angle.",
     )] = 0.0  # fmt: skip
     recovery: Recoveries = "pre-impact"
     surface: Surfaces = "wall"
@@ -146,17 +146,17 @@ class LabSettings(Settings):
     dissipation: Annotated[float, SliderControl(
         "s/m", label="Dissipation c_a", least=0.0, most=1.0, step=0.001, group="Surface",
         marks=(
-            SliderMark(_fitted(_MAT), "mat: fitted to Quad's restitution in Table III"),
-            SliderMark(_fitted(_WALL), "wall: fitted to Quad's restitution in Table III"),
+            SliderMark(_dissipation(_MAT), "mat: fitted to Quad's restitution in Table III"),
+            SliderMark(_dissipation(_WALL), "wall: fitted to Quad's restitution in Table III"),
         ),
-        when=_OWN, explains="Of the Hunt-Crossley law; 0 loses nothing.",
-    )] = _fitted(_WALL)  # fmt: skip
+        when=_OWN, explains="Of the Hunt-Crossley law; 0 loses no energy.",
+    )] = _dissipation(_WALL)  # fmt: skip
     friction: Annotated[float, SliderControl(
         "", label="Friction μ", least=0.0, most=1.5, step=0.05, group="Surface",
         marks=(SliderMark(_WALL.friction, "paper: Table II"),), when=_OWN,
-        explains="Coulomb's, along the surface. Where two cages touch at once it holds them, and "
-        "arms at 45 deg cannot give way; turn the robot by 10 deg and they can. On the slider it "
-        "acts along the vertical only, as in the paper.",
+        explains="Coulomb friction along the surface. Where two cages touch at once it holds both, "
+        "and arms at 45 deg cannot compress; turn the robot by 10 deg and they can. On the slider "
+        "it acts along the vertical only, as in the paper.",
     )] = _WALL.friction  # fmt: skip
     stiffness: Annotated[float, SliderControl(
         "N/mm", label="Arm stiffness k_l", least=0.5, most=50.0, step=0.1, group="Arms of ARQ",
@@ -180,13 +180,13 @@ DEFAULTS = LabSettings()
 
 
 def control_of(name: str) -> SliderControl | ChoiceControl:
-    """The slider or choice of a setting."""
+    """Control of a setting."""
     control: SliderControl | ChoiceControl = FIELDS[name].metadata[0]
     return control
 
 
 def controls() -> list[dict[str, Any]]:
-    """All that the page needs to know of every setting, in plain data."""
+    """Description of every setting for the page, as plain data."""
     found = []
     for name, field in FIELDS.items():
         control = control_of(name)
@@ -201,7 +201,7 @@ def controls() -> list[dict[str, Any]]:
 
 
 def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
-    """Settings from the pairs of a query, checked.
+    """Validated settings from the pairs of a query.
 
     Raises:
         InputError: One line for each problem, with field, value, unit and range.
@@ -209,8 +209,8 @@ def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
     given: dict[str, str] = {}
     for name, value in pairs:
         if name in given:
-            raise InputError(f"{shortened(name)}: is given twice; give it once")
-        given[shortened(name)] = value
+            raise InputError(f"{excerpt(name)}: is given twice; give it once")
+        given[excerpt(name)] = value
     try:
         return LabSettings.model_validate(given)
     except ValidationError as error:
@@ -218,25 +218,25 @@ def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
 
 
 def _line(path: tuple[str | int, ...], what: str) -> str:
-    """A problem with its field and, of a knob, the whole range."""
+    """A problem with its field and, for a slider, the whole range."""
     name = str(path[0]) if path else ""
     line = f"{name}: {what}" if name else what
     if name in FIELDS and isinstance(how := control_of(name), SliderControl):
-        return f"{line}; {shown(how.least)} to {shown(how.most)} {how.unit}".rstrip()
+        return f"{line}; {digits(how.least)} to {digits(how.most)} {how.unit}".rstrip()
     return line
 
 
-def shown(number: float) -> str:
-    """A number as short as it can be said to the last bit: 5 for 5.0."""
+def digits(number: float) -> str:
+    """Shortest text that reads back to the same number: 5 for 5.0."""
     return repr(number).removesuffix(".0")
 
 
 def query_of(settings: LabSettings) -> str:
-    """The canonical query: what differs from the defaults, in the order of the table."""
-    told = []
+    """Canonical query: settings that differ from the defaults, in the order of the table."""
+    words = []
     for name in FIELDS:
         value = getattr(settings, name)
         if value != getattr(DEFAULTS, name):
-            text = shown(value) if isinstance(value, float) else value
-            told.append(f"{name}={quote(text, safe='')}")
-    return "&".join(told)
+            text = digits(value) if isinstance(value, float) else value
+            words.append(f"{name}={quote(text, safe='')}")
+    return "&".join(words)

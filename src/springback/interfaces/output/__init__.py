@@ -1,1 +1,1 @@
-"""Folders, files and text that commands leave, and how they end."""
+"""Output of commands: folders, files and text; interruption."""

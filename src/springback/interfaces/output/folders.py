@@ -1,4 +1,4 @@
-"""Output folders and files: written whole or not at all, never over results unasked."""
+"""Output folders: written completely or not at all, never over results without ``force``."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from springback.interfaces.output import interrupts
 
 #: Suffix of folders that are still being written.
 DRAFT = ".springback-draft"
-#: A draft without a holder is that of a killed process, unless it is as young as this [s] (chosen).
+#: An unlocked draft older than this is that of a killed process [s] (chosen).
 YOUNG = 10.0
-#: The file without which a folder is no result.
+#: File without which a folder is not a result.
 SUMMARY = "summary.json"
 
 
@@ -33,18 +33,18 @@ def _existing_ancestor(folder: Path) -> Path:
 def output_folder(
     folder: Path, *, force: bool = False, replaces: Iterable[str] = ()
 ) -> Iterator[Path]:
-    """A folder to write into, which becomes ``folder`` when the block ends well.
+    """Draft folder to write into, which becomes ``folder`` when the block ends without an error.
 
-    The folder is replaced whole or not at all.  If the block fails, or the process is killed, what
-    was there is there.  With ``force`` files of earlier results make way, and all others stay.
+    The folder is replaced completely or not at all: if the block fails, or the process is killed,
+    it is unchanged.  With ``force`` files of earlier results are replaced, and all others stay.
 
     Args:
-        folder: To be written.
+        folder: Folder to be written.
         force: Replace results in it.
-        replaces: Names of files that are removed with the results they belong to.
+        replaces: Names of files to remove with the results they belong to.
 
     Raises:
-        InputError: If the folder cannot be written, is a file, or has results and ``force`` is off.
+        InputError: If the folder cannot be written, is a file, or is not empty without ``force``.
     """
     folder = folder.absolute()
     try:
@@ -61,16 +61,16 @@ def output_folder(
         remove_abandoned(anchor, folder.name)
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-    draft = _hidden(anchor, folder.name)
-    try:  # it is removed from here on, whatever happens when
+    draft = _hidden_path(anchor, folder.name)
+    try:  # from here on the draft is removed whatever happens
         try:
             draft.mkdir(0o700)
         except OSError as error:
             raise InputError(f"--out {folder}: cannot be written ({error.strerror})") from None
-        with _held(draft):
+        with _locked_folder(draft):
             yield draft
             _replace(draft, folder, set(replaces))
-            interrupts.say(f"interrupted; {folder} was written before")
+            interrupts.say(f"interrupted; {folder} had already been written")
     except OSError as error:
         if error.errno not in FULL:
             raise
@@ -79,19 +79,19 @@ def output_folder(
         _remove(draft)
 
 
-def _hidden(anchor: Path, name: str) -> Path:
-    """A new name, which `remove_abandoned` knows."""
+def _hidden_path(anchor: Path, name: str) -> Path:
+    """New hidden path beside a folder, by a pattern known to `remove_abandoned`."""
     return anchor / f".{name}-{secrets.token_hex(4)}{DRAFT}"
 
 
-#: Errors of a disk that takes no more data.
+#: Errors of a full disk.
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EROFS, errno.EFBIG}
 
 
 def _remove(draft: Path) -> None:
     try:
         shutil.rmtree(draft, ignore_errors=True)
-    except KeyboardInterrupt:  # once more, to the end
+    except KeyboardInterrupt:  # a second time, completely
         shutil.rmtree(draft, ignore_errors=True)
         raise
 
@@ -100,8 +100,8 @@ def _remove(draft: Path) -> None:
 
 
 @contextmanager
-def _held(folder: Path) -> Iterator[None]:
-    """Lock a folder: the system unlocks it when this process ends, however it ends."""
+def _locked_folder(folder: Path) -> Iterator[None]:
+    """Lock a folder; the system unlocks it when this process ends, however it ends."""
     if sys.platform == "win32":
         yield
         return
@@ -117,11 +117,11 @@ def _held(folder: Path) -> Iterator[None]:
 
 
 def remove_abandoned(anchor: Path, name: str) -> None:
-    """Remove drafts of a folder whose processes were killed.
+    """Remove drafts of a folder left by killed processes.
 
     Args:
-        anchor: The folder that they lie in.
-        name: Of the folder that they would have become.
+        anchor: Folder that contains them.
+        name: Name of the folder that they would have become.
     """
     if sys.platform == "win32":
         return
@@ -144,7 +144,7 @@ def remove_abandoned(anchor: Path, name: str) -> None:
 
 
 def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
-    """Put a draft where a folder is or shall be, in one step where the system can."""
+    """Move a draft into the place of a folder, atomically where the system can."""
     mask = os.umask(0)
     os.umask(mask)
     draft.chmod(0o777 & ~mask)
@@ -157,9 +157,9 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
         _move_into(draft, folder, replaces)
         return
     _keep_others(folder, draft, replaces)
-    if _exchanged(draft, folder):
+    if _exchange(draft, folder):
         return
-    old = _hidden(draft.parent, folder.name)
+    old = _hidden_path(draft.parent, folder.name)
     try:
         os.rename(folder, old)
         os.rename(draft, folder)
@@ -168,12 +168,12 @@ def _replace(draft: Path, folder: Path, replaces: set[str]) -> None:
             os.rename(old, folder)
         if not isinstance(error, OSError):
             raise
-        _move_into(draft, folder, replaces)  # it is in use in a way that holds its name
+        _move_into(draft, folder, replaces)  # a process uses it in a way that locks its name
     _remove(old)
 
 
 def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
-    """Keep the other files of a folder in its draft: as links, where the disk has them."""
+    """Add the other files of a folder to its draft, as hard links where the disk supports them."""
     for path in folder.iterdir():
         target = draft / path.name
         if path.name in replaces or (target.exists() and not target.is_dir()):
@@ -189,8 +189,8 @@ def _keep_others(folder: Path, draft: Path, replaces: set[str]) -> None:
                 shutil.copy2(path, target, follow_symlinks=False)
 
 
-def _exchanged(one: Path, other: Path) -> bool:
-    """Exchange two folders in one step; False where the system cannot."""
+def _exchange(one: Path, other: Path) -> bool:
+    """Exchange two folders atomically; False where the system cannot."""
     import ctypes
 
     at_working_directory, exchange = -100, 2
@@ -205,7 +205,7 @@ def _exchanged(one: Path, other: Path) -> bool:
 
 
 def _move_into(draft: Path, folder: Path, replaces: set[str]) -> None:
-    """Replace files one by one; without its summary a folder is no result, so that goes first."""
+    """Replace files one by one; the summary, without which a folder is no result, goes first."""
     for name in [SUMMARY, *sorted(replaces)]:
         with contextlib.suppress(FileNotFoundError, IsADirectoryError):
             (folder / name).unlink()

@@ -1,4 +1,4 @@
-"""Ctrl-C: a command ends at once, with a message, whatever it is doing."""
+"""Ctrl-C: end a command at once, with a message, whatever it is doing."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import FrameType
 from typing import Any
 
 NOTHING = "interrupted; nothing was written"
-#: Until an exception that Python dropped is raised again [s] (chosen).
+#: Delay until an exception that Python dropped is raised again [s] (chosen).
 SOON = 0.02
 _words = [NOTHING]
 _came = threading.Event()
@@ -21,30 +21,30 @@ def say(words: str) -> None:
     _words[0] = words
 
 
-def words() -> str:
+def message() -> str:
     """The message."""
     return _words[0]
 
 
-def came() -> bool:
+def is_interrupted() -> bool:
     """True once Ctrl-C was pressed: later errors are its consequences."""
     return _came.is_set()
 
 
-def listen() -> None:
-    """Let Ctrl-C end this process whatever it is doing, and remember it.
+def install_handler() -> None:
+    """Let Ctrl-C end this process whatever it is doing, and record it.
 
-    Python drops exceptions raised while an object is taken apart or a library calls back; one that
-    Ctrl-C raised there is raised again.
+    Python drops exceptions raised in finalisers and in callbacks of libraries; one that Ctrl-C
+    raised there is raised again.
     """
     before = sys.unraisablehook
 
     def unraisable(info: Any) -> None:
         if issubclass(info.exc_type, KeyboardInterrupt):
-            again = threading.Timer(SOON, _once_more)  # not in here, where it is dropped
+            again = threading.Timer(SOON, _once_more)  # not here, where it would be dropped
             again.daemon = True
             again.start()
-        elif not came():
+        elif not is_interrupted():
             before(info)
 
     def interrupted(number: int, frame: FrameType | None) -> None:
@@ -57,7 +57,7 @@ def listen() -> None:
 
 
 def _once_more() -> None:
-    """Interrupt the main thread again, which also wakes it up."""
+    """Interrupt the main thread again, which also wakes it."""
     ident = threading.main_thread().ident
     if ident is not None and hasattr(signal, "pthread_kill"):
         signal.pthread_kill(ident, signal.SIGINT)
@@ -65,6 +65,6 @@ def _once_more() -> None:
         _thread.interrupt_main()
 
 
-def deafen() -> None:
-    """Ignore Ctrl-C from here on: one is being handled."""
+def ignore() -> None:
+    """Ignore further Ctrl-C: one is being handled."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,7 +1,7 @@
 """Labels and looks of the robots, the same on every page and in every figure.
 
-Colours are those of Okabe and Ito, which colour-blind readers can distinguish; robots differ in
-line and marker, too, so that they survive a black-and-white printer.
+Colours are those of Okabe and Ito, which colour-blind readers can distinguish; robots also differ
+in line and marker, so that they can be told apart in black and white.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ PINK, SKY, RED, GREY = "#CC79A7", "#56B4E9", "#D55E00", "#8C8C8C"
 SHADE = "#E4E8EE"
 """Colour of areas behind curves."""
 Dashes = str | tuple[float, tuple[float, ...]]
-"""A line style: its sign, or offset and lengths of dashes and gaps [points]."""
+"""Line style: its symbol, or offset and lengths of dashes and gaps [points]."""
 
 
 class RobotStyle(NamedTuple):
-    """The label of a robot, and its look."""
+    """Label and look of a robot."""
 
     label: str
     colour: str
@@ -29,7 +29,7 @@ class RobotStyle(NamedTuple):
 
     @property
     def curve(self) -> dict[str, Any]:
-        """Keywords of a curve."""
+        """Keywords for a curve in matplotlib."""
         return {"color": self.colour, "ls": self.line}
 
 
@@ -37,7 +37,7 @@ ROBOTS = {
     "arq": RobotStyle("ARQ", BLUE, "-", "o"),
     "quad": RobotStyle("Quad", RED, (0, (5, 1.5)), "s"),
 }
-"""By the name of the preset."""
+"""Styles by the name of the preset."""
 _OTHERS = (
     RobotStyle("", GREEN, (0, (5, 1.5, 1, 1.5)), "^"),
     RobotStyle("", PINK, (0, (1.2, 1)), "v"),
@@ -45,18 +45,18 @@ _OTHERS = (
 
 
 def robot_label(name: str) -> str:
-    """The label of a preset, on the slider or not; any other name as it is."""
+    """Label of a preset, on the slider or not; any other name unchanged."""
     robot, slider, _ = name.partition("-slider")
     known = ROBOTS.get(robot)
     return name if known is None else f"{known.label} on slider" if slider else known.label
 
 
 def robot_styles(names: Iterable[str]) -> dict[str, RobotStyle]:
-    """Looks of robots, those without one of their own in turn."""
+    """Styles of robots; those without one of their own get the others in turn."""
     free = cycle(_OTHERS)
     return {name: ROBOTS.get(name) or next(free)._replace(label=name) for name in names}
 
 
 def with_labels(text: str) -> str:
-    """A text with the labels of presets in place of their names."""
+    """Text with names of presets replaced by their labels."""
     return re.sub(rf"\b({'|'.join(ROBOTS)})\b", lambda name: ROBOTS[name[0]].label, text)

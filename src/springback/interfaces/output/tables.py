@@ -15,17 +15,17 @@ from springback.files import atomic_file, csv_text
 Row = tuple[Any, ...]
 #: Suffixes of files of results, and their formats.
 SUFFIXES = {".csv": "csv", ".json": "json", ".md": "markdown"}
-#: Rows and characters of a column that a table shows at most (chosen).
+#: Most rows, and most characters of a column, that a table shows (chosen).
 MOST_ROWS, WIDEST = 200, 48
 
 
 def lines_of(
     columns: Sequence[str], stretches: Iterable[Sequence[Row]], form: str
 ) -> Iterator[str]:
-    """A result as lines of text, as it arrives: never more than a chunk of it is kept.
+    """Lines of text of a result, as it arrives; at most one chunk is held in memory.
 
     Args:
-        columns: Names.
+        columns: Names of the columns.
         stretches: Values, some rows at a time.
         form: ``table``, ``csv``, ``json`` or ``markdown``.
     """
@@ -41,13 +41,13 @@ def lines_of(
         yield csv_text([columns]).rstrip("\n")
     for rows in stretches:
         if rows and form == "markdown":
-            yield "\n".join(_markdown_line([shown(v) for v in row]) for row in rows)
+            yield "\n".join(_markdown_line([cell_text(v) for v in row]) for row in rows)
         elif rows:
             yield csv_text(rows).rstrip("\n")
 
 
 def _table_lines(columns: Sequence[str], stretches: Iterable[Sequence[Row]]) -> Iterator[str]:
-    """The first rows as a table, and how many more there are."""
+    """The first rows as a table, and the number of further rows."""
     shown_rows: list[Row] = []
     count = 0
     for rows in stretches:
@@ -69,23 +69,23 @@ def _json_lines(columns: Sequence[str], rows: Iterable[Row]) -> Iterator[str]:
 
 
 def _more(count: int) -> str:
-    return f"... {count} more rows; --format or --out gives all"
+    return f"... {count} more rows; use --format or --out for all"
 
 
-def shown(value: Any) -> str:
-    """A value for people."""
+def cell_text(value: Any) -> str:
+    """Value as text for people."""
     if value is None:
         return "-"
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(shown, value)) + "]"
+        return "[" + ", ".join(map(cell_text, value)) + "]"
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def as_text(columns: Sequence[str], rows: Sequence[Row]) -> str:
-    """A table with aligned columns; of many rows the first."""
-    cells = [[_short(shown(value)) for value in row] for row in rows[:MOST_ROWS]]
+    """Table with aligned columns; of many rows only the first."""
+    cells = [[_short(cell_text(value)) for value in row] for row in rows[:MOST_ROWS]]
     widths = [max(map(len, column)) for column in zip(columns, *cells, strict=True)]
     numbers = [
         all(isinstance(row[k], int | float | None) for row in rows[:MOST_ROWS])
@@ -109,7 +109,7 @@ def _short(text: str) -> str:
 
 def as_markdown(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """A Markdown table."""
-    lines = [columns, ["---"] * len(columns), *([shown(v) for v in row] for row in rows)]
+    lines = [columns, ["---"] * len(columns), *([cell_text(v) for v in row] for row in rows)]
     return "\n".join(map(_markdown_line, lines))
 
 
@@ -118,7 +118,7 @@ def _markdown_line(entries: Sequence[str]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value for JSON: numbers that are not finite are null."""
+    """Value for JSON: numbers that are not finite become null."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
     if isinstance(value, dict):
@@ -129,12 +129,12 @@ def _plain(value: Any) -> Any:
 
 
 def write_answer(columns: Sequence[str], stretches: Iterable[Sequence[Row]], path: Path) -> int:
-    """Write a result to a file as it arrives, whole or not at all.
+    """Write a result to a file as it arrives, completely or not at all.
 
     Args:
-        columns: Names.
+        columns: Names of the columns.
         stretches: Values, some rows at a time.
-        path: Whose suffix is one of `SUFFIXES`.
+        path: File, whose suffix is one of `SUFFIXES`.
 
     Returns:
         Number of rows.

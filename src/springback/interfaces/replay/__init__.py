@@ -1,1 +1,1 @@
-"""A flight as a scene, and its replay."""
+"""Flights as scenes, and their replay."""

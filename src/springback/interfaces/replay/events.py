@@ -1,4 +1,4 @@
-"""What happens in a flight, and when."""
+"""Events of a flight."""
 
 from __future__ import annotations
 
@@ -12,57 +12,57 @@ from springback.results.flight import Flight
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: What a leg's beginning is called: a short name for the time line, and a sentence.
-_LEGS = {
-    LOOK: ("noticed", "the collision is noticed: {trigger}"),
+#: Beginnings of the phases of a recovery: a short label for the time line, and a sentence.
+_PHASE_EVENTS = {
+    LOOK: ("detected", "the collision is detected: {trigger}"),
     STAGES: ("stages", "the recovery in stages begins"),
-    RECOVER: ("way back", "the collision is made out, the way back begins"),
+    RECOVER: ("way back", "the collision is characterised, the way back begins"),
     RETURN: ("return", "at rest at p_r, the way home begins"),
     HOVER: ("home", "home again"),
     CRUISE: ("run-up", "the next run-up begins"),
 }
-_TRIGGERS = {"hall": "an arm is pressed in", "acceleration": "a jolt across",
+_TRIGGERS = {"hall": "an arm is compressed", "acceleration": "lateral acceleration",
              "wrench": "an external force"}  # fmt: skip
-#: Impacts beyond these are not named one by one; chosen: what a time line can show.
+#: Impacts beyond this number are not labelled (chosen: as many as a time line can show).
 MOST = 12
 
 
 class Event(NamedTuple):
-    """Something that happens."""
+    """An event on the time line."""
 
     t: float  # [s]
-    kind: str  # touch, separation, peak, alarm, leg, trouble or end
-    label: str  # a word or two
-    text: str  # a sentence without its full stop
+    kind: str  # touch, separation, peak, alarm, phase, trouble or end
+    label: str  # one or two words
+    text: str  # a sentence without a full stop
 
 
 def impacts_of(flight: Flight) -> tuple[tuple[float, float], ...]:
     """First touch and last separation of every impact [s]."""
     t = flight.columns["t"]
-    found = intervals(t, _felt(flight), flight.scenario.simulation.dwell)
+    found = intervals(t, _in_contact(flight), flight.scenario.simulation.dwell)
     ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
-    if ends:  # of the first, the measures know the very instants; columns, the step
+    if ends:  # the measures have the exact instants of the first, columns only the steps
         begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
         whole = end is not None and found[0][1] < len(t) - 1
         ends[0] = (begin or ends[0][0], end if end is not None and whole else ends[0][1])
     return tuple(ends)
 
 
-def _felt(flight: Flight) -> Any:
+def _in_contact(flight: Flight) -> Any:
     return touching(flight.columns)
 
 
 def events_of(flight: Flight) -> tuple[Event, ...]:
-    """What happens, in the order of time."""
+    """Events in order of time."""
     t = flight.columns["t"]
-    found = [*_contacts(flight), *_troubles(flight), *_legs(flight)]
+    found = [*_contacts(flight), *_troubles(flight), *_phases(flight)]
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
 
 
 def _contacts(flight: Flight) -> list[Event]:
     c = flight.columns
-    felt = _felt(flight)
+    felt = _in_contact(flight)
     found: list[Event] = []
     impacts = impacts_of(flight)
     for number, (begin, end) in enumerate(impacts[:MOST], start=1):
@@ -71,7 +71,7 @@ def _contacts(flight: Flight) -> list[Event]:
         found.append(Event(begin, "touch", f"touch{which}", f"first touch, at {speed:.2f} m/s"))
         if end < c["t"][-1] or not felt[-1]:
             after = 1e3 * (end - begin)
-            found.append(Event(end, "separation", f"off{which}", f"off again after {after:.1f} ms"))
+            found.append(Event(end, "separation", f"off{which}", f"separates after {after:.1f} ms"))
     hardest, peak = flight.measures.get("peak_acceleration_time"), flight.peak_acceleration
     if impacts and hardest is not None and peak is not None:
         found.append(Event(hardest, "peak", "peak", f"peak acceleration, {peak:.0f} m/s²"))
@@ -89,8 +89,8 @@ def _troubles(flight: Flight) -> list[Event]:
     return found
 
 
-def _legs(flight: Flight) -> list[Event]:
-    """Where the pilot goes from one leg to the next."""
+def _phases(flight: Flight) -> list[Event]:
+    """Changes of the pilot's phase."""
     telemetry = flight.telemetry
     if "phase" not in telemetry:
         return []
@@ -100,7 +100,7 @@ def _legs(flight: Flight) -> list[Event]:
         now = float(phase[k + 1])
         if not 0.0 <= now < len(PHASES):
             continue
-        label, text = _LEGS[now]
+        label, text = _PHASE_EVENTS[now]
         kind = "alarm" if now == LOOK else "phase"
         when = float(t[k + 1])
         found.append(Event(when, kind, label, text.format(trigger=_trigger(telemetry, k + 1))))
@@ -108,11 +108,11 @@ def _legs(flight: Flight) -> list[Event]:
 
 
 def _trigger(telemetry: dict[str, Array], k: int) -> str:
-    """What raised the alarm at a tick."""
+    """Cause of the alarm at a tick, in words."""
     raised = [
         words
         for name, words in _TRIGGERS.items()
         if f"alarms_{name}" in telemetry
         and telemetry[f"alarms_{name}"][k] > telemetry[f"alarms_{name}"][max(k - 2, 0)]
     ]
-    return " and ".join(raised) or "by a trigger"
+    return " and ".join(raised) or "a trigger"

@@ -1,7 +1,7 @@
-"""Which instants of a flight are drawn.
+"""Selection of the instants of a flight that are drawn.
 
-A trajectory has every step of the integration.  A picture needs all of them near a contact and few
-elsewhere, so some are left out; what straight lines between those that stay get wrong is bounded by
+A trajectory has every integration step.  A picture needs all of them near a contact and few
+elsewhere, so some are left out; the error of linear interpolation between the others is bounded by
 `BOUNDS`, and measured.
 """
 
@@ -17,40 +17,40 @@ from springback.simulation.playback import NO_FORCE
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
 
-#: Of what the lines between the kept instants may get wrong, by unit; chosen: finer than a pixel.
+#: Largest interpolation errors, by unit (chosen: finer than a pixel).
 BOUNDS = {"m": 2e-4, "": 2e-4, "m/s": 5e-3}
-#: The same for arm lengths [m], accelerations [m/s²] and forces [N]; the last two have besides ...
+#: The same for arm lengths [m], accelerations [m/s²] and forces [N]; for the last two the bound is
 ARM_BOUND, ACCELERATION_BOUND, FORCE_BOUND = 2e-5, 0.5, 0.5
-#: ... this share of their peak.
+#: at least this fraction of their peak.
 SHARE = 0.01
-#: Apart at most [s]: 200 instants a second.
+#: Largest spacing of instants [s].
 APART = 5e-3
-#: Every step is kept so long before and after a contact [s], ...
+#: Time before and after a contact in which every step is kept [s], ...
 NEAR = 5e-3
-#: ... as long as that makes no more than so many instants; chosen: 0.2 s at a step of 0.1 ms.
+#: ... up to this number of instants (chosen: 0.2 s at steps of 0.1 ms).
 MOST_NEAR = 2000
-#: Largest group of steps that may become one line; a power of 2.
+#: Largest number of steps replaced by one line, a power of 2.
 GROUP = 64
 
 
 def parts_of(columns: Mapping[str, Array]) -> list[str]:
-    """What the columns of forces on each cage, and on the main body with a hull, end with."""
+    """Suffixes of the columns of forces: one for each cage, and one for a main body with a hull."""
     return [name[2:] for name in columns if name.startswith("fn")]
 
 
 def touching(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Whether anything touches anything, instant by instant."""
+    """True for instants with a contact."""
     felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
     return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
 
 
 def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
-    """First and last place of every contact; those less than ``apart`` [s] apart are one.
+    """First and last index of every contact; contacts closer than ``apart`` are merged.
 
     Args:
         t: Instants [s].
-        felt: Whether there is contact at each.
-        apart: [s].
+        felt: True for instants with a contact.
+        apart: Shortest time between two contacts [s].
     """
     edges = np.flatnonzero(np.diff(np.concatenate([[0], np.asarray(felt, dtype=int), [0]])))
     found: list[tuple[int, int]] = []
@@ -62,8 +62,8 @@ def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
     return found
 
 
-def _bounded(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
-    """What is drawn, shape (instants, quantities), and the bound of each."""
+def _curves(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
+    """Drawn quantities, shape (instants, quantities), and the error bound of each."""
     names = dict.fromkeys("xyz", BOUNDS["m"])
     names |= {f"q{part}": BOUNDS[""] for part in "wxyz"}
     names |= {f"v{axis}": BOUNDS["m/s"] for axis in "xyz"}
@@ -77,12 +77,12 @@ def _bounded(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
 
 
 def _departures(t: Array, values: Array, group: Places, size: int) -> Array:
-    """Largest departure from the line between the ends, of each group of ``size`` steps.
+    """Largest deviation of each group of ``size`` steps from the line between its ends.
 
     Args:
         t: Instants [s].
-        values: Over their bounds, shape (instants, quantities).
-        group: First places of the groups.
+        values: Quantities divided by their bounds, shape (instants, quantities).
+        group: First index of each group.
         size: Steps in a group.
     """
     inside = group[:, None] + np.arange(1, size)
@@ -93,13 +93,13 @@ def _departures(t: Array, values: Array, group: Places, size: int) -> Array:
 
 
 def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
-    """Places of the instants that are drawn.
+    """Indices of the instants that are drawn.
 
-    All within `NEAR` of a contact, up to `MOST_NEAR` of them; elsewhere as few as `BOUNDS` and
-    `APART` allow, found by halving groups of steps until each is near enough to a line.
+    All within `NEAR` of a contact, up to `MOST_NEAR`; elsewhere as few as `BOUNDS` and `APART`
+    allow, found by halving groups of steps until each is close enough to a line.
     """
     t = columns["t"]
-    values, bounds = _bounded(columns, arms)
+    values, bounds = _curves(columns, arms)
     values = values / bounds
     keep = np.zeros(len(t), dtype=bool)
     keep[[0, -1]] = True
@@ -111,15 +111,15 @@ def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
         if end > begin:
             keep[begin:end] = True
             close += end - int(begin)
-    return np.flatnonzero(keep | _needed(t, values))
+    return np.flatnonzero(keep | _vertices(t, values))
 
 
-def _needed(t: Array, values: Array) -> Any:
-    """Ends of the lines that are near enough to everything between."""
+def _vertices(t: Array, values: Array) -> Any:
+    """True for the ends of lines that approximate the steps between within the bounds."""
     keep = np.zeros(len(t), dtype=bool)
     steps = len(t) - 1
     groups = np.arange(0, steps - GROUP + 1, GROUP)
-    keep[len(groups) * GROUP :] = True  # fewer than a group are left over
+    keep[len(groups) * GROUP :] = True  # the rest is less than a group
     size = GROUP
     while size > 1 and len(groups):
         wide = t[groups + size] - t[groups] > APART * (1.0 + 1e-9)
@@ -134,7 +134,7 @@ def _needed(t: Array, values: Array) -> Any:
 
 
 def departure(columns: Mapping[str, Array], arms: int, places: Places) -> dict[str, float]:
-    """What lines between the kept instants get wrong at most: m, m of arms, m/s², N, and so on."""
+    """Largest interpolation error between the kept instants, by quantity and unit."""
     t = columns["t"]
 
     def worst(*names: str) -> float:

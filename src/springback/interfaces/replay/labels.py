@@ -1,4 +1,4 @@
-"""What flights are called beside one another, and in which settings they differ."""
+"""Labels of flights shown side by side, and the settings in which they differ."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.scene import Scene, scene_of
 from springback.results.flight import Flight
 
-#: Settings in which two flights differ that are named (chosen); more are counted.
+#: Most differing settings that are named (chosen); further ones are counted.
 MOST_NAMED = 4
 
 
 def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[str]:
-    """Names that tell flights apart: robots, else scenarios, else folders, else numbers.
+    """Labels that distinguish flights: robots, else scenarios, else folders, else numbers.
 
     Args:
-        flights: Beside one another.
-        origins: Of each the folder or file that it was read from, where there is one.
+        flights: Flights shown side by side.
+        origins: Folder or file that each was read from, if any.
     """
     robots = [robot_label(f.scenario.vehicle.name) for f in flights]
     scenarios = [flight.scenario.name for flight in flights]
@@ -35,11 +35,11 @@ def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
 
 
 def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[Scene]:
-    """Flights as scenes beside one another; the second says in which settings it differs.
+    """Scenes of flights to show side by side; the second has a remark on differing settings.
 
     Args:
         flights: One or two.
-        origins: Of each the folder or file that it was read from, where there is one.
+        origins: Folder or file that each was read from, if any.
     """
     labels = labels_of(flights, origins)
     scenes = [scene_of(f, label=label) for f, label in zip(flights, labels, strict=True)]
@@ -50,9 +50,9 @@ def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
 
 
 def difference(first: Flight, second: Flight) -> str:
-    """Settings of the second flight that the first has otherwise, in SI; empty if there are none.
+    """Settings of the second flight that differ from the first, in SI; empty if there are none.
 
-    Names of the flight and of its vehicle do not count.
+    Names of flights and vehicles are ignored.
     """
     before, after = (
         dict(
@@ -72,7 +72,7 @@ def difference(first: Flight, second: Flight) -> str:
 
 
 def _leaves(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """Dotted paths and values of nested plain data; lists of numbers stay whole."""
+    """Dotted paths and values of nested plain data; lists of numbers are single values."""
     if isinstance(value, dict):
         for key, inner in value.items():
             yield from _leaves(inner, f"{path}.{key}" if path else str(key))

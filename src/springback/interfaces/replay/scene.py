@@ -1,17 +1,16 @@
-"""A flight as a scene: all that a picture of it needs, in the page, in films and in the lab.
+"""A flight as a scene: all data that the page, films and the lab need to draw it.
 
-`scene_of` makes a `Scene` of a flight, `read_result` (springback.results.saved) a flight of a
-folder, and `plain` a dictionary for JSON of a scene, in which
+`scene_of` makes a `Scene` from a flight, and `plain` converts it to a dictionary for JSON, in which
 
-- a tuple or a text is what it is, and a field of a NamedTuple or dataclass goes by its name;
-- an array is ``{"type": "f4", "shape": [...], "data": base64}``, its numbers little-endian in C
-  order; ``f8`` for instants, ``i4`` for triangles, else ``f4``;
+- tuples and texts are unchanged, and fields of NamedTuples and dataclasses are keyed by name;
+- an array is ``{"type": "f4", "shape": [...], "data": base64}``, little-endian in C order;
+  ``f8`` for instants, ``i4`` for triangles, else ``f4``;
 - ``force`` and ``point``, mostly empty, are ``{"at": places, "of": their rows}``: the rows of those
   instants, all others being zero.
 
-All is in SI units, radians, world axes NWU and body axes FLU, quaternions wxyz from body to world.
-Instants are not evenly spaced: every step of the integration stands near contacts, few elsewhere.
-Between two instants a straight line is meant; what that gets wrong at most is in ``departure``.
+All data are in SI units, radians, world axes NWU, body axes FLU, quaternions wxyz body to world.
+Instants are not evenly spaced: all integration steps near contacts, few elsewhere.  Values between
+instants are interpolated linearly; ``departure`` has the largest error of this.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.events import Event, events_of, impacts_of
-from springback.interfaces.replay.geometry import Drawable, drawn
+from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
@@ -37,25 +36,25 @@ from springback.simulation.record import Model
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Energies that move by less than this share of the one that moves most are not plotted; chosen.
+#: Energies that change by less than this fraction of the largest change are not plotted (chosen).
 SEEN = 1e-4
-#: Recomputed forces may differ from the columns by this share of the peak; chosen: rounding.
+#: Recomputed forces may differ from the columns by this fraction of the peak (chosen: rounding).
 AGREES = 1e-6
 
 
 class ArmShape(NamedTuple):
-    """An arm, its cage and its rotor, which turn about body z at its end."""
+    """An arm with its cage and rotor; the rotor's axis is body z at the end of the arm."""
 
     direction: tuple[float, float, float]  # unit vector, body axes
     length: float  # free length [m]
-    shortest: float  # at which it has bottomed out [m]
+    shortest: float  # length at full stroke [m]
     cage_radius: float  # [m]; the circle lies in the plane of the arms
     compliant: bool
     spin: int  # sign of the torque about body z
 
 
 class HullShape(NamedTuple):
-    """The sphere that the main body touches with."""
+    """Contact sphere of the main body."""
 
     centre: tuple[float, float, float]  # from the main body, body axes [m]
     radius: float  # [m]
@@ -64,18 +63,18 @@ class HullShape(NamedTuple):
 class Series(NamedTuple):
     """A curve over the instants."""
 
-    panel: str  # heading of the plot that it belongs to
-    name: str  # within the panel
+    panel: str  # heading of the plot
+    name: str  # label in the panel
     unit: str
     values: Array  # shape (instants,)
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """A flight to look at."""
+    """A flight to be drawn."""
 
     label: str
-    """Name of the robot, or what the caller says."""
+    """Name of the robot, or the caller's label."""
     scenario: str
     """Name of the scenario."""
     outcome: str
@@ -83,40 +82,40 @@ class Scene:
     sentence: str
     """The outcome in a sentence."""
     success: bool
-    """Whether nothing went wrong: recovered, or left the obstacle without a pilot."""
+    """True if it recovered or, without a pilot, left the obstacle."""
     arms: tuple[ArmShape, ...]
     hull: tuple[HullShape, ...]
-    """Of the main body; empty without."""
+    """Hull of the main body; empty without one."""
     max_thrust: float
-    """Of one rotor, for scales [N]."""
+    """Maximum thrust of one rotor, for scales [N]."""
     guide: tuple[float, ...]
-    """Axis of a slider, world; empty in free flight."""
+    """Axis of a slider, unit vector, world; empty in free flight."""
     obstacles: tuple[Drawable, ...]
     t: Array
     """Instants [s], shape (n,)."""
     position: Array
-    """Of the main body [m], shape (n, 3)."""
+    """Position of the main body, world [m], shape (n, 3)."""
     attitude: Array
-    """Shape (n, 4)."""
+    """Quaternion wxyz, body to world, shape (n, 4)."""
     arm_length: Array
-    """[m], shape (n, arms)."""
+    """Arm lengths [m], shape (n, arms)."""
     thrust: Array
-    """Of each rotor [N], shape (n, arms); from the telemetry, held from tick to tick."""
+    """Rotor thrusts [N], shape (n, arms), from the telemetry, constant between ticks."""
     force: Array
-    """On each cage, then the hull, by all obstacles, world [N], shape (n, parts, 3)."""
+    """Force of all obstacles on each cage, then the hull, world [N], shape (n, parts, 3)."""
     point: Array
-    """Where it acts, world [m], shape (n, parts, 3); zero where nothing touches."""
+    """Point of application, world [m], shape (n, parts, 3); zero without contact."""
     series: tuple[Series, ...]
     events: tuple[Event, ...]
     impacts: tuple[tuple[float, float], ...]
     """First touch and last separation of each impact [s]."""
     measures: dict[str, float | None]
     units: dict[str, str]
-    """Of the measures."""
+    """Units of the measures."""
     departure: dict[str, float]
-    """What lines between instants get wrong at most, in SI units, by what."""
+    """Largest error of linear interpolation between instants by quantity, SI units."""
     notes: tuple[str, ...]
-    """What the picture does not show, in sentences."""
+    """Remarks on what the picture does not show, in sentences."""
 
 
 def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Scene:
@@ -124,15 +123,15 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
 
     Args:
         flight: With its trajectory.
-        label: What it is called beside another one; by default the robot's name.
-        own: The obstacles of the user's own that it was flown with, if the flight does not know
-            them; a saved flight knows their surfaces only.
+        label: Label beside another flight; by default the robot's name.
+        own: The user's own obstacles, for a flight read from a file, which contains only their
+            meshes.
 
     Raises:
-        InputError: If the flight kept no trajectory.
+        InputError: If the flight has no trajectory.
     """
     if not flight.columns:
-        raise InputError("this flight kept no trajectory: fly it with trajectory=True")
+        raise InputError("this flight has no trajectory: fly it with trajectory=True")
     own = own or flight.own
     model = flight.scenario.flight_model(own)
     c, count = flight.columns, len(model.airframe.arms)
@@ -141,7 +140,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     world = flight.scenario.world
-    things = drawn(world.obstacles, own, place, touches, flight.own_surfaces)
+    things = drawables(world.obstacles, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
@@ -189,7 +188,7 @@ def _arm_shapes(model: Model) -> tuple[ArmShape, ...]:
 
 
 def _thrust(flight: Flight, model: Model, t: Array) -> Array:
-    """Of each rotor [N], shape (instants, rotors): telemetry's last, else the constant one."""
+    """Rotor thrusts [N], shape (instants, rotors), from the telemetry, else the constant thrust."""
     if "thrust1" not in flight.telemetry:
         return np.broadcast_to(np.array(model.thrust, dtype=float), (len(t), len(model.thrust)))
     page = np.clip(np.searchsorted(flight.telemetry["t"], t, "right") - 1, 0, None)
@@ -200,7 +199,7 @@ def _thrust(flight: Flight, model: Model, t: Array) -> Array:
 def _series(
     flight: Flight, model: Model, loads: LoadHistory, thrust: Array, places: Any
 ) -> tuple[Series, ...]:
-    """What is plotted over time."""
+    """Curves over time."""
     c = {name: values[places] for name, values in flight.columns.items()}
     arms = list(enumerate(model.airframe.arms, start=1))
     speed = np.sqrt(c["vx"] ** 2 + c["vy"] ** 2 + c["vz"] ** 2)
@@ -234,7 +233,7 @@ def _series(
 
 
 def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
-    """Where the picture cannot tell what the trajectory says."""
+    """Remark if the drawn contact forces differ from those of the trajectory."""
     parts = parts_of(flight.columns)
     columns = [np.stack([flight.columns[f"{kind}{part}"][places] for part in parts], axis=1)
                for kind in ("fn", "ff")]  # fmt: skip
@@ -247,7 +246,7 @@ def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
         return ()
     return (
         f"some contact forces, up to {off:.3g} N, come from obstacles of your own, whose contact "
-        "laws no file keeps, and are not drawn as arrows",
+        "laws are not stored in the file, and are not drawn as arrows",
     )
 
 
@@ -255,19 +254,19 @@ def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
 
 
 def plain(scene: Scene) -> dict[str, Any]:
-    """A scene as plain data for JSON; the format is that of the module's docstring."""
+    """Scene as plain data for JSON, in the format of the module's docstring."""
     told = {field.name: _plain(getattr(scene, field.name)) for field in fields(scene)}
-    told["t"] = _packed(scene.t, "f8")
+    told["t"] = _pack(scene.t, "f8")
     at = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
     for name in ("force", "point"):
         rows = getattr(scene, name)[at]
-        told[name] = {"at": _packed(at, "i4"), "of": _packed(rows, "f4")}
+        told[name] = {"at": _pack(at, "i4"), "of": _pack(rows, "f4")}
     return told
 
 
 def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
-        return _packed(value, "i4" if value.dtype.kind in "iu" else "f4")
+        return _pack(value, "i4" if value.dtype.kind in "iu" else "f4")
     if is_dataclass(value):
         return {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
@@ -279,8 +278,8 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _packed(values: Any, kind: str) -> dict[str, Any]:
-    """An array as text: type, shape and the numbers in base64."""
+def _pack(values: Any, kind: str) -> dict[str, Any]:
+    """Array as type, shape and base64 text of its numbers."""
     data = np.ascontiguousarray(values, dtype=f"<{kind}")
     text = base64.b64encode(data.tobytes()).decode("ascii")
     return {"type": kind, "shape": list(data.shape), "data": text}

@@ -1,4 +1,4 @@
-"""The replay of one flight or two: as a page that is served, or as a file."""
+"""Replay of one flight or two, as a served page or a file."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from springback.results.flight import Flight, fly
 from springback.results.saved import read_result
 from springback.scenario.files import read_scenario
 
-#: Flights on one page.
+#: Most flights on one page.
 MOST = 2
 TWINS = {"arq": "quad", "quad": "arq", "arq-slider": "quad-slider", "quad-slider": "arq-slider"}
 
 
 def flights_of(paths: Sequence[Path], *, twin: bool = False) -> list[Flight]:
-    """Flights of result folders; scenario files are flown.
+    """Flights read from result folders, or flown from scenario files.
 
     Args:
         paths: Folders that `springback fly` wrote, or TOML files.
-        twin: Fly the rigid twin of a compliant vehicle beside it, or the other way round.
+        twin: Also fly the rigid twin of a compliant vehicle, or the compliant twin of a rigid one.
 
     Raises:
-        InputError: If one is neither, or a twin is asked for beside a folder or two flights.
+        InputError: If a path is neither, or a twin is requested for a folder or two flights.
     """
     if not 1 <= len(paths) <= MOST:
         raise InputError(f"RESULT: give one or {MOST} (got {len(paths)})")
     if twin and (len(paths) != 1 or paths[0].is_dir()):
-        raise InputError("--twin: is for one SCENARIO.toml; give two result folders instead")
+        raise InputError("--twin: needs a single SCENARIO.toml; for results give two folders")
     flights = []
     for path in paths:
         if path.suffix.lower() == ".toml" and not path.is_dir():
@@ -46,10 +46,10 @@ def flights_of(paths: Sequence[Path], *, twin: bool = False) -> list[Flight]:
 
 
 def twin_words(flight: Flight) -> list[str]:
-    """Overrides that make a vehicle its twin: the preset's own, else with its arms locked or free.
+    """Overrides that turn a vehicle into its twin: the preset's, else arms locked or released.
 
     Args:
-        flight: Of the vehicle.
+        flight: A flight of the vehicle.
     """
     vehicle = flight.scenario.vehicle
     if vehicle.name in TWINS:
@@ -59,32 +59,32 @@ def twin_words(flight: Flight) -> list[str]:
 
 
 def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> Page:
-    """The page of some flights.
+    """Replay page of flights.
 
     Args:
         flights: One or two.
-        origins: Of each the folder or file that it was read from, where there is one.
+        origins: Folder or file that each was read from, if any.
     """
     return replay_page(scenes_of(flights, origins))
 
 
 def replay_page(scenes: Sequence[Scene]) -> Page:
-    """The page of some scenes."""
+    """Replay page of scenes."""
     names = " and ".join(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
     data = {"flights": [plain(scene) for scene in scenes]}
     return page_of(f"{names} – springback", "replay", data)
 
 
-def exported(page: Page, path: Path, *, force: bool = False) -> None:
-    """Write a page, whole or not at all.
+def export_page(page: Page, path: Path, *, force: bool = False) -> None:
+    """Write a page to a file, completely or not at all.
 
     Raises:
-        InputError: If there is a file already and ``force`` is off, or it cannot be written.
+        InputError: If the file exists without ``force``, or cannot be written.
     """
     if path.is_dir():
         raise InputError(f"--export {path}: is a folder; give a file such as flight.html")
     if path.exists() and not force:
-        raise InputError(f"--export {path}: is there already; --force replaces it")
+        raise InputError(f"--export {path}: already exists; --force replaces it")
     try:
         write_atomically(path, page.text)
     except OSError as error:
@@ -92,7 +92,7 @@ def exported(page: Page, path: Path, *, force: bool = False) -> None:
 
 
 def replay_app(page: Page) -> App:
-    """An application that serves a page and nothing else."""
+    """Application that serves a page and nothing else."""
     from starlette.applications import Starlette
     from starlette.requests import Request
     from starlette.responses import HTMLResponse, Response

@@ -1,4 +1,4 @@
-"""The summary of a campaign: as text, and as files."""
+"""Summary of a campaign as text and as files."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from springback.interfaces.reports.outcomes import outcome_table, quantile_table
 
 
 def summary_text(found: Summary) -> str:
-    """A summary for a terminal."""
+    """Summary for a terminal."""
     about = found.campaign.about
     done, of = found.campaign.done, about["flights"]
-    state = "complete" if done == of else f"{100.0 * done / of:.1f} %, go on by --resume"
+    state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
         f"{about['name']}: {done} of {of} flights ({state})",
         f"success: {found.campaign.design.success}",
@@ -24,7 +24,7 @@ def summary_text(found: Summary) -> str:
         as_text(*outcome_table(found.robots)),
         *([found.refusal] * bool(found.refusal)),
         "",
-        "10 %, 50 %, 90 % of flights lie below",
+        "10 %, 50 % and 90 % quantiles of flights",
         as_text(*quantile_table(found.robots)),
     ]
     return "\n".join(
@@ -40,13 +40,13 @@ def write_summary(
     scatter: bool = False,
     figures: bool = True,
 ) -> list[Path]:
-    """Write ``summary.json`` and, with figures, those and the page ``summary.html``.
+    """Write ``summary.json`` and, with ``figures``, figures and the page ``summary.html``.
 
     Args:
         found: The summary.
-        folder: To write into.
-        pairs: Fields to be mapped two by two; by default all of the first four.
-        scatter: Show success along the scattered parameters, too.
+        folder: Folder to write into.
+        pairs: Pairs of fields to map; by default all pairs of the first four.
+        scatter: Show success over the scattered parameters, too.
         figures: Write figures and the page.
 
     Returns:

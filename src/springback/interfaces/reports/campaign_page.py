@@ -1,4 +1,4 @@
-"""The page of a campaign; its words and their order are in ``templates/campaign.toml``."""
+"""Page of a campaign; its text and layout are in ``templates/campaign.toml``."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ from springback.interfaces.reports.page import (
 from springback.studies.proportions import CONFIDENCE
 
 WORDS = Wording.of("campaign")
-#: Fields of which all pairs are drawn, unless pairs are named (chosen: six maps).
+#: Number of fields whose pairs are drawn by default (chosen: six maps).
 MOST_PAIRED = 4
-#: Cells along a field of a map, so that each holds some flights: at most, and for so many each.
+#: Most cells along a field of a map, and least mean number of flights in a cell (chosen).
 MOST_CELLS, FLIGHTS_EACH = 16, 20
 
 
 def write_page(
     found: Summary, marginals: Sequence[Marginal], folder: Path, pairs: Sequence[tuple[str, str]]
 ) -> list[Path]:
-    """Write figures, and the page ``summary.html`` that shows them.
+    """Write figures, and the page ``summary.html`` with them.
 
     Args:
         found: The summary.
-        marginals: Success along each field.
-        folder: To write into.
-        pairs: Fields to be mapped two by two; by default all of the first four.
+        marginals: Success over each field.
+        folder: Folder to write into.
+        pairs: Pairs of fields to map; by default all pairs of the first four.
 
     Returns:
         The files written.
@@ -61,7 +61,7 @@ def write_page(
 def _pictures(
     found: Summary, marginals: Sequence[Marginal], pairs: Sequence[tuple[str, str]]
 ) -> list[FigureBlock]:
-    """Success along each field, and over pairs of them."""
+    """Figures of success over each field, and over pairs of fields."""
     campaign, blocks = found.campaign, []
     flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
     cells = max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
@@ -81,7 +81,7 @@ def words_of_map(x: str, y: str) -> str:
 
 
 def _page(found: Summary, pictures: Sequence[FigureBlock]) -> tuple[str, list[Section]]:
-    """The line below the title, and the sections."""
+    """Line below the title, and sections."""
     about = found.campaign.about
     confidence = {"confidence": 100 * CONFIDENCE}
     shares = "; ".join(f"{_plain(one.robot)} {share_text(one.success)}" for one in found.robots)
@@ -103,7 +103,7 @@ def _page(found: Summary, pictures: Sequence[FigureBlock]) -> tuple[str, list[Se
 
 
 def _entries(head: list[str], rows: list[tuple[Any, ...]]) -> list[Sequence[Entry]]:
-    """A table of the terminal as one of the page."""
+    """Convert a table of the terminal to one of the page."""
 
     def entry(value: Any) -> Entry:
         if isinstance(value, float):
@@ -114,5 +114,5 @@ def _entries(head: list[str], rows: list[tuple[Any, ...]]) -> list[Sequence[Entr
 
 
 def _plain(text: str) -> str:
-    """Names as people write them: robots, outcomes and units."""
+    """Names for people: of robots, outcomes and units."""
     return with_labels(re.sub(r"(?<=[a-z])_(?=[a-z])", " ", text).replace("^2", "²"))

@@ -1,4 +1,4 @@
-"""A map of success on one page: how far each robot gets, the figure, and every cell in words."""
+"""Page of a map of success: reach of each robot, the figure, and a table of all cells."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ WORDS = Wording.of("map")
 
 
 def map_page(envelope: Envelope, printed: Printed) -> str:
-    """The HTML page of a map, which refers to nothing outside itself.
+    """Self-contained HTML page of a map.
 
     Args:
-        envelope: Of one or more robots.
-        printed: What the paper prints of its tests.
+        envelope: Envelope of one or more robots.
+        printed: Function that returns the paper's result of a test.
     """
     axes = {"x": envelope.x.label, "y": envelope.y.label}
     picture = WORDS.say("picture", level=plain(100 * LEVEL), **axes)
-    reaches = tuple(_named(envelope.sentence(robot) + ".") for robot in envelope.robots)
+    reaches = tuple(_with_labels(envelope.sentence(robot) + ".") for robot in envelope.robots)
     asked = WORDS.say("asked", robots=_names(envelope), trials=envelope.trials, **axes)
     short: Blocks = (asked, *reaches, FigureBlock("map", picture, map_figure(envelope, printed)))
     tables = tuple(_table(envelope, robot) for robot in envelope.robots)
@@ -39,7 +39,7 @@ def map_page(envelope: Envelope, printed: Printed) -> str:
     return page(WORDS.say("title", **axes), sections, lead=WORDS.say("lead"))
 
 
-def _named(sentence: str) -> str:
+def _with_labels(sentence: str) -> str:
     preset, _, rest = sentence.partition(":")
     return f"{ROBOTS.get(preset, preset)}:{rest}"
 
@@ -49,7 +49,7 @@ def _names(envelope: Envelope) -> str:
 
 
 def _table(envelope: Envelope, robot: str) -> Table:
-    """Successes, a row for each value of y, the largest on top."""
+    """Table of successes, a row for each value of y, the largest on top."""
     lines = []
     for row in sorted(range(len(envelope.y.values)), key=lambda j: -envelope.y.values[j]):
         cells = [envelope.cells[Place(robot, i, row)] for i in range(len(envelope.x.values))]

@@ -1,4 +1,4 @@
-"""The files of a flight: its numbers, and figures of them."""
+"""Files of a flight: numbers and figures."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
-from springback.results.sealed_json import file_digest, sealed
+from springback.results.sealed_json import file_digest, with_digest
 
-#: Files that a flight leaves: those of an earlier one go when it is replaced.
+#: Files of a flight, which are removed when another one replaces it.
 FLIGHT_FILES = (
     SUMMARY, "trajectory.parquet", "telemetry.parquet",
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
@@ -21,14 +21,13 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     """Write ``summary.json``, ``trajectory.parquet``, a pilot's ``telemetry.parquet``, and figures.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
-    flight beside its reference, and ``impact.png`` the collision if there was one.  The numbers of
-    each are in a CSV file of the same name.  The summary names all of them with their digests
-    (``files``) and has one of its own (``seal``), so that no file of another flight is taken for
-    one of this.
+    flight with its reference, and ``impact.png`` the collision if there was one.  The numbers of
+    each are in a CSV file of the same name.  The summary lists all files with their digests
+    (``files``) and its own (``seal``), so that files of other flights are recognised.
 
     Args:
         flight: Any.
-        folder: To write into.
+        folder: Folder to write into.
         figures: Write figures, too.
 
     Returns:
@@ -52,12 +51,12 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             written[-2].write_bytes(picture)
             written[-1].write_text(numbers, encoding="utf-8")
     files = {path.name: file_digest(path) for path in written}
-    write_json(folder / SUMMARY, sealed(summary | {"files": files}))
+    write_json(folder / SUMMARY, with_digest(summary | {"files": files}))
     return [folder / SUMMARY, *written]
 
 
 def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:
-    """The figures of a flight by name: PNG files, and what they show as CSV."""
+    """Figures of a flight by name, as PNG and CSV."""
     from springback.interfaces.figures import flight as plots
     from springback.interfaces.figures import style
 

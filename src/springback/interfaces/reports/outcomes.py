@@ -1,4 +1,4 @@
-"""Tables of a campaign: outcomes of each robot, and quantiles of its measures."""
+"""Tables of a campaign: outcomes and quantiles of measures of each robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from springback.campaign.columns import known_columns
 
 
 def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Flights, success and outcomes, a row for each robot."""
+    """Table of flights, success and outcomes, a row for each robot."""
     words = sorted({word for robot in robots for word in robot.outcomes})
     rows = [
         (
@@ -25,7 +25,7 @@ def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple
 
 
 def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Quantiles of measures, a row for each measure and robot."""
+    """Table of quantiles, a row for each measure and robot."""
     rows: list[tuple[Any, ...]] = []
     names = dict.fromkeys(name for robot in robots for name in robot.measures)
     for name in names:
@@ -34,20 +34,20 @@ def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tupl
         for robot in robots:
             if name in robot.measures:
                 count, (low, middle, high) = robot.measures[name]
-                numbers = [_scaled(e.value, factor) for e in (low, middle, high)]
-                bounds = [_scaled(middle.low, factor), _scaled(middle.high, factor)]
+                numbers = [_scale(e.value, factor) for e in (low, middle, high)]
+                bounds = [_scale(middle.low, factor), _scale(middle.high, factor)]
                 interval = " to ".join("?" if b is None else f"{b:.4g}" for b in bounds)
                 shown = [None if n is None else float(f"{n:.4g}") for n in numbers]
                 rows.append((f"{name} [{unit or '-'}]", robot.robot, count, *shown, interval))
     return ["measure", "robot", "flights", "10 %", "50 %", "90 %", "median, 95 %"], rows
 
 
-def _scaled(value: float | None, factor: float) -> float | None:
+def _scale(value: float | None, factor: float) -> float | None:
     return None if value is None else value * factor
 
 
 def share_text(estimate: IntervalEstimate) -> str:
-    """A share with its interval, in percent."""
+    """Share with its interval, in percent."""
     if estimate.value is None or estimate.low is None or estimate.high is None:
         return "-"
     value, low, high = (100.0 * x for x in (estimate.value, estimate.low, estimate.high))

@@ -1,7 +1,7 @@
-"""Reports: one page that needs nothing else, made of sections, and these of blocks.
+"""Reports: self-contained pages of sections, which consist of blocks.
 
-A block is a paragraph, a table or a picture; one template lays them out.  Words and the order of
-blocks are in files of their own (``templates/*.toml``); code computes the numbers, by name.
+A block is a paragraph, a table or a picture; one template lays them out.  Text and order of blocks
+are in ``templates/*.toml``; code computes the numbers, by name.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ class TableCell:
     detail: str = ""
     mark: Mark | None = None
     links: tuple[tuple[str, str], ...] = ()
-    """Words that lead to anchors of the page, after the text."""
+    """Texts and anchors of links after the text."""
 
 
 Entry = TableCell | str | float | None
-"""An entry of a table: a cell, or a text or number that becomes one; None is a dash."""
+"""Entry of a table: a cell, or a text or number to convert; None becomes a dash."""
 
 
 def table_cell(entry: Entry) -> TableCell:
-    """An entry as a cell; what is None is a dash."""
+    """Entry as a cell; None becomes a dash."""
     if isinstance(entry, TableCell):
         return entry
     return TableCell(entry) if isinstance(entry, str) else TableCell(plain(entry), entry)
@@ -53,7 +53,7 @@ class Table:
     head: tuple[str, ...]
     rows: tuple[tuple[TableCell, ...], ...]
     folded: bool = False
-    """Shown only when asked for, being long."""
+    """True for a long table that is initially folded."""
 
 
 def table(
@@ -65,7 +65,7 @@ def table(
 
 @dataclass(frozen=True)
 class FigureBlock:
-    """A figure within the page."""
+    """A figure embedded in the page."""
 
     name: str
     text: str
@@ -73,7 +73,7 @@ class FigureBlock:
 
     @property
     def anchor(self) -> str:
-        """Its anchor on the page."""
+        """Anchor on the page."""
         return f"figure-{self.name}"
 
     @property
@@ -83,13 +83,13 @@ class FigureBlock:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height on the page [CSS pixels]."""
+        """Width and height on the page [CSS px]."""
         width, height = self.figure.get_size_inches()
         return round(150 * width), round(150 * height)
 
 
 class KeyPoint(NamedTuple):
-    """The answer of a section, in a sentence."""
+    """Answer of a section in a sentence."""
 
     anchor: str
     name: str
@@ -108,31 +108,31 @@ Blocks = tuple[str | Table | FigureBlock | KeyPoints, ...]
 
 @dataclass(frozen=True)
 class Section:
-    """A part of the page: paragraphs (plain text), tables and pictures, in their order."""
+    """A section of the page: paragraphs (plain text), tables and pictures, in order."""
 
     anchor: str
     title: str
     blocks: Blocks
     part: str = ""
-    """Title of the part of the page that begins here, if one does."""
+    """Title of the part of the page that begins here, if any."""
     summary: bool = False
-    """At the very top, before the contents."""
+    """True for a section at the top, before the contents."""
     answers: bool = False
-    """Begins with a question and its answer, the second paragraph."""
+    """True if the section begins with a question and its answer, the second paragraph."""
 
     @property
     def answer(self) -> str:
-        """The answer, where there is one."""
+        """Answer, if there is one."""
         words = [block for block in self.blocks if isinstance(block, str)]
         return words[1] if self.answers and len(words) > 1 else ""
 
 
 Content = Mapping[str, Any]
-"""Numbers, texts, rows of tables and figures, by the names that the blocks of a section use."""
+"""Numbers, texts, rows of tables and figures, by the names used in the blocks of a section."""
 
 
 class _PageFormatter(string.Formatter):
-    """Text with numbers put in: as they are, or by a format of Python's, with a true minus."""
+    """Formatter with a typographic minus; numbers without a format are shown as they are."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
         if isinstance(value, int | float | None):
@@ -144,39 +144,39 @@ class _PageFormatter(string.Formatter):
 
 @dataclass(frozen=True)
 class Wording:
-    """The words of a part of the report, by key, and its sections."""
+    """Texts of a part of the report, by key, and its sections."""
 
     text: dict[str, Any]
 
     @classmethod
     def of(cls, name: str) -> Wording:
-        """The words in a file of ``templates``, named without suffix."""
+        """Texts in a file of ``templates``, named without suffix."""
         path = files("springback.interfaces") / "templates" / f"{name}.toml"
         return cls(tomllib.loads(path.read_text("utf-8")))
 
     def say(self, key: str, **values: Any) -> str:
-        """A paragraph, with its numbers put in."""
-        return _said(self.text[key], values)
+        """Text of a key with its numbers filled in."""
+        return _fill(self.text[key], values)
 
     def head(self, key: str) -> tuple[str, ...]:
-        """The heads of a table's columns."""
+        """Column heads of a table."""
         return tuple(self.text["heads"][key])
 
     def title(self, key: str) -> str:
-        """The title of a section."""
+        """Title of a section."""
         return str(self.text["titles"][key])
 
     def sections(self, content: Mapping[str, Content]) -> list[Section]:
-        """The sections of a part, as its file lays them out.
+        """Sections of a part, as laid out by its file.
 
         A block of a section is a paragraph; ``table``, the name of its rows, with ``caption`` and
-        ``head``, without which the first row is the head; ``figure``, its name, with ``caption``;
-        ``text``; or ``blocks``, the name of some that are made already.  Those that name something,
-        by ``when``, too, are left out if it is missing or empty.
+        ``head`` (the first row by default); ``figure``, its name, with ``caption``; ``text``; or
+        ``blocks``, the name of finished blocks.  A block that names content, also by ``when``, is
+        left out if that is missing or empty.
 
         Args:
-            content: For each section, by its anchor, the numbers, rows of tables and figures that
-                its blocks name.  A section that is missing here, or empty, is left out.
+            content: Numbers, rows of tables and figures named by the blocks of each section, by
+                its anchor.  A section that is missing here, or empty, is left out.
         """
         found: list[Section] = []
         for entry in self.text["sections"]:
@@ -190,38 +190,38 @@ class Wording:
         return found
 
 
-def _said(words: str, values: Mapping[str, Any]) -> str:
+def _fill(words: str, values: Mapping[str, Any]) -> str:
     return _PageFormatter().vformat(words.strip("\n").replace("\n", " "), (), values)
 
 
 def _blocks(entry: str | Mapping[str, Any], values: Mapping[str, Any]) -> Blocks:
-    """The blocks that an entry of a section's file describes."""
+    """Blocks described by an entry of a section's file."""
     if isinstance(entry, str):
-        return (_said(entry, values),)
+        return (_fill(entry, values),)
     kind = next(key for key in ("text", "table", "figure", "blocks") if key in entry)
     needed = [entry[key] for key in ("when", kind) if key in entry and key != "text"]
     if not all(values.get(name) for name in needed):
         return ()
     if kind == "text":
-        return (_said(entry["text"], values),)
+        return (_fill(entry["text"], values),)
     if kind == "blocks":
         return tuple(values[entry["blocks"]])
-    caption = _said(entry["caption"], values)
+    caption = _fill(entry["caption"], values)
     if kind == "figure":
         return (FigureBlock(entry["figure"], caption, values[entry["figure"]]),)
     lines = values[entry["table"]]
     if "head" in entry:
-        lines = [[_said(word, values) for word in entry["head"]], *lines]
+        lines = [[_fill(word, values) for word in entry["head"]], *lines]
     return (table(caption, lines[0], lines[1:], folded=entry.get("folded", False)),)
 
 
 def page(title: str, sections: Sequence[Section], lead: str) -> str:
-    """The HTML page of some sections; it refers to nothing outside itself.
+    """Self-contained HTML page of sections.
 
     Args:
-        title: Of the page.
-        sections: In their order.
-        lead: The line below the title.
+        title: Title of the page.
+        sections: Sections in order.
+        lead: Line below the title.
     """
     environment = Environment(
         loader=PackageLoader("springback.interfaces"), autoescape=True, undefined=StrictUndefined,
@@ -233,44 +233,44 @@ def page(title: str, sections: Sequence[Section], lead: str) -> str:
 
 
 def _symbols(text: str) -> Markup:
-    """Text, escaped, with minus signs and the symbols of the paper set as such."""
+    """Escaped text, with typographic minus signs and the symbols of the paper as such."""
     known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
     signed = re.sub(r"(?<![\w.)-])-(?=\d)", "−", str(escape(text)))
     return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
 
 
-def rounded(value: float | None, decimals: int) -> str:
-    """A number, rounded as print would."""
+def decimal(value: float | None, decimals: int) -> str:
+    """Number rounded half away from zero, as in print."""
     return "–" if value is None else f"{value:.{decimals}f}".replace("-", "−")
 
 
 def number(value: float, decimals: int) -> str:
-    """A number, rounded, without a negative zero."""
+    """Rounded number, without a negative zero."""
     return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−")
 
 
 def plain(value: float | None) -> str:
-    """A given or printed number with no more digits than it has; a count with all of them."""
+    """Given or printed number with no more digits than it has; a count with all of them."""
     if isinstance(value, int):
         return str(value)
     return "–" if value is None else f"{value:.6g}".replace("e+0", "e")
 
 
 def percent(share: float | None) -> str:
-    """A signed share in percent."""
+    """Signed share in percent."""
     if share is None:
         return ""
     return f"{round(100.0 * share, 1) + 0.0:+.1f} %".replace("-", "−")
 
 
-def listed(words: Iterable[str]) -> str:
-    """Words as one says them: a, b and c."""
+def join(words: Iterable[str]) -> str:
+    """Enumeration of words: a, b and c."""
     *most, last = [*words] or ["none"]
     return f"{', '.join(most)} and {last}" if most else last
 
 
 def words_of_power(value: float) -> str:
-    """A small number as one writes it by hand, such as 3 · 10⁻⁸."""
+    """Small number with a power of ten, such as 3 · 10⁻⁸."""
     digit, power = f"{max(value, 1e-16):.0e}".split("e")
     raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     return f"{digit} · 10{raised}"

@@ -1,1 +1,1 @@
-"""The report on the paper: its numbers beside ours."""
+"""Report on the paper: its numbers and ours."""

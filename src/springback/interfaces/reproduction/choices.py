@@ -1,6 +1,6 @@
-"""Assumptions that decide the collisions in flight, and the limits of both robots.
+"""Effect of open assumptions on the collisions in flight, and the limits of both robots.
 
-The words are in ``templates/resilience.toml``.
+The text is in ``templates/resilience.toml``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from springback.interfaces.figures import envelope as plots_map
 from springback.interfaces.output.robots import ROBOTS as LOOKS
 from springback.interfaces.reports.page import Content, Entry, TableCell, Wording, number, plain
 from springback.interfaces.reproduction.figures import choices
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.paper.choices import EKF2, OURS, PLAUSIBLE, PRINTED_TRIALS
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import printed_success
@@ -21,12 +21,12 @@ WORDS = Wording.of("resilience")
 
 
 def condition(pitch: float, speed: float) -> str:
-    """A condition in words."""
-    return f"{signed(pitch)}°, {plain(speed)} m/s"
+    """Label of a condition."""
+    return f"{signed_angle(pitch)}°, {plain(speed)} m/s"
 
 
 def choices_content(results: ResilienceResults) -> Content:
-    """The table under each set of choices, and how much of print each gives."""
+    """Content on the table under each set of choices, and its agreement with print."""
     found = results.choices
     if found is None or not found.cells:
         return {}
@@ -36,10 +36,10 @@ def choices_content(results: ResilienceResults) -> Content:
             TableCell(f"{one.plausible} of {one.numbers}", one.plausible),
             TableCell(f"{one.words} of {one.phrases}", one.words),
         )
-        for one in (found.agreement(*flown) for flown in found.flown)
+        for one in (found.agreement(*flown) for flown in found.combinations)
     ]  # fmt: skip
     best = found.best()
-    columns = [one for one in found.flown if one[0].friction == best.choice.friction]
+    columns = [one for one in found.combinations if one[0].friction == best.choice.friction]
     fates: list[Sequence[Entry]] = [("", *(choice.estimator for choice, _ in columns))]
     for of in ((robot, *test) for robot in ROBOTS for test in ORDER):
         outcomes = (_fate(found.table(*one).get(of)) for one in columns)
@@ -53,7 +53,7 @@ def choices_content(results: ResilienceResults) -> Content:
 
 
 def _fate(cell: Chosen | None) -> TableCell | None:
-    """Recovered of the trials; medians of height lost, distance and time."""
+    """Recovered trials; medians of height loss, distance and time."""
     if cell is None:
         return None
     loss, far, time = (
@@ -65,7 +65,7 @@ def _fate(cell: Chosen | None) -> TableCell | None:
 
 
 def map_content(results: ResilienceResults) -> Content:
-    """Recoveries of each robot over speed and pitch."""
+    """Content on the recoveries of each robot over speed and pitch."""
     envelope = results.envelope
     if envelope is None:
         return {}

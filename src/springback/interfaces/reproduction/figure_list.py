@@ -1,4 +1,4 @@
-"""Every figure of the paper, and its counterpart here."""
+"""Figures of the paper and their counterparts here."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ class PaperFigure(NamedTuple):
 
     name: str
     shows: str
-    """In our words."""
+    """Content, in our words."""
     ours: tuple[str, ...]
-    """Names of figures of the report; none if there is nothing to compute."""
+    """Names of figures of the report; empty if there is nothing to compute."""
     note: str = ""
 
 
@@ -28,10 +28,10 @@ PAPER_FIGURES = tuple(
 
 
 def figure_rows(drawn: Collection[str]) -> list[tuple[Entry, ...]]:
-    """Figures of the paper beside those of a report.
+    """Table of the paper's figures and those of a report.
 
     Args:
-        drawn: Names of the figures that the report holds.
+        drawn: Names of the figures in the report.
     """
     rows: list[tuple[Entry, ...]] = []
     for figure in PAPER_FIGURES:

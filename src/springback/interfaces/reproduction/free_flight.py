@@ -1,6 +1,6 @@
 """Features and free flight in the report: Table I and Table IV.
 
-The words and their order are in ``templates/flight.toml``.
+The text and its order are in ``templates/flight.toml``.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    join,
     percent,
     plain,
     words_of_power,
@@ -49,14 +49,14 @@ from springback.studies.comparison import Mark, Row
 WORDS = Wording.of("flight")
 NAMES = {name: look.label for name, look in ROBOT_STYLES.items()}
 TWICE = 2.0
-"""Factor within which a mean square error on a circle is counted as near."""
+"""Factor within which a mean square error on a circle counts as close."""
 THOUSANDTHS = "10⁻³"
 CURVE_STEP = 0.01
-"""[s], chosen: between the points of curves in CSV files."""
+"""Chosen: spacing of the points of curves in CSV files [s]."""
 
 
 def flight_sections(features: Sequence[Row], results: FlightResults | None) -> list[Section]:
-    """The part of features and free flight, section by section; what is not there is left out."""
+    """Sections on features and free flight; parts without results are left out."""
     content = {"features": _features(features) if features else {}}
     if results is not None:
         rows = results.rows()
@@ -70,7 +70,7 @@ def flight_sections(features: Sequence[Row], results: FlightResults | None) -> l
 
 
 def _digits(value: float | None, digits: int = 3) -> str:
-    """A computed number with as many digits as print has, about."""
+    """Computed number with about as many digits as the printed one."""
     if value is None:
         return "–"
     return f"{value:#.{digits}g}".rstrip(".").replace("-", "−")
@@ -93,12 +93,12 @@ def _label(row: Row, unit: str | None = None) -> str:
 
 
 def _set(unit: str) -> str:
-    """A unit as it is written in a text."""
+    """Unit as written in a text."""
     return unit.replace("^2", "²")
 
 
 def _by_line(rows: Sequence[Row]) -> dict[tuple[str, str], dict[str, Row]]:
-    """Rows by quantity and reading, and then by robot."""
+    """Rows by quantity and reading, then by robot."""
     lines: dict[tuple[str, str], dict[str, Row]] = {}
     for row in rows:
         lines.setdefault((row.quantity, row.reading), {})[row.robot] = row
@@ -106,11 +106,11 @@ def _by_line(rows: Sequence[Row]) -> dict[tuple[str, str], dict[str, Row]]:
 
 
 def _named(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
-    """Contradicted numbers in words, line by line."""
+    """Contradicted numbers as text, line by line."""
     words = []
     for line in _by_line([row for row in rows if row.mark is Mark.CONTRADICTED]).values():
         first = next(iter(line.values()))
-        who = listed(
+        who = join(
             f"{robots.get(robot, robot)} ({percent(row.deviation)})" for robot, row in line.items()
         )
         words.append(f"{_label(first, '')} of {who}")
@@ -208,7 +208,7 @@ def _circles(results: FlightResults, rows: Sequence[Row]) -> Content:
 
 
 def _table_iv(rows: Sequence[Row], scale: float = 1.0, prefix: str = "") -> list[list[Entry]]:
-    """Ours and print for each robot, side by side."""
+    """Rows of Table IV: ours and printed for each robot."""
     head = [f"{name}, {whose}" for name in NAMES.values() for whose in ("printed", "ours")]
     lines: list[list[Entry]] = [["", *head]]
     for line in _by_line(rows).values():
@@ -247,7 +247,7 @@ def _wrong(results: FlightResults, steps: Sequence[Row], circles: Sequence[Row])
 
 
 def _without_start(results: FlightResults) -> list[list[Entry]]:
-    """Circles with and without the first round, beside print."""
+    """Rows of circles with and without the first round, and printed."""
     head = [f"{NAMES[robot]}, {rounds} rounds" for robot in ROBOTS for rounds in ("all", "later")]
     lines: list[list[Entry]] = [["", *head]]
     for pace, (k, name) in product(PERIODS, enumerate(QUANTITIES)):
@@ -265,7 +265,7 @@ def _without_start(results: FlightResults) -> list[list[Entry]]:
 
 
 def flight_data(results: FlightResults) -> dict[str, Any]:
-    """Every trial of Table IV, as plain data."""
+    """Trials of Table IV, as plain data."""
     return {
         "steps": [
             {"robot": r.robot, "seed": r.seed, "rise_time": dict(r.rise), "mse": dict(r.mse)}
@@ -286,7 +286,7 @@ def flight_data(results: FlightResults) -> dict[str, Any]:
 
 
 def flight_tables(results: FlightResults | None) -> dict[str, list[dict[str, Any]]]:
-    """Data of the figures, by the name of a CSV file."""
+    """Data of the figures by CSV file name."""
     tables = {"endurance.csv": _endurance_rows()}
     if results is not None:
         tables |= {"steps.csv": _step_rows(results), "circles.csv": _circle_rows(results)}

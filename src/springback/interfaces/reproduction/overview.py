@@ -1,6 +1,6 @@
-"""The summary of a report: the question, the answer in a sentence and a picture, part by part.
+"""Summary of a report: the question, and the answer in a sentence, a picture and a table.
 
-The words are in ``templates/overview.toml``.
+The text is in ``templates/overview.toml``.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("overview")
 WITHIN = (AGREEMENT, 0.10, 0.25)
-"""Chosen: shares of the printed value within which agreement is counted."""
+"""Chosen: relative deviations from the printed value within which agreement is counted."""
 SHARES = ("share", "wider", "widest")
 """Names of these in the text."""
 OWN = "ARQ's own"
-"""Begins where c_a comes from in tests that ask what a fit to ARQ would take."""
+"""Prefix of the source of c_a in tests with a fit to ARQ."""
 Groups = dict[str, list[Row]]
 
 
-def untouched(rows: Sequence[Row]) -> list[Row]:
-    """Compared numbers to which nothing was fitted, directly or through c_a of their own test.
+def unfitted_rows(rows: Sequence[Row]) -> list[Row]:
+    """Compared numbers that no parameter was fitted to, directly or through c_a of their own test.
 
     Args:
         rows: All compared numbers.
@@ -44,14 +44,14 @@ def untouched(rows: Sequence[Row]) -> list[Row]:
 
 
 def groups(rows: Sequence[Row]) -> Groups:
-    """`untouched` numbers by the part of the paper they belong to; readings apart.
+    """`unfitted_rows` by part of the paper and, where there are several, reading.
 
     Args:
         rows: All compared numbers.
     """
     found: Groups = {}
     for part in WORDS.text["parts"].values():
-        for row in untouched(rows):
+        for row in unfitted_rows(rows):
             if _belongs(row, part):
                 found.setdefault(part["name"].format(reading=row.reading), []).append(row)
     return found
@@ -67,35 +67,35 @@ def _belongs(row: Row, part: dict[str, Any]) -> bool:
 
 
 class Counts(NamedTuple):
-    """Printed numbers, each counted once, and how many agree."""
+    """Number of printed values, each counted once, and of those that agree."""
 
     numbers: int
     default: int
-    """With the default choices: the reading that every flight has, springback's estimator."""
+    """With the default choices: the reading used for flights, and springback's estimator."""
     best: int
-    """With one other reading of the slider, and one other estimator in flight."""
+    """With the best reading of the slider and the best estimator in flight."""
     somehow: int
     """With any of the readings and estimators."""
     reading: str
-    """On the slider, of `best`; empty where no slider was flown."""
+    """Reading of `best`; empty without slider tests."""
     estimator: str
-    """In flight, of `best`; empty where no other was flown."""
+    """Estimator of `best`; empty if no other was flown."""
 
 
 def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
-    """Every printed number once, with its counterparts, a row for each set of choices.
+    """Printed numbers with their counterparts, a row for each set of choices.
 
-    A number that can be defined in several ways counts by one of them: COR when the cage leaves,
-    contact time until the body is back, the pitch that was flown.
+    Of a number with several definitions one counts: COR when the cage separates, contact time until
+    the body is back, the pitch that was flown.
 
     Args:
         rows: All compared numbers.
     """
     found: dict[tuple[str, ...], list[Row]] = {}
-    for row in untouched(rows):
+    for row in unfitted_rows(rows):
         if row.experiment == "Table III" and row.quantity not in COUNTED:
             continue
-        if "asked for" in row.quantity:
+        if "commanded" in row.quantity:
             continue
         alternatives = row.experiment in ("Table III", "Sweep", "Table I")
         test = "" if alternatives else row.reading.split("; ")[0]
@@ -106,22 +106,22 @@ def printed_numbers(rows: Sequence[Row]) -> dict[tuple[str, ...], list[Row]]:
 
 
 def counts(rows: Sequence[Row], share: float = AGREEMENT) -> Counts:
-    """The numbers of printed values that agree within a share of them, each counted once.
+    """Counts of printed values that agree within a share of them, each counted once.
 
     Args:
         rows: All compared numbers.
-        share: Such as 0.05.
+        share: Relative deviation, such as 0.05.
     """
     numbers = printed_numbers(rows)
 
     def agreeing(slider: str, estimator: str) -> int:
         return sum(
-            any(_agrees(row, share) for row in some if _taken(row, slider, estimator))
+            any(_agrees(row, share) for row in some if _of_choices(row, slider, estimator))
             for some in numbers.values()
         )
 
     sliders = dict.fromkeys(
-        [DEFAULT, *(r.reading for r in untouched(rows) if r.robot in ("arq", "quad - arq")
+        [DEFAULT, *(r.reading for r in unfitted_rows(rows) if r.robot in ("arq", "quad - arq")
                     and r.experiment in ("Table III", "Sweep"))]
     )  # fmt: skip
     others = dict.fromkeys(r.reading.split("; ")[1] for r in rows if "; " in r.reading)
@@ -143,7 +143,7 @@ def _agrees(row: Row, share: float) -> bool:
     return abs(row.deviation) <= share
 
 
-def _taken(row: Row, slider: str, estimator: str) -> bool:
+def _of_choices(row: Row, slider: str, estimator: str) -> bool:
     """True for a row of a set of choices; one without alternatives belongs to all."""
     if row.experiment in ("Table III", "Sweep"):
         return row.reading in ("Quad", slider)
@@ -153,21 +153,21 @@ def _taken(row: Row, slider: str, estimator: str) -> bool:
 
 
 def within(rows: Sequence[Row], share: float) -> int:
-    """The number of values that deviate from print by at most a share of it.
+    """Number of values that deviate from the printed ones by at most a share of them.
 
     Args:
         rows: Compared numbers.
-        share: Such as 0.05.
+        share: Relative deviation, such as 0.05.
     """
     return sum(abs(row.deviation) <= share for row in rows if row.deviation is not None)
 
 
 def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> list[Section]:
-    """The summary of a report.
+    """Summary section of a report.
 
     Args:
         rows: All compared numbers.
-        sections: Of the report, whose answers are gathered.
+        sections: Sections of the report, whose answers are collected.
     """
     parts = groups(rows)
     by_mark = Counter(row.mark for row in rows)
@@ -181,7 +181,7 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> list[Sect
             "count": first.numbers, "default": first.default, "somehow": first.somehow,
             "wider_somehow": wider.somehow, "more": _best(first) + _failures_of(rows),
             "reading": first.reading, "overview": overview_figure(parts),
-            # no need to say it twice on one page
+            # not repeated on the same page
             "answers": (KeyPoints(tuple(answers)),) if len(answers) > 1 else (),
             "parts": _by_part(parts), "given": by_mark[Mark.GIVEN], "fitted": by_mark[Mark.FITTED],
         }  # fmt: skip
@@ -189,7 +189,7 @@ def overview(rows: Sequence[Row], sections: Sequence[Section] = ()) -> list[Sect
 
 
 def _best(found: Counts) -> str:
-    """The choices with which most come out, if these are not the default ones."""
+    """Sentence on the choices that give most numbers, if these are not the default ones."""
     if found.best <= found.default:
         return ""
     best = []
@@ -202,7 +202,7 @@ def _best(found: Counts) -> str:
 
 
 def _failures_of(rows: Sequence[Row]) -> str:
-    """Recoveries, with each estimator, from a collision that fails in print, beside ARQ's."""
+    """Sentence on the recoveries from a collision that fails in print, with each estimator."""
     found = {
         (row.robot, *row.reading.partition("; ")[::2]): row.ours
         for row in rows

@@ -1,7 +1,7 @@
-"""The reproduction report: one page that needs nothing else, its figures, and the numbers as data.
+"""The reproduction report: a self-contained page, its figures, and the numbers as data.
 
-It has a part for each part of the paper that was reproduced: the slider tests, features and free
-flight, and collisions in flight.  What the parts have in common is here.
+It has a part for each reproduced part of the paper: the slider tests, features and free flight, and
+collisions in flight.  This module has what they share.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    decimal,
+    join,
     page,
     percent,
-    rounded,
 )
 from springback.interfaces.reproduction.figure_list import figure_rows
 from springback.interfaces.reproduction.free_flight import (
@@ -46,13 +46,13 @@ from springback.studies.comparison import AGREEMENT, Row
 WORDS = Wording.of("report")
 Rows = Sequence[Mapping[str, Any]]
 
-#: The line below the title.
+#: Line below the title.
 REPRODUCTION = f"A reproduction of {PAPER}"
 
 
 @dataclass(frozen=True)
 class Results:
-    """The parts of the paper that were reproduced; any other is None."""
+    """Results of the reproduced parts of the paper; others are None."""
 
     slider: SliderResults | None = None
     features: list[Row] = field(default_factory=list)
@@ -90,8 +90,8 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
     The same results and ``about`` give the same files, byte for byte.
 
     Args:
-        results: What was reproduced.
-        folder: Made if it does not exist.
+        results: Results to report.
+        folder: Folder to write into, created if it does not exist.
         about: Versions of programs, by name.
 
     Returns:
@@ -114,7 +114,7 @@ def write_report(results: Results, folder: Path, *, about: Mapping[str, Any]) ->
 
 
 def report_sections(results: Results, about: Mapping[str, Any]) -> list[Section]:
-    """The page, section by section; the first is the summary."""
+    """Sections of the page; the first is the summary."""
     sections = list(slider_sections(results.slider)) if results.slider else []
     if results.flight is not None or results.features:
         sections += flight_sections(results.features, results.flight)
@@ -138,20 +138,20 @@ def _everything(results: Results, about: Mapping[str, Any]) -> Content:
         for r in results.rows
     ]  # fmt: skip
     tables = list(_tables(results))
-    curves = f", the curves and points of the figures in {listed(tables)}" if tables else ""
+    curves = f", the curves and points of the figures in {join(tables)}" if tables else ""
     made_with = [(str(key), str(value)) for key, value in about.items()]
     return {"count": len(rows), "all": rows, "made_with": made_with, "curves": curves}
 
 
 def _c_a(row: Row) -> TableCell | None:
-    """c_a of a test in which something was hit; other numbers have none."""
+    """Text of c_a of a test with a contact; empty for other numbers."""
     if not row.dissipation_from:
         return None
-    return TableCell(rounded(row.dissipation, 3), row.dissipation)
+    return TableCell(decimal(row.dissipation, 3), row.dissipation)
 
 
 def _tables(results: Results) -> dict[str, Rows]:
-    """Data of the figures, by the name of a CSV file."""
+    """Data of the figures by CSV file name."""
     tables: dict[str, Rows] = {}
     if results.slider is not None:
         tables["sweep.csv"] = sweep_rows(results.slider)

@@ -1,6 +1,6 @@
-"""Collisions in flight in the report: which robot survives which, and how.
+"""Collisions in flight in the report.
 
-The words are in ``templates/resilience.toml``.
+The text is in ``templates/resilience.toml``.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from springback.interfaces.reports.page import (
     Section,
     TableCell,
     Wording,
-    listed,
+    join,
     number,
     plain,
     words_of_power,
 )
 from springback.interfaces.reproduction.choices import choices_content, condition, map_content
 from springback.interfaces.reproduction.figures import resilience
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.interfaces.reproduction.figures.resilience import POSES, SEEN
 from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
@@ -41,7 +41,7 @@ from springback.paper.resilience import (
     SLOWEST,
     ResilienceResults,
     Tally,
-    asked_extremes,
+    command_extremes,
     motion,
     rate_mark,
     wilson,
@@ -57,16 +57,16 @@ SLOW = (0.0, 2.0)
 """Pitch [deg] and speed [m/s] at which the paper draws both robots."""
 STEEPEST = -45.0
 PLACE, ANGLE = 0.02, math.radians(5.0)
-"""Chosen: errors of position [m] and direction [rad] that are called small."""
+"""Chosen: errors of position [m] and direction [rad] that count as small."""
 CURVE_STEP = {"collisions.csv": 0.005, "repeated.csv": 0.05}
-"""[s], chosen: between the points of curves in CSV files."""
+"""Chosen: spacing of the points of curves in CSV files [s]."""
 CURVE_SPAN = (-0.3, 3.0)
-"""[s], chosen: since first touch, what of a collision is in a CSV file."""
+"""Chosen: time since first touch of the curves in CSV files [s]."""
 CURVES = {
     "x": "x [m]", "z": "z [m]", "vx": "vx [m/s]", "pitch": "pitch [rad]",
-    "asked_x": "x asked for [m]", "asked_vx": "vx asked for [m/s]",
-    "asked_pitch": "pitch asked for [rad]",
-    "aimed_pitch": "pitch asked for, with feedback [rad]",
+    "asked_x": "reference x [m]", "asked_vx": "reference vx [m/s]",
+    "asked_pitch": "reference pitch [rad]",
+    "aimed_pitch": "commanded pitch, with feedback [rad]",
 }  # fmt: skip
 """Columns of a collision in a CSV file, and their heads."""
 DEGREES = math.degrees(1.0)
@@ -75,7 +75,7 @@ LOSSES = ("loss_contact", "loss_friction", "loss_arm")
 
 
 def resilience_sections(results: ResilienceResults) -> list[Section]:
-    """The part of collisions in flight, section by section; what was not flown is left out."""
+    """Sections on collisions in flight; parts that were not flown are left out."""
     if not results.flown:
         return []
     rows = results.rows()
@@ -83,10 +83,10 @@ def resilience_sections(results: ResilienceResults) -> list[Section]:
         "resilience": _answer(results),
         "choices": choices_content(results),
         "map": map_content(results),
-        "recovery": {**_fast(results, rows), **_recovery(results), **_compared(results)},
-        "detection": {**_detection(results), **_where(results)},
+        "recovery": {**_fast(results, rows), **_recovery(results), **_comparison(results)},
+        "detection": {**_detection(results), **_places(results)},
         "energy_of_hits": _energy(results),
-        "repeated": _repeated(results) if results.repeats else {},
+        "repeated": _repeats(results) if results.repeats else {},
         "resilience_method": {"scatter": _scatter(results)},
     })  # fmt: skip
 
@@ -102,7 +102,7 @@ def _middle(
     results: ResilienceResults, of: tuple[str, float, float], measure: str,
     scale: float = 1.0, decimals: int = 1,
 ) -> TableCell | None:  # fmt: skip
-    """Median of the trials of a condition, in the unit that is shown, with least and most."""
+    """Median of the trials of a condition in the displayed unit, with minimum and maximum."""
     found = [scale * value for value in results.values(*of, measure)]
     if not found:
         return None
@@ -114,7 +114,7 @@ def _middle(
 def _middles(
     results: ResilienceResults, columns: Sequence[tuple[str, float, int]]
 ) -> list[Sequence[Entry]]:
-    """A row of medians for each condition: measure, scale and decimals of each column."""
+    """Rows of medians by condition; ``columns`` are measure, scale and decimals."""
     return [
         (_name(of), *(_middle(results, of, *column) for column in columns))
         for of in _conditions(results)
@@ -127,7 +127,7 @@ def _median(results: ResilienceResults, of: tuple[str, float, float], measure: s
 
 
 def _conditions(results: ResilienceResults) -> list[tuple[str, float, float]]:
-    """Robot, pitch and speed of what was flown, robot by robot."""
+    """Robot, pitch and speed of all conditions flown, by robot."""
     flown = {(t.robot, t.pitch, t.speed) for t in results.flown}
     return [(robot, *c) for robot in ROBOTS for c in ORDER if (robot, *c) in flown]
 
@@ -137,7 +137,7 @@ def _name(of: tuple[str, float, float]) -> str:
 
 
 def _row(rows: Sequence[Row], quantity: str) -> TableCell:
-    """A compared pitch for a text."""
+    """Values of a compared pitch for a text."""
     row = next((row for row in rows if row.quantity == quantity), None)
     if row is None or row.ours is None:
         return TableCell("–", mark=Mark.CONTRADICTED)
@@ -153,14 +153,14 @@ def _answer(results: ResilienceResults) -> Content:
     ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
     return {
         "conditions": len({t[1:3] for t in tallies}), "trials": results.trials,
-        "fast": FASTEST[1], "verdict": _verdict(tallies, results.chosen()),
-        "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed(STEEPEST),
+        "fast": FASTEST[1], "verdict": _verdict(tallies, results.ekf2_conditions()),
+        "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed_angle(STEEPEST),
         "good": SUCCESS_WORDS["quad", *SLOW], "drops": SUCCESS_WORDS["quad", STEEPEST, SLOW[1]],
-        "least": signed(min(gentle)), "most": signed(max(gentle)),
+        "least": signed_angle(min(gentle)), "most": signed_angle(max(gentle)),
         "tolerance": settled.tolerance, "speed": settled.speed, "dwell": settled.dwell,
         "low": 100 * wilson(results.trials, results.trials)[0],
         "success": _success(tallies), "resilience": resilience.success_figure(results),
-        "ways": listed(f"{w} ({count})" for w, count in sorted(ways.items())) if ways else "",
+        "ways": join(f"{w} ({count})" for w, count in sorted(ways.items())) if ways else "",
         "unfailing": not ways, "lost": sum(ways.values()), "all": len(results.flown),
     }  # fmt: skip
 
@@ -221,7 +221,7 @@ def _tally(tally: Tally | None, printed: float | None) -> TableCell | None:
 
 
 def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
-    """ARQ at its fastest."""
+    """Content on ARQ at its highest speed."""
     flown = results.values("arq", *FASTEST, "nose_up")
     sample = results.sample("arq", *FASTEST)
     if not flown or sample is None:
@@ -232,10 +232,10 @@ def _fast(results: ResilienceResults, rows: Sequence[Row]) -> Content:
         "collision": resilience.fast_figure(sample),
         "orientation": resilience.side_figure([sample]),
     }  # fmt: skip
-    content["up"], content["down"] = (signed(value) for value in RECOVERY_PITCH)
-    if (aimed := asked_extremes(sample.flight, "aimed_pitch")) is not None:
-        content["asked_up"] = _row(rows, "pitch asked for, nose up")
-        content["asked_down"] = _row(rows, "pitch asked for, nose down")
+    content["up"], content["down"] = (signed_angle(value) for value in RECOVERY_PITCH)
+    if (aimed := command_extremes(sample.flight, "aimed_pitch")) is not None:
+        content["asked_up"] = _row(rows, "commanded pitch, nose up")
+        content["asked_down"] = _row(rows, "commanded pitch, nose down")
         content["aimed_up"], content["aimed_down"] = aimed
     return content
 
@@ -256,8 +256,8 @@ def _recovery(results: ResilienceResults) -> Content:
     }  # fmt: skip
 
 
-def _compared(results: ResilienceResults) -> Content:
-    """Both robots in the same collision."""
+def _comparison(results: ResilienceResults) -> Content:
+    """Content on both robots in the same collision."""
     samples = [s for robot in ROBOTS if (s := results.sample(robot, *SLOW)) is not None]
     if len(samples) < len(ROBOTS):
         return {}
@@ -267,7 +267,7 @@ def _compared(results: ResilienceResults) -> Content:
         for name, measure in (("far", "excursion"), ("time", "recovery_time"))
     }
     return medians | {
-        "slow": SLOW[1], "level": SLOW[0], "robots": resilience.compared_figure(samples),
+        "slow": SLOW[1], "level": SLOW[0], "robots": resilience.comparison_figure(samples),
         "orientations": resilience.side_figure(samples),
     }  # fmt: skip
 
@@ -283,22 +283,22 @@ def _detection(results: ResilienceResults) -> Content:
         if found:
             delays = (_middle(results, of, f"{trigger}_delay", 1e3) for trigger in TRIGGERS)
             name = f"{LOOKS[of[0]].label}, {plain(of[2])} m/s"
-            lines.append((name, *delays, *_unnoticed(found)))
-    missed, false_alarms = _unnoticed(everyone)
+            lines.append((name, *delays, *_detection_counts(found)))
+    missed, false_alarms = _detection_counts(everyone)
     return {
         "slowest": SLOWEST[1], "level": SLOW[0], "missed": missed, "false_alarms": false_alarms,
         "delays": lines,
     }  # fmt: skip
 
 
-def _unnoticed(trials: Sequence[Trial]) -> tuple[int, float]:
-    """Collisions without an alarm, and alarms without a collision."""
+def _detection_counts(trials: Sequence[Trial]) -> tuple[int, float]:
+    """Numbers of collisions without an alarm, and of alarms without a collision."""
     measures = [trial.measures for trial in trials]
     missed = sum(m["detection_delay"] is None for m in measures)
     return missed, sum(m["false_alarms"] or 0.0 for m in measures)
 
 
-def _where(results: ResilienceResults) -> Content:
+def _places(results: ResilienceResults) -> Content:
     columns = (
         ("position_error", 1e3, 1), ("direction_error", DEGREES, 1),
         ("arms_direction_error", DEGREES, 1), ("acceleration_direction_error", DEGREES, 1),
@@ -333,8 +333,8 @@ def _energy(results: ResilienceResults) -> Content:
     }  # fmt: skip
 
 
-def _repeated(results: ResilienceResults) -> Content:
-    arq, quad = results.repeated("arq"), results.repeated("quad")
+def _repeats(results: ResilienceResults) -> Content:
+    arq, quad = results.repeats_of("arq"), results.repeats_of("quad")
     gaps = [gap for repeat in results.repeats for gap in repeat.returns]
     lines: list[Sequence[Entry]] = []
     for repeat in results.repeats:
@@ -346,12 +346,12 @@ def _repeated(results: ResilienceResults) -> Content:
             "yes" if repeat.success else "no",
         ))  # fmt: skip
     return {
-        "collisions": results.repeats[0].asked, "steep": signed(REPEATED[0]),
+        "collisions": results.repeats[0].asked, "steep": signed_angle(REPEATED[0]),
         "arq_flights": len(arq), "won": sum(r.success for r in arq), "quad_flights": len(quad),
         "quad_won": sum(r.success for r in quad), "both": len(results.repeats),
         "worst": 1e3 * max(gaps) if gaps else None,
         "swung": sum(r.alarms > r.collisions for r in results.repeats), "flights": lines,
-        "repeated": resilience.repeated_figure(results) if any(r.flight for r in arq) else None,
+        "repeated": resilience.repeat_figure(results) if any(r.flight for r in arq) else None,
     }  # fmt: skip
 
 
@@ -387,11 +387,11 @@ def resilience_data(results: ResilienceResults) -> dict[str, Any]:
 
 
 def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, Any]]]:
-    """Every trial, and what the figures show, by the name of a CSV file."""
+    """Trials and data of the figures by CSV file name."""
     tables = {
         "trials.csv": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "collisions.csv": _sample_rows(results),
-        "repeated.csv": _repeated_rows(results),
+        "repeated.csv": _repeat_rows(results),
         "choices.csv": [c.as_dict() for c in results.choices.cells] if results.choices else [],
         "map.csv": results.envelope.rows() if results.envelope else [],
     }
@@ -412,7 +412,7 @@ def _sample_rows(results: ResilienceResults) -> list[dict[str, Any]]:
     return rows
 
 
-def _repeated_rows(results: ResilienceResults) -> list[dict[str, Any]]:
+def _repeat_rows(results: ResilienceResults) -> list[dict[str, Any]]:
     rows = []
     for repeat in results.repeats:
         if repeat.flight is not None:

@@ -1,6 +1,6 @@
 """The slider tests in the report: Table III, the readings, the sweep, the energy.
 
-The words are in ``templates/slider.toml``.
+The text is in ``templates/slider.toml``.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from springback.interfaces.reports.page import (
     Table,
     TableCell,
     Wording,
-    listed,
+    decimal,
+    join,
     percent,
     plain,
-    rounded,
     table,
     words_of_power,
 )
@@ -36,13 +36,13 @@ from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("slider")
 DRAWN = DEFAULT
-"""The reading whose contact is drawn: the one with arms at an angle."""
+"""Reading whose contact is drawn: the one with arms at an angle."""
 NEAR = (AGREEMENT, 0.10)
-"""Chosen: shares of the printed value within which agreement is counted."""
+"""Chosen: relative deviations from the printed value within which agreement is counted."""
 
 
 class Quantity(NamedTuple):
-    """The name and format of a compared quantity; the scale takes SI to the unit."""
+    """Name and format of a compared quantity; ``scale`` converts SI to the unit."""
 
     name: str
     unit: str = ""
@@ -52,11 +52,11 @@ class Quantity(NamedTuple):
 
 QUANTITIES = {key: Quantity(**entry) for key, entry in WORDS.text["quantities"].items()}
 PRINTED: dict[str, list[str]] = WORDS.text["printed"]
-"""The printed numbers of a test, and what of ours each may be compared with."""
+"""Printed numbers of a test, and the measures that each may be compared with."""
 Run = Mapping[str, Row]
 """Rows of one flown test by quantity."""
 Runs = dict[tuple[str, str, str], list[Run]]
-"""Runs by robot, surface and reading: the first with Quad's c_a."""
+"""Runs by robot, surface and reading; the first with Quad's c_a."""
 
 
 def _ours(row: Row | None) -> TableCell:
@@ -64,7 +64,7 @@ def _ours(row: Row | None) -> TableCell:
         return TableCell("–")
     quantity = QUANTITIES[row.quantity]
     number = None if row.ours is None else row.ours * quantity.scale
-    return TableCell(rounded(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
+    return TableCell(decimal(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
 
 
 def _printed(row: Row, value: float | None) -> TableCell:
@@ -74,7 +74,7 @@ def _printed(row: Row, value: float | None) -> TableCell:
 
 
 def _tested(row: Row) -> TableCell:
-    """The physical test's number, and how far it is from the paper's own simulation."""
+    """Number of the physical test, with its deviation from the paper's own simulation."""
     cell = _printed(row, row.printed_test)
     if row.scatter is None:
         return cell
@@ -87,7 +87,7 @@ def _c_a(run: Run | None, absent: str = "–") -> TableCell:
     return (
         TableCell(absent)
         if row is None
-        else TableCell(rounded(row.dissipation, 3), row.dissipation)
+        else TableCell(decimal(row.dissipation, 3), row.dissipation)
     )
 
 
@@ -105,7 +105,7 @@ def _nth(runs: Runs, robot: str, surface: str, reading: str, n: int) -> Run | No
 
 
 def _agrees(run: Run | None, number: str) -> bool:
-    """True if a printed number comes out, in any of its definitions."""
+    """True if a printed number agrees in any of its definitions."""
     rows = [run[quantity] for quantity in PRINTED[number] if quantity in run] if run else []
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
@@ -120,7 +120,7 @@ def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
 
 
 def slider_sections(results: SliderResults) -> list[Section]:
-    """The part of the slider tests, section by section; what was not flown is left out."""
+    """Sections on the slider tests; parts that were not flown are left out."""
     runs = _runs(results)
     given = [
         (r.quantity, r.ours, r.unit or None, r.note) for r in results.rows if r.mark is Mark.GIVEN
@@ -153,7 +153,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
     quads = {s: run for s in slider.SURFACES if (run := _nth(runs, "quad", s, "Quad", 0))}
     for surface, run in quads.items():
         met += sum(_agrees(run, number) for number in free)
-        numbers = listed(_quad_number(number, run) for number in free)
+        numbers = join(_quad_number(number, run) for number in free)
         details.append(WORDS.say("quad", surface=surface, c_a=_c_a(run), numbers=numbers))
     verdict = ""
     if quads:
@@ -167,7 +167,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
             if all(_agrees(_nth(runs, "arq", surface, name, 0), number) for number in PRINTED)
         ]
         key = "verdict_arq_some" if complete else "verdict_arq_none"
-        verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=listed(complete))
+        verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=join(complete))
     return {
         **_gap_words(results), "speed": SLIDER_SPEED, "fastest": SWEEP_SPEEDS[-1],
         "verdict": verdict, "details": details,
@@ -210,12 +210,12 @@ def _table_iii(results: SliderResults, runs: Runs) -> Content:
 
 
 def _differences() -> dict[str, str]:
-    """Differences of restitution between both surfaces, in the paper's own numbers."""
+    """Differences of restitution between the surfaces in the paper's own numbers."""
     gaps = {}
     for robot in slider.FLOWN:
         wall, mat = (TABLE_III[robot, surface] for surface in slider.SURFACES)
-        gaps[robot] = rounded(mat.restitution - wall.restitution, 3)
-        gaps[f"{robot}_test"] = rounded(mat.restitution_test - wall.restitution_test, 3)
+        gaps[robot] = decimal(mat.restitution - wall.restitution, 3)
+        gaps[f"{robot}_test"] = decimal(mat.restitution_test - wall.restitution_test, 3)
     return gaps
 
 
@@ -228,13 +228,13 @@ def _disagreement(results: SliderResults, runs: Runs) -> Content:
     ]
     for number in PRINTED:
         giving = (
-            listed(n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number))
+            join(n for n in names if _agrees(_nth(runs, "arq", surface, n, 0), number))
             for surface in slider.SURFACES
         )
         who.append((number, *giving))
     gaps, fitted = _gaps(results), _gaps(results, Mark.FITTED)
     good = [name for name, row in gaps.items() if row.mark is not Mark.CONTRADICTED]
-    who.append(("gap of the speed sweep", listed(good), None))
+    who.append(("gap of the speed sweep", join(good), None))
     wanted: list[Sequence[Entry]] = [
         ("printed number", "Quad", *(f"ARQ, {name}" for name in names))
     ]
@@ -252,10 +252,10 @@ def _disagreement(results: SliderResults, runs: Runs) -> Content:
 
 
 def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry]]:
-    """Counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
+    """Rows of counts of ARQ's numbers that each reading gives, and the gap of the sweep."""
     gaps, lines = _gaps(results), list[Sequence[Entry]]()
     for reading in (r for r in results.readings if r.name in names):
-        rows = results.counted(reading.name)
+        rows = results.unique_rows(reading.name)
         known = [abs(row.deviation) for row in rows if row.deviation is not None]
         near = (sum(deviation <= share for deviation in known) for share in NEAR)
         gap = gaps.get(reading.name)
@@ -264,7 +264,7 @@ def _counts(results: SliderResults, names: Sequence[str]) -> list[Sequence[Entry
             *(TableCell(f"{count} of {len(rows)}", count) for count in near),
             sum(row.mark is Mark.FITTED for row in rows),
             percent(max(known)).lstrip("+") if known else None,
-            None if gap is None else TableCell(rounded(gap.ours, 0), gap.ours),
+            None if gap is None else TableCell(decimal(gap.ours, 0), gap.ours),
         ))  # fmt: skip
     return lines
 
@@ -279,7 +279,7 @@ def _sweep(results: SliderResults) -> Content:
     for speed in sorted({point.speed for point in results.sweep}):
         here = [points[name, speed] for name in names]
         values = [here[0].quad, *(value for p in here for value in (p.arq, p.gap))]
-        rows.append((speed, *(TableCell(rounded(v, 0), v) for v in values)))
+        rows.append((speed, *(TableCell(decimal(v, 0), v) for v in values)))
     return {
         **_gap_words(results), "fastest": SWEEP_SPEEDS[-1], "points": rows,
         "sweep": slider.sweep_figure(results),
@@ -287,12 +287,12 @@ def _sweep(results: SliderResults) -> Content:
 
 
 def _gap_words(results: SliderResults) -> Content:
-    """The gap of the sweep as each reading gives it, if it was flown."""
+    """Content on the gap of the sweep in each reading, if flown."""
     gaps = [
         WORDS.say("sweep_gap", row=row, deviation=percent(row.deviation))
         for row in _gaps(results).values()
     ]
-    return {"printed": SWEEP_GAP, "gaps": listed(gaps) if gaps else ""}
+    return {"printed": SWEEP_GAP, "gaps": join(gaps) if gaps else ""}
 
 
 def _energy(results: SliderResults) -> Content:
@@ -319,7 +319,7 @@ def _energy_row(case: Case) -> tuple[Entry, ...]:
     parts = [measures[key] or 0.0 for key in ("loss_contact", "loss_arm", "energy_kinetic")]
     shares = (TableCell(f"{100.0 * part / start:.1f} %" if start else "–", part) for part in parts)
     robot = ROBOTS[case.robot].label + ("" if case.robot == "quad" else f", {case.reading.name}")
-    return (f"{robot} on the {case.surface}", TableCell(rounded(start, 2), start), *shares)
+    return (f"{robot} on the {case.surface}", TableCell(decimal(start, 2), start), *shares)
 
 
 def _method(results: SliderResults) -> Content:
@@ -345,7 +345,7 @@ def _method(results: SliderResults) -> Content:
 
 
 def _contact(results: SliderResults) -> Blocks:
-    """ARQ as it hits the wall in the default reading."""
+    """Figure of ARQ hitting the wall in the default reading."""
     for case in slider.predictions(results, "arq", "wall"):
         hit = case.flight
         if case.reading.name == DRAWN and hit.measures["touch_time"] is not None:
@@ -358,7 +358,7 @@ def _contact(results: SliderResults) -> Blocks:
 
 
 def slider_data(results: SliderResults) -> dict[str, Any]:
-    """The slider tests besides the compared numbers, as plain data."""
+    """Slider tests without the compared numbers, as plain data."""
     cases = [
         {
             "robot": c.robot, "surface": c.surface, "reading": c.reading.name,
@@ -376,7 +376,7 @@ def slider_data(results: SliderResults) -> dict[str, Any]:
 
 
 def sweep_rows(results: SliderResults) -> list[dict[str, Any]]:
-    """The points of the sweep, for CSV."""
+    """Rows of the points of the sweep, for CSV."""
     return [
         {
             "reading": p.reading, "speed [m/s]": p.speed, "quad [m/s^2]": p.quad,

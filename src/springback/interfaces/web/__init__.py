@@ -1,1 +1,1 @@
-"""Pages for a browser, and the server that hands them out."""
+"""Pages for a browser, and their server."""

@@ -1,6 +1,6 @@
-"""One page with everything in it: script, style and data, so that it needs nothing from anywhere.
+"""Self-contained pages: script, style and data in one file.
 
-The script is built from ``web/src`` of the sources by ``make web`` (docs/decisions/0015).
+The script is built from ``web/src`` of the repository by ``make web`` (docs/decisions/0015).
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ SELF, NONE = "'self'", "'none'"
 
 
 class Page(NamedTuple):
-    """A page, and what its browser may load for it."""
+    """A page and its content security policy."""
 
     text: str
-    policy: str  # Content-Security-Policy; it is in the text, too
+    policy: str  # Content-Security-Policy, also in the text
 
 
 @functools.cache
 def part(name: str) -> str:
-    """A file of the bundle: ``springback.js``, ``springback.css``, ``page.html``."""
+    """Text of a file of the bundle: ``springback.js``, ``springback.css`` or ``page.html``."""
     return (resources.files("springback.interfaces") / "web" / name).read_text(encoding="utf-8")
 
 
@@ -37,8 +37,8 @@ def page_of(title: str, app: App, data: Any, *, asks: bool = False) -> Page:
     """A self-contained page.
 
     Args:
-        title: Of the window.
-        app: What the page does: ``replay`` gets ``{"flights": [scene, ...]}``.
+        title: Title of the window.
+        app: ``replay``, with data ``{"flights": [scene, ...]}``, or ``lab``.
         data: Plain data for it, without NaN.
         asks: Let the page query the server it came from; else it may contact no server.
     """
@@ -63,6 +63,6 @@ def page_of(title: str, app: App, data: Any, *, asks: bool = False) -> Page:
 
 
 def in_script(data: Any) -> str:
-    """Plain data as JSON for a script element, which it can neither end nor begin."""
+    """Plain data as JSON, escaped so that it can neither end nor begin a script element."""
     text = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")

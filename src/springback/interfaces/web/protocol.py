@@ -1,7 +1,7 @@
 """HTTP with a time limit for the head of a request.
 
-A connection that is opened and left, or fed a letter a minute, holds a descriptor for ever; a few
-hundred of them shut everybody else out.
+A connection left open, or fed one character a minute, would hold a file descriptor forever; a few
+hundred of them would lock out everyone else.
 """
 
 from __future__ import annotations
@@ -11,36 +11,36 @@ from typing import Any
 
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-#: Seconds from the opening of a connection, or the first byte of a later request, to the end of the
-#: request's head (chosen: a browser sends it at once).
+#: Time limit from the opening of a connection, or the first byte of a later request, to the end of
+#: the request's head [s] (chosen: a browser sends it at once).
 HEAD_PATIENCE = 10.0
 
 
 class PatientProtocol(H11Protocol):
-    """Closes connections on which no whole head of a request has come in time."""
+    """Protocol that closes connections on which no complete request head has arrived in time."""
 
     patience = HEAD_PATIENCE
     _deadline: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: Any) -> None:
-        """The time for the first request begins."""
+        """Start the time limit of the first request."""
         super().connection_made(transport)
         self._begin()
 
     def data_received(self, data: bytes) -> None:
-        """Time for a later request begins with its first byte, and ends with its head."""
+        """Start the time limit of a later request at its first byte, and stop it after its head."""
         self._begin()
         super().data_received(data)
         if self._is_answering():
             self._end()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Nothing is waited for any more."""
+        """Stop the time limit."""
         self._end()
         super().connection_lost(exc)
 
     def _is_answering(self) -> bool:
-        """True while a request whose head has arrived is unanswered."""
+        """True while a request whose head has arrived has not been answered."""
         return self.cycle is not None and not self.cycle.response_complete
 
     def _begin(self) -> None:

@@ -1,4 +1,4 @@
-"""Pages served to a browser on this machine, and to no other unless asked to."""
+"""Server of pages to a browser, on this machine only unless requested otherwise."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
 App = Callable[[Scope, Receive, Send], Awaitable[None]]
 
 LOOPBACK = "127.0.0.1"
-#: Headers of a response, unless it has its own: it loads nothing, and is neither framed nor cached.
+#: Default headers of a response: it loads nothing, and is neither framed nor cached.
 HEADERS = {
     "content-security-policy": (
         "default-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -34,12 +34,12 @@ HEADERS = {
     "cross-origin-resource-policy": "same-origin",
     "cache-control": "no-store",
 }
-#: Seconds that open connections get to end by themselves.
+#: Time that open connections have to end by themselves [s].
 PATIENCE = 1
 
 
 def is_loopback(host: str) -> bool:
-    """True for a name by which this machine calls itself."""
+    """True for a name or address of the loopback interface."""
     if host == "localhost":
         return True
     try:
@@ -49,7 +49,7 @@ def is_loopback(host: str) -> bool:
 
 
 def _host_of(header: str) -> str:
-    """A Host header without its port, ``[::1]:80`` too."""
+    """Host header without its port, as of ``[::1]:80``."""
     if header.startswith("["):
         return header.partition("]")[0].lstrip("[").lower()
     return header.partition(":")[0].lower()
@@ -58,12 +58,12 @@ def _host_of(header: str) -> str:
 def is_welcome(header: str, host: str) -> bool:
     """True if a Host header names this server.
 
-    A page elsewhere can have its own name lead here, and then reads what we answer (DNS rebinding);
-    such a request comes under that name.  So names must be known; a bare address is no name.
+    A foreign page can let its own name resolve to this address and read our answers (DNS
+    rebinding); its requests then carry that name.  So only known names are accepted, and addresses.
 
     Args:
-        header: The Host header of a request.
-        host: The address that the server binds to.
+        header: Host header of a request.
+        host: Address that the server binds to.
     """
     asked = _host_of(header)
     if is_loopback(asked) or asked == host.lower():
@@ -75,12 +75,12 @@ def is_welcome(header: str, host: str) -> bool:
     return asked in (socket.gethostname().lower(), socket.getfqdn().lower())
 
 
-def guarded(app: App, host: str = LOOPBACK) -> App:
-    """An application that answers only requests meant for it, with `HEADERS` on every answer.
+def guard_requests(app: App, host: str = LOOPBACK) -> App:
+    """Application that answers only requests addressed to it, with `HEADERS` on every answer.
 
     Args:
         app: Any ASGI application.
-        host: What it is bound to.
+        host: Address it is bound to.
     """
 
     async def careful(scope: Scope, receive: Receive, send: Send) -> None:
@@ -119,10 +119,10 @@ async def _refused(send: Send) -> None:
 
 
 def bound(host: str, port: int) -> socket.socket:
-    """A listening socket; port 0 takes any that is free.
+    """Listening socket; port 0 takes any free one.
 
     Raises:
-        InputError: If the host is not this machine's, or the port is taken or not ours to take.
+        InputError: If the host is not this machine's, or the port is in use or not permitted.
     """
     if not 0 <= port <= 65535:
         raise InputError(f"--port {port}: must be from 0 to 65535; 0 takes a free one")
@@ -161,16 +161,16 @@ def serve(
     """Serve an application until interrupted, which is a clean end.
 
     Args:
-        app: Any ASGI application; it is `guarded` here.
-        host: To bind to; anything but loopback is warned about.
-        port: 0 takes a free one.
-        what: What is served, for people.
-        path: What the browser opens.
-        browser: Open one, where this machine has a display.
-        announce: Gets each line said; by default they go to stderr.
+        app: Any ASGI application; guarded by `guard_requests` here.
+        host: Address to bind to; a warning is printed unless it is loopback.
+        port: Port; 0 takes a free one.
+        what: Name of the page in messages.
+        path: Path that the browser opens.
+        browser: Open a browser if this machine has a display.
+        announce: Called with each message; by default they go to stderr.
 
     Raises:
-        InputError: If it cannot be bound, or the extra ``web`` is not installed.
+        InputError: If the address cannot be bound, or the extra ``web`` is not installed.
     """
     needs("uvicorn", "web")
     say = announce or (lambda line: click.echo(line, err=True))
@@ -178,10 +178,10 @@ def serve(
         port = listening.getsockname()[1]
         url = url_of(host, port, path)
         if not is_loopback(host):
-            say(f"warning: anybody who reaches {host} can open this, without a password")
+            say(f"warning: anyone who can reach {host} can open this, without a password")
         say(f"{what}: {url}")
         say(f"from elsewhere: ssh -L {port}:localhost:{port} {socket.gethostname()}, same address")
-        say("Ctrl-C ends it")
+        say("press Ctrl-C to stop")
         if browser and _has_display():
             threading.Timer(0.3, _open, (url,)).start()
         with contextlib.suppress(KeyboardInterrupt):
@@ -189,32 +189,32 @@ def serve(
 
 
 def server_of(app: App, host: str = LOOPBACK, patience: float | None = None) -> Any:
-    """The server of an application, which is `guarded` here.
+    """Server of an application, guarded by `guard_requests`.
 
     Args:
         app: Any ASGI application.
-        host: What it is bound to.
-        patience: Seconds for the head of a request; by default those of `serving_protocol`.
+        host: Address it is bound to.
+        patience: Time limit for the head of a request [s]; `HEAD_PATIENCE` by default.
     """
     uvicorn = needs("uvicorn", "web")
     from springback.interfaces.web.protocol import HEAD_PATIENCE, PatientProtocol
 
     patient = type("Patient", (PatientProtocol,), {"patience": patience or HEAD_PATIENCE})
     settings = uvicorn.Config(
-        guarded(app, host), log_level="error", access_log=False, server_header=False,
+        guard_requests(app, host), log_level="error", access_log=False, server_header=False,
         timeout_graceful_shutdown=PATIENCE, lifespan="auto", ws="none", http=patient,
     )  # fmt: skip
     return uvicorn.Server(settings)
 
 
 def url_of(host: str, port: int, path: str = "/") -> str:
-    """The address at which a browser on this machine finds a host and port."""
+    """Address at which a browser on this machine finds a host and port."""
     name = LOOPBACK if host in ("", "0.0.0.0") else "::1" if host == "::" else host.strip("[]")
     return f"http://{f'[{name}]' if ':' in name else name}:{port}{path}"
 
 
 def _has_display() -> bool:
-    """True if a browser would have a window: else one in the terminal may start."""
+    """True if a browser would open a window; otherwise one in the terminal might start."""
     if sys.platform in ("win32", "darwin"):
         return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

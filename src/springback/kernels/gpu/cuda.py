@@ -31,7 +31,7 @@ def _driver() -> Any:
     return driver
 
 
-def _asked(name: str, *arguments: Any) -> Any:
+def _call(name: str, *arguments: Any) -> Any:
     """Call the driver.
 
     Raises:
@@ -67,26 +67,26 @@ def device() -> Device:
         InputError: If there is no GPU, or no driver for it.
     """
     try:
-        _asked("cuInit", 0)
-        if _asked("cuDeviceGetCount") == 0:
+        _call("cuInit", 0)
+        if _call("cuDeviceGetCount") == 0:
             raise GpuError("no device")
-        handle = _asked("cuDeviceGet", 0)
-        context = _asked("cuDevicePrimaryCtxRetain", handle)
+        handle = _call("cuDeviceGet", 0)
+        context = _call("cuDevicePrimaryCtxRetain", handle)
     except GpuError as error:
         raise InputError(f"device gpu: no NVIDIA GPU can be used here: {error}") from None
-    name = _asked("cuDeviceGetName", 128, handle)
+    name = _call("cuDeviceGetName", 128, handle)
     attribute = _driver().CUdevice_attribute.CU_DEVICE_ATTRIBUTE_MULTIPROCESSOR_COUNT
     return Device(
         name.split(b"\0")[0].decode(),
-        int(_asked("cuDeviceTotalMem", handle)),
-        int(_asked("cuDeviceGetAttribute", attribute, handle)),
+        int(_call("cuDeviceTotalMem", handle)),
+        int(_call("cuDeviceGetAttribute", attribute, handle)),
         context,
     )
 
 
 def _enter() -> None:
     """Make the context current: contexts belong to threads of the processor."""
-    _asked("cuCtxSetCurrent", device().context)
+    _call("cuCtxSetCurrent", device().context)
 
 
 class Memory:
@@ -96,7 +96,7 @@ class Memory:
         """Copy an array to the GPU."""
         _enter()
         self.shape, self.dtype, self.nbytes = array.shape, array.dtype, array.nbytes
-        self.pointer = _asked("cuMemAlloc", max(array.nbytes, 8))
+        self.pointer = _call("cuMemAlloc", max(array.nbytes, 8))
         weakref.finalize(self, _free, int(self.pointer))
         self.fill(array)
 
@@ -105,19 +105,19 @@ class Memory:
         _enter()
         solid = np.ascontiguousarray(array)
         if solid.nbytes:
-            _asked("cuMemcpyHtoD", self.pointer, solid.ctypes.data, solid.nbytes)
+            _call("cuMemcpyHtoD", self.pointer, solid.ctypes.data, solid.nbytes)
 
     def read_into(self, array: np.ndarray[Any, Any]) -> None:
         """Copy into an array of the same size, which must be contiguous."""
         _enter()
         if array.nbytes:
-            _asked("cuMemcpyDtoH", array.ctypes.data, self.pointer, array.nbytes)
+            _call("cuMemcpyDtoH", array.ctypes.data, self.pointer, array.nbytes)
 
 
 def _free(pointer: int) -> None:
     try:
         _enter()
-        _asked("cuMemFree", pointer)
+        _call("cuMemFree", pointer)
     except (GpuError, InputError):
         pass  # the driver may be gone when the process ends
 
@@ -140,14 +140,14 @@ class Loaded:
             options.append(driver.CUjit_option.CU_JIT_MAX_REGISTERS)
             values.append(registers)
         text = kernel.text.encode() + b"\0"
-        self._module = _asked("cuModuleLoadDataEx", text, len(options), options, values)
-        self._function = _asked("cuModuleGetFunction", self._module, kernel.name.encode())
+        self._module = _call("cuModuleLoadDataEx", text, len(options), options, values)
+        self._function = _call("cuModuleGetFunction", self._module, kernel.name.encode())
 
     def attribute(self, name: str) -> int:
         """An attribute of the assembled kernel: ``NUM_REGS``, ``LOCAL_SIZE_BYTES``, ..."""
         _enter()
         which = getattr(_driver().CUfunction_attribute, f"CU_FUNC_ATTRIBUTE_{name}")
-        return int(_asked("cuFuncGetAttribute", which, self._function))
+        return int(_call("cuFuncGetAttribute", which, self._function))
 
     def launch(self, threads: int, *arguments: Memory | int | float, block: int = BLOCK) -> None:
         """Run the kernel in at least this many threads, and wait until it ends."""
@@ -155,8 +155,8 @@ class Loaded:
         values = tuple(a.pointer if isinstance(a, Memory) else a for a in arguments)
         kinds = tuple(_kind(a) for a in arguments)
         grid = -(-threads // block)
-        _asked("cuLaunchKernel", self._function, grid, 1, 1, block, 1, 1, 0, 0, (values, kinds), 0)
-        _asked("cuCtxSynchronize")
+        _call("cuLaunchKernel", self._function, grid, 1, 1, block, 1, 1, 0, 0, (values, kinds), 0)
+        _call("cuCtxSynchronize")
 
 
 def _kind(argument: Any) -> Any:

@@ -126,10 +126,10 @@ class _Dispatcher(_AnyDispatcher):  # type: ignore[misc]
         self.overloads[tuple(cres.signature.args)] = cres
 
 
-def _decorated(function: Any = None, **options: Any) -> Any:
+def _device_decorator(function: Any = None, **options: Any) -> Any:
     """Substitute for `numba.njit` while code for a GPU is compiled."""
     if function is None:
-        return lambda function: _decorated(function, **options)
+        return lambda function: _device_decorator(function, **options)
     for name in ("pipeline_class", "nopython", "cache", "nogil"):
         options.pop(name, None)
     options |= {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
@@ -138,7 +138,7 @@ def _decorated(function: Any = None, **options: Any) -> Any:
 
 target_extension.target_registry[_NAME] = _Ptx
 target_extension.dispatcher_registry[_Ptx] = _Dispatcher
-target_extension.jit_registry[_Ptx] = _decorated
+target_extension.jit_registry[_Ptx] = _device_decorator
 
 
 def machine(architecture: str) -> Any:
@@ -152,7 +152,7 @@ def machine(architecture: str) -> Any:
 def device_function(function: Callable[..., Any], **others: Any) -> Any:
     """A function that entry points call on a GPU; ``others`` replace globals of these names."""
     plain = getattr(function, "py_func", function)
-    return _decorated(with_globals(plain, **MEMORY, **others), forceinline=True, **STRICT)
+    return _device_decorator(with_globals(plain, **MEMORY, **others), forceinline=True, **STRICT)
 
 
 def target_context() -> Any:
@@ -160,7 +160,7 @@ def target_context() -> Any:
     return _Dispatcher.targetdescr.target_context
 
 
-def lowered(function: Any, arguments: tuple[Any, ...]) -> Any:
+def lower(function: Any, arguments: tuple[Any, ...]) -> Any:
     """A device function, typed and lowered for the given argument types."""
     with _override(_NAME):
         result = function._compiler.compile(arguments, None)

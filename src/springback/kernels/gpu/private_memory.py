@@ -43,12 +43,12 @@ def private_floats(first: int, second: int) -> Any:
     return np.zeros((first, second))
 
 
-def reached_over(pointer: Any, first: int, second: int) -> Any:
+def array_view(pointer: Any, first: int, second: int) -> Any:
     """Array that begins at a pointer, shape (first, second); an array is its own pointer."""
     return pointer.reshape(-1)[: first * second].reshape(first, second)
 
 
-def remembered(buffer: Any) -> Any:
+def opaque(buffer: Any) -> Any:
     """The same array of `private` memory, with its contents hidden from the optimiser.
 
     Otherwise the compiler would keep all of it in registers, which are too few, from one iteration
@@ -109,7 +109,7 @@ def _of_constants(element: Any) -> Any:
 
 
 @_intrinsic  # type: ignore[untyped-decorator]
-def _reached_over(typing_context: Any, pointer: Any, first: Any, second: Any) -> Any:
+def _array_view(typing_context: Any, pointer: Any, first: Any, second: Any) -> Any:
     array = types.Array(pointer.dtype, 2, "C")
 
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -123,7 +123,7 @@ _LOCAL = 5
 
 
 @_intrinsic  # type: ignore[untyped-decorator]
-def _remembered(typing_context: Any, buffer: Any) -> Any:
+def _opaque(typing_context: Any, buffer: Any) -> Any:
     def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         array = context.make_array(buffer)(context, builder, arguments[0])
         kind = array.data.type
@@ -144,6 +144,6 @@ MEMORY = {
     "private_words": _of_constants(types.uint64),
     "private_counters": _of_constants(types.int64),
     "private_floats": _of_constants(types.float64),
-    "reached_over": _reached_over,
-    "remembered": _remembered,
+    "array_view": _array_view,
+    "opaque": _opaque,
 }

@@ -26,11 +26,11 @@ from springback.kernels.compiler import Origin, cache_folder
 from springback.kernels.gpu.nvptx import (
     ARCHITECTURE,
     device_function,
-    lowered,
+    lower,
     machine,
     target_context,
 )
-from springback.kernels.kernel_cache import cached, keep
+from springback.kernels.kernel_cache import load_program, save_program
 from springback.kernels.layout import TreeLayout, TreeLayoutType
 from springback.kernels.trees import branches
 
@@ -133,12 +133,12 @@ def program(
     said += sources.words() if sources is not None else []
     digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
     if sources is None:
-        return Program(entry.__name__, _lowered(entry, kinds, parts()), None)
+        return Program(entry.__name__, _bitcode(entry, kinds, parts()), None)
     path = _folder() / f"{digest}.bc"
-    bitcode = cached(path)
+    bitcode = load_program(path)
     if bitcode is None:
-        bitcode = _lowered(entry, kinds, parts())
-        keep(path, bitcode)
+        bitcode = _bitcode(entry, kinds, parts())
+        save_program(path, bitcode)
     return Program(entry.__name__, bitcode, digest)
 
 
@@ -157,9 +157,9 @@ def one_at_a_time() -> Iterator[None]:
 
 
 @global_compiler_lock  # type: ignore[untyped-decorator]
-def _lowered(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any]) -> bytes:
+def _bitcode(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any]) -> bytes:
     """Bitcode of an entry point and its callees, under the name of the entry point."""
-    result = lowered(device_function(entry, **parts), (*kinds, types.int64))
+    result = lower(device_function(entry, **parts), (*kinds, types.int64))
     module = binding.parse_assembly(str(result.library._final_module))
     _define_built_in(module)
     for number, each in enumerate(module.functions):
@@ -191,7 +191,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     masks = repr([p.varies for p in flat(parameters) if isinstance(p, Constants)])
     mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
     path = _folder() / f"{program.digest}-{mask}.ptx"
-    known = cached(path) if program.digest else None
+    known = load_program(path) if program.digest else None
     if known is not None:
         return Kernel(program.name, known.decode())
     module = binding.parse_bitcode(program.bitcode)
@@ -201,7 +201,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     _check_calls(module)
     text = machine(ARCHITECTURE).emit_assembly(module)
     if program.digest:
-        keep(path, text.encode())
+        save_program(path, text.encode())
     return Kernel(program.name, text)
 
 

@@ -11,16 +11,16 @@ from springback.kernels.vectors import (
     Quat,
     Vec,
     conjugate,
+    exponential_map,
     inverse_symmetric,
     isotropic,
-    normalised,
+    normalise,
     positive_part,
     quaternion_product,
     rotation,
     rotation_vector,
     skew,
-    transposed,
-    turned_by,
+    transpose,
 )
 from springback.sensing.kalman.covariance import (
     Column,
@@ -81,7 +81,7 @@ def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> StoredP
         n, share = track.nominal, lag / since
         now = _weighted(StoredPose(n.position, n.attitude), 1.0 - share)
         pose = tree_sum((now, _weighted(track.stored[0], share)))
-    return StoredPose(pose.position, normalised(pose.attitude))
+    return StoredPose(pose.position, normalise(pose.attitude))
 
 
 @kernel
@@ -91,7 +91,7 @@ def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
     return Nominal(
         n.position + d.p,
         n.velocity + d.v,
-        normalised(quaternion_product(n.attitude, turned_by(d.t))),
+        normalise(quaternion_product(n.attitude, exponential_map(d.t))),
         n.accelerometer_bias + d.a,
         n.gyroscope_bias + d.w,
     )
@@ -129,9 +129,9 @@ def _with_position(
     """
     r = rotation(then.attitude)
     z = pose.position - (then.position - r @ kalman.offset)
-    lever = r @ skew(kalman.offset) @ (transposed(r) @ rotation(n.attitude))
+    lever = r @ skew(kalman.offset) @ (transpose(r) @ rotation(n.attitude))
     position = axpy(with_position(c), with_velocity(c), -lag)
-    seen = axpy(position, times(with_rotation(c), transposed(lever)), 1.0)
+    seen = axpy(position, times(with_rotation(c), transpose(lever)), 1.0)
     variance = isotropic(kalman.position_noise * kalman.position_noise)
     s = seen.p - lag * seen.v + lever @ seen.t + variance
     return _taken_up(n, c, seen, s, z)

@@ -18,7 +18,7 @@ from springback.kernels.vectors import (
     Vec,
     isotropic,
     symmetric_part,
-    transposed,
+    transpose,
 )
 
 
@@ -91,19 +91,19 @@ def uncorrelated(p: float, v: float, t: float, a: float, w: float) -> Covariance
 @kernel
 def with_position(c: Covariance) -> Column:
     """Covariance of all errors with the position's."""
-    return Column(c.pp, transposed(c.pv), transposed(c.pt), transposed(c.pa), transposed(c.pw))
+    return Column(c.pp, transpose(c.pv), transpose(c.pt), transpose(c.pa), transpose(c.pw))
 
 
 @kernel
 def with_velocity(c: Covariance) -> Column:
     """Covariance of all errors with the velocity's."""
-    return Column(c.pv, c.vv, transposed(c.vt), transposed(c.va), transposed(c.vw))
+    return Column(c.pv, c.vv, transpose(c.vt), transpose(c.va), transpose(c.vw))
 
 
 @kernel
 def with_rotation(c: Covariance) -> Column:
     """Covariance of all errors with the rotation's."""
-    return Column(c.pt, c.vt, c.tt, transposed(c.ta), transposed(c.tw))
+    return Column(c.pt, c.vt, c.tt, transpose(c.ta), transpose(c.tw))
 
 
 @kernel
@@ -115,7 +115,7 @@ def with_gyroscope_bias(c: Covariance) -> Column:
 @kernel
 def _across(p: Mat3, v: Mat3, t: Mat3, a: Mat3, w: Mat3) -> Column:
     """A row of blocks, as a column."""
-    return Column(transposed(p), transposed(v), transposed(t), transposed(a), transposed(w))
+    return Column(transpose(p), transpose(v), transpose(t), transpose(a), transpose(w))
 
 
 @kernel
@@ -134,7 +134,7 @@ def _moved(f: Transition, c: Column) -> Column:
 def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
     """Propagation P ← F P Fᵀ + Q: first F P column by column, then F (F P)ᵀ."""
     p, v, t = with_position(c), with_velocity(c), with_rotation(c)
-    a = Column(c.pa, c.va, c.ta, c.aa, transposed(c.aw))
+    a = Column(c.pa, c.va, c.ta, c.aa, transpose(c.aw))
     w = with_gyroscope_bias(c)
     p, v, t, a, w = _moved(f, p), _moved(f, v), _moved(f, t), _moved(f, a), _moved(f, w)
     along_p = _moved(f, _across(p.p, v.p, t.p, a.p, w.p))
@@ -142,12 +142,12 @@ def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
     along_t = _moved(f, _across(p.t, v.t, t.t, a.t, w.t))
     return Covariance(
         pp=symmetric_part(along_p.p),
-        pv=transposed(along_p.v),
-        pt=transposed(along_p.t),
+        pv=transpose(along_p.v),
+        pt=transpose(along_p.t),
         pa=a.p,
         pw=w.p,
         vv=symmetric_part(along_v.v) + isotropic(noise.velocity),
-        vt=transposed(along_v.t),
+        vt=transpose(along_v.t),
         va=a.v,
         vw=w.v,
         tt=symmetric_part(along_t.t) + isotropic(noise.rotation),
@@ -198,8 +198,8 @@ def corrected(c: Covariance, seen: Column, inverse: Mat3) -> Covariance:
         inverse: S⁻¹.
     """
     k = times(seen, inverse)
-    p, v, t = transposed(seen.p), transposed(seen.v), transposed(seen.t)
-    a, w = transposed(seen.a), transposed(seen.w)
+    p, v, t = transpose(seen.p), transpose(seen.v), transpose(seen.t)
+    a, w = transpose(seen.a), transpose(seen.w)
     return Covariance(
         pp=symmetric_part(c.pp - k.p @ p),
         pv=c.pv - k.p @ v,

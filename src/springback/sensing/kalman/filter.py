@@ -21,12 +21,12 @@ from springback.kernels.trees import Rarely, maximum
 from springback.kernels.vectors import (
     Quat,
     Vec,
-    normalised,
+    exponential_map,
+    normalise,
     quaternion_product,
     rotation,
     skew,
-    transposed,
-    turned_by,
+    transpose,
 )
 from springback.sensing.kalman.correction import informed
 from springback.sensing.kalman.covariance import Noise, Transition, carried
@@ -75,7 +75,7 @@ def _spoken(kalman: Kalman, track: Track) -> Estimate:
     """Present motion of the main body: the last, delayed sample extrapolated at constant rates."""
     n, omega, a = track.nominal, track.angular_velocity, track.acceleration
     ahead = track.waiting + kalman.inertial_lag
-    q = quaternion_product(n.attitude, turned_by(ahead * omega))
+    q = quaternion_product(n.attitude, exponential_map(ahead * omega))
     r = rotation(q)
     position = n.position + ahead * n.velocity + (0.5 * ahead * ahead) * a
     velocity = n.velocity + ahead * a
@@ -131,7 +131,7 @@ def _stored_poses(
     since = exposed_before(kalman, tick)
     if since < (1.0 - ROUNDING) * kalman.interval:
         position = n.position - since * n.velocity + (0.5 * since * since) * acceleration
-        attitude = quaternion_product(n.attitude, turned_by(-since * omega))
+        attitude = quaternion_product(n.attitude, exponential_map(-since * omega))
         return (StoredPose(position, attitude), *stored[:-1])
     return stored
 
@@ -144,12 +144,12 @@ def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> 
     """
     n, window, dt = track.nominal, track.window, kalman.interval
     omega = inertial.angular_velocity - n.gyroscope_bias
-    half = turned_by((0.5 * dt) * omega)
+    half = exponential_map((0.5 * dt) * omega)
     middle = quaternion_product(n.attitude, half)
     force = rotation(middle) @ (inertial.specific_force - n.accelerometer_bias)
     acceleration = force - Vec(0.0, 0.0, kalman.gravity)
     position = n.position + dt * n.velocity + (0.5 * dt * dt) * acceleration
-    attitude = normalised(quaternion_product(middle, half))
+    attitude = normalise(quaternion_product(middle, half))
     clipped = dt if _at_range(inertial.specific_force, kalman.accelerometer_range) else 0.0
     spun = dt if _at_range(inertial.angular_velocity, kalman.gyroscope_range) else 0.0
     velocity = n.velocity + dt * acceleration
@@ -178,7 +178,7 @@ def _transition(window: Window, attitude: Quat) -> Transition:
         duration=window.duration,
         vt=skew(window.gained) @ before * -1.0,
         va=(before + after) * (-0.5 * window.duration),
-        tt=transposed(after) @ before,
+        tt=transpose(after) @ before,
     )
 
 

@@ -11,14 +11,14 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.gpu.private_memory import (
+    array_view,
+    opaque,
     private,
     private_counters,
     private_floats,
     private_words,
-    reached_over,
-    remembered,
 )
-from springback.kernels.layout import Buffer, Parted, TreeLayout, read, rows, write
+from springback.kernels.layout import Buffer, SplitBuffer, TreeLayout, read, rows, write
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE
 from springback.simulation.lanes import places
@@ -115,10 +115,10 @@ def fly_impact(
     """
     if lane < flights.number:
         size = flights.number * (rows(shape.motion) + rows(shape.record))
-        shared, alone = reached_over(flights.moving, 1, size)[0], private(memory)
+        shared, alone = array_view(flights.moving, 1, size)[0], private(memory)
         write(model, alone[0], 0, 1, 0)
         take_flight(shape, shared, flights.number, lane, alone[0])
-        logged, log = private_counters(1, 1)[0], reached_over(flights.moving, 0, 1)
+        logged, log = private_counters(1, 1)[0], array_view(flights.moving, 0, 1)
         logged[0] = 0
         advance(shape, alone, 0, 1, (0,), log, logged, budget, 0.0)
         put_flight(shape, alone[0], shared, flights.number, lane)
@@ -146,27 +146,27 @@ def fly_ticks(
     if lane < count:
         shape, avionics = layouts.guided.shape, layouts.guided.avionics
         size = count * (rows(shape.motion) + rows(shape.record))
-        shared, alone = reached_over(flights.moving, 1, size)[0], private(layouts.motion)
+        shared, alone = array_view(flights.moving, 1, size)[0], private(layouts.motion)
         write(constants.model, alone[0], 0, 1, 0)
         take_flight(shape, shared, count, lane, alone[0])
-        onboard = reached_over(guided.onboard, 1, count * rows(avionics.onboard))[0]
+        onboard = array_view(guided.onboard, 1, count * rows(avionics.onboard))[0]
         settings, mine = private(avionics.systems), private(avionics.onboard)
         write(constants.systems, settings[0], 0, 1, 0)
         for row in range(rows(avionics.onboard)):  # `write` would leave out parts that are not new
             mine[0, row] = onboard[row * count + lane]
         key, number = private_words(1, 1)[0], private_words(1, 1)[0]
-        key[0] = reached_over(source.keys, 1, count)[0, lane]
-        number[0] = reached_over(source.flights, 1, count)[0, lane]
-        own = NoiseSource(key, number, reached_over(source.plan, source.devices, 3))
+        key[0] = array_view(source.keys, 1, count)[0, lane]
+        number[0] = array_view(source.flights, 1, count)[0, lane]
+        own = NoiseSource(key, number, array_view(source.plan, source.devices, 3))
         noise = private(layouts.noise)
         for channel in range(rows(layouts.noise)):
             noise[0, channel] = 0.0
         words, pairs = private_words(7, 1), private_floats(2, 1)
-        logged, nothing = private_counters(1, 1)[0], reached_over(flights.moving, 0, 1)
+        logged, nothing = private_counters(1, 1)[0], array_view(flights.moving, 0, 1)
         logged[0] = 0
         log = FlightLog(nothing, logged, nothing)
         for k in range(span.first, span.end):
-            g: Any = Parted(avionics.systems, settings[0], remembered(mine[0]))
+            g: Any = SplitBuffer(avionics.systems, settings[0], opaque(mine[0]))
             buffers = FlightBuffers(alone[0], g, (0,))
             generate(own, k, noise, words, pairs)
             sense_and_decide(layouts.guided, buffers, k, noise[0], log)
@@ -175,6 +175,6 @@ def fly_ticks(
             while to_tick(shape, alone, (0,), nothing, logged, SLICE, early) > 0:
                 pass
         put_flight(shape, alone[0], shared, count, lane)
-        after = remembered(mine[0])
+        after = opaque(mine[0])
         for row in range(rows(avionics.onboard)):
             onboard[row * count + lane] = after[row]

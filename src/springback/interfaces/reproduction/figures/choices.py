@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import INK, ROBOTS
 from springback.paper.choices import ROBOTS as FLOWN
 from springback.paper.choices import ChoiceResults
@@ -15,28 +15,28 @@ from springback.studies.run_ups import CONDITIONS
 
 ORDER = tuple(sorted(CONDITIONS, key=lambda c: (c[1], c[0])))
 SHORT = {"fairly good": "good"}
-"""Words of the paper that a cell has no room for."""
+"""Short forms of the paper's words for cells."""
 
 
 TESTS = "Speed [m/s] and pitch at contact [°]"
 
 
-def signed(degrees: float) -> str:
-    """An angle with its sign, as in a text."""
+def signed_angle(degrees: float) -> str:
+    """Angle with its sign, as in a text."""
     return f"{degrees:+g}".replace("-", "−") if degrees else "0"
 
 
-@styled
+@in_style
 def choices_figure(results: ChoiceResults) -> Figure:
-    """Recovered of all trials, a row for each set of choices, and what is printed on top."""
-    sets = results.flown
+    """Share of recovered trials, a row for each set of choices below the printed one."""
+    sets = results.combinations
     several = len({duration for _, duration in sets}) > 1
     labels = ["printed", *(
         f"{choice.name}{f', {duration:g} s' if several else ''}" for choice, duration in sets
     )]  # fmt: skip
     height = 0.27 * len(labels) + 1.15
     figure = StyledFigure(figsize=(WIDTH * 1.75, height), layout="constrained")
-    tests = [f"{speed:g}\n{signed(pitch)}°" for pitch, speed in ORDER]
+    tests = [f"{speed:g}\n{signed_angle(pitch)}°" for pitch, speed in ORDER]
     for ax, robot in zip(figure.subplots(1, 2, sharey=True), FLOWN, strict=True):
         cells = [[results.table(*one).get((robot, *test)) for test in ORDER] for one in sets]
         shares = [[np.nan if c is None else c.share for c in row] for row in cells]
@@ -52,7 +52,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
 
 
 def _printed(robot: str, test: tuple[float, float]) -> str:
-    """The printed result of a test, short enough for a cell."""
+    """Printed result of a test, short enough for a cell."""
     if (robot, *test) in SUCCESS:
         return f"{100 * SUCCESS[robot, *test]:g}"
     word = SUCCESS_WORDS.get((robot, *test), "")

@@ -1,4 +1,4 @@
-"""Drawings to scale: the robots from above, and a contact with its forces, as it was flown."""
+"""Drawings to scale: the robots from above, and a simulated contact with its forces."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ from springback.interfaces.animation.bodies import (
     views,
 )
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, RED, ROBOTS, SHADE
 from springback.interfaces.replay.scene import ArmShape, Scene
 from springback.vehicle.library import VEHICLES
 
 AXES = ViewPlane(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.zeros(3))
-"""From above, body x to the right."""
+"""Axis labels of a view from above, body x to the right."""
 LONGEST = 0.13
-"""Chosen: length of the arrow of the greatest force [m]."""
+"""Chosen: length of the arrow of the largest force [m]."""
 
 
 def shapes(robot: str) -> tuple[ArmShape, ...]:
-    """The arms of a preset.
+    """Arms of a preset.
 
     Args:
-        robot: Its name.
+        robot: Name of the preset.
     """
     return tuple(
         ArmShape(
@@ -47,7 +47,7 @@ def shapes(robot: str) -> tuple[ArmShape, ...]:
     )  # fmt: skip
 
 
-@styled
+@in_style
 def robots_figure() -> Figure:
     """Both robots from above, to scale: arms with their directions, springs, cages, rotors."""
     figure = StyledFigure(figsize=(WIDTH, 2.95))
@@ -74,7 +74,7 @@ def robots_figure() -> Figure:
 
 
 def _measured(ax: Axes, tip: Any, arm: ArmShape) -> None:
-    """Arm length and cage radius, in words beside the first arm."""
+    """Annotate arm length and cage radius at the first arm."""
     ax.text(
         0.5, 0.02, f"arms {1e3 * arm.length:.0f} mm, cages {1e3 * arm.cage_radius:.0f} mm",
         ha="center", va="bottom", transform=ax.transAxes,
@@ -86,7 +86,7 @@ def _measured(ax: Axes, tip: Any, arm: ArmShape) -> None:
 def _robot(
     chart: Chart, view: ViewPlane, arms: tuple[ArmShape, ...], now: SceneInstant, colour: str
 ) -> None:
-    """Arms, cages and main body; names are for the table alone."""
+    """Draw arms, cages and main body; names are for the table only."""
     tips = ends(arms, now)
     for j, arm in enumerate(arms, start=1):
         cage = view(ring(tips[j - 1], arm.cage_radius, now.rotation))
@@ -99,12 +99,12 @@ def _robot(
     chart.ax.fill(*view(body_outline(now)[0]).T, fc=colour, ec=INK, lw=0.8, zorder=5)
 
 
-@styled
+@in_style
 def contact_figure(scene: Scene) -> Figure:
-    """A contact from above at the instant of the greatest force, with the force on each cage.
+    """A contact from above at the instant of the largest force, with the force on each cage.
 
     Args:
-        scene: Of a flight that hits something.
+        scene: Scene of a flight with a contact.
     """
     k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
     now, (_, view) = pose(scene, float(scene.t[k])), views(scene)
@@ -141,7 +141,7 @@ def _matter(ax: Axes, scene: Scene, view: ViewPlane) -> None:
 
 
 def _forces(chart: Chart, scene: Scene, view: ViewPlane, now: SceneInstant) -> None:
-    """Normal force and friction on each cage that touches, with their sizes."""
+    """Draw normal force and friction on each cage in contact, with their magnitudes."""
     face = next(thing for thing in scene.obstacles if thing.normal)
     normal = np.array(face.normal)
     pressing = now.force @ normal

@@ -1,6 +1,6 @@
-"""Figures of features and free flight: steps, circles, Table IV against print, hover time.
+"""Figures of features and free flight: steps, circles, Table IV, hover time.
 
-Nothing here computes physics: every number shown is a trajectory column, a compared number or a
+No physics is computed here: every number is a column of a trajectory, a compared number or a
 printed value.
 """
 
@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.panels import Array, spread
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.panels import Array, widen_flat_axis
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import GREEN, INK, RobotStyle
 from springback.interfaces.output.robots import ROBOTS as KNOWN
 from springback.paper.features import TABLE_I
@@ -53,11 +53,11 @@ DIAMOND: dict[str, Any] = {
     "zorder": 4,
 }
 BAND = 0.10
-"""Chosen: share of the printed value that is shaded as close to it."""
+"""Chosen: relative deviation from the printed value that is shaded as close."""
 SHOWN_BEFORE, SHOWN_AFTER = 0.3, 3.0
-"""[s], chosen: before and after a new set-point, as much as is shown."""
+"""Chosen: time shown before and after a new set-point [s]."""
 DRAWN = 0.02
-"""[s], chosen: between the points of a curve that is drawn; all are smooth."""
+"""Chosen: spacing of the points of drawn curves, all of which are smooth [s]."""
 PACES = tuple(PERIODS)
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 ERRORS = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
@@ -65,7 +65,7 @@ ERRORS = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 
 
 def first_flights(runs: Sequence[Any]) -> dict[str, Flight]:
-    """The first flight that kept its trajectory, by robot."""
+    """First flight with a trajectory, by robot."""
     found: dict[str, Flight] = {}
     for run in runs:
         if run.flight is not None and run.flight.columns:
@@ -79,7 +79,7 @@ def circle_flights(results: FlightResults, pace: str) -> dict[str, Flight]:
 
 
 def step_window(flight: Flight, axis: Axis) -> tuple[Array, Array, Array]:
-    """Time since an axis was asked to step [s], where it is, and where it was asked to be [m]."""
+    """Time since the step of an axis [s], its position, and its set-point [m]."""
     c, d, begins = flight.columns, flight.telemetry, STEP_BEGINS[axis]
     inside = (c["t"] >= begins - SHOWN_BEFORE) & (c["t"] < begins + DWELL)
     t = c["t"][inside]
@@ -88,14 +88,14 @@ def step_window(flight: Flight, axis: Axis) -> tuple[Array, Array, Array]:
 
 
 def _drawn(t: Array, *curves: Array) -> list[Array]:
-    """Curves at instants `DRAWN` apart."""
+    """Samples of curves spaced by `DRAWN`."""
     at = np.arange(t[0], t[-1], DRAWN)
     return [np.interp(at, t, curve) for curve in (t, *curves)]
 
 
-@styled
+@in_style
 def steps_figure(results: FlightResults) -> Figure:
-    """Each axis from the moment it is asked to step by 1 m, all robots in one panel."""
+    """Step responses to 1 m by axis, all robots in one panel."""
     figure = StyledFigure(figsize=(WIDTH, 4.6))
     axes = figure.subplots(3, 1, sharex=True)
     flown = first_flights(results.responses)
@@ -113,15 +113,15 @@ def steps_figure(results: FlightResults) -> Figure:
 
 
 def circle_errors_over_time(flight: Flight) -> dict[str, Array]:
-    """Wanted less flown over the ticks: x, y [m], vx, vy [m/s], beside t [s]."""
+    """Tracking errors at the ticks: x, y [m], vx, vy [m/s], with t [s]."""
     c, d = flight.columns, flight.telemetry
     errors = {name: d[f"ref_{name}"] - np.interp(d["t"], c["t"], c[name]) for name in ERRORS}
     return {"t": d["t"], **errors}
 
 
-@styled
+@in_style
 def circles_figure(results: FlightResults) -> Figure:
-    """Circles from above, and below them the errors of position and velocity over time."""
+    """Circles from above, and below them the tracking errors of position and velocity."""
     figure = StyledFigure(figsize=(WIDTH, 6.6))
     above, below = figure.subfigures(2, 1, squeeze=False, height_ratios=(2.5, 4.1))[:, 0]
     planes = above.subplots(1, 2, sharey=True)
@@ -157,7 +157,7 @@ def _circle_column(plane: Chart, column: Sequence[Chart], flown: Mapping[str, Fl
             chart.ax.set_xlim(0.0, t[-1])
     plane.ax.set_aspect("equal")
     for chart in column:
-        spread(chart.ax, 0.02, 0.02)
+        widen_flat_axis(chart.ax, 0.02, 0.02)
         chart.ax.yaxis.set_major_locator(MaxNLocator(4))
 
 
@@ -167,23 +167,23 @@ class Ratio(NamedTuple):
     robot: str
     test: str  # rise, mse, slow or fast
     name: str
-    ours: tuple[float, ...]  # trial by trial
+    ours: tuple[float, ...]  # by trial
     printed: float
 
     @property
     def ratio(self) -> float:
-        """Mean of ours over print."""
+        """Mean of ours divided by print."""
         return float(np.mean(self.ours)) / self.printed
 
     @property
     def line(self) -> str:
-        """Its name, the same for all robots."""
+        """Name, the same for all robots."""
         kind = {"rise": "rise time", "mse": "MSE"}.get(self.test, self.test)
         return f"{kind}, {self.name}"
 
 
 def table_iv(results: FlightResults) -> list[Ratio]:
-    """Every number of Table IV with ours, trial by trial; trials without one are left out."""
+    """Numbers of Table IV with ours by trial; trials without one are left out."""
     cells = []
     for robot in ROBOTS:
         responses = [r for r in results.responses if r.robot == robot]
@@ -201,9 +201,9 @@ def table_iv(results: FlightResults) -> list[Ratio]:
     return [cell for cell in kept if cell.ours]
 
 
-@styled
+@in_style
 def table_iv_figure(results: FlightResults) -> Figure:
-    """Every number of Table IV: ours over print, 1 is agreement; bars span the trials."""
+    """Numbers of Table IV, ours divided by print; bars span the trials."""
     cells = table_iv(results)
     figure = StyledFigure(figsize=(WIDTH, 3.7))
     left, right = figure.subplots(1, 2)
@@ -254,15 +254,15 @@ def _ratios(chart: Chart, cells: Sequence[Ratio]) -> None:
 
 
 def endurance_points(robot: str, count: int = 60) -> tuple[Array, Array]:
-    """Payloads [kg] up to the largest, and how long a robot hovers with each [s]."""
+    """Payloads [kg] up to the largest, and hover time with each [s]."""
     vehicle = VEHICLES[robot].vehicle
     payloads = np.linspace(0.0, largest_payload(vehicle), count)
     return payloads, endurance_curve(vehicle, payloads)
 
 
-@styled
+@in_style
 def endurance_figure() -> Figure:
-    """Hover time against payload; diamonds are printed hover times, lines printed payloads."""
+    """Hover time over payload; diamonds are printed hover times, lines printed payloads."""
     figure = StyledFigure(figsize=(WIDTH, 2.8))
     ax = figure.subplots()
     chart = Chart(ax, "Payload [kg]", "Hover time [min]")

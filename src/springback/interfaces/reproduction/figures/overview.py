@@ -1,4 +1,4 @@
-"""The figure that a report begins with: every compared number beside its printed value."""
+"""First figure of a report: every compared number relative to its printed value."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.style import WIDTH, StyledFigure, styled
+from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, INK, RED
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 FARTHEST = 3.0
-"""Ratios beyond this, or its inverse, are arrows at the edge (chosen)."""
+"""Ratios beyond this, or its inverse, are drawn as arrows at the edge (chosen)."""
 TICKS = (0.33, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0)
 ROWS = 3
-"""Rows over which the marks of a line are spread, so that they hide each other less."""
+"""Rows over which the marks of a line are spread, to reduce overlap."""
 
 
-@styled
+@in_style
 def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
-    """Ours over print, a mark for each compared number, a line for each group of them.
+    """Ours divided by print, a mark for each compared number, a line for each group.
 
     Args:
-        groups: Compared numbers by the name of their group, of which nothing was fitted.
+        groups: Compared numbers without a fit, by the name of their group.
     """
     figure = StyledFigure(figsize=(WIDTH, 0.95 + 0.29 * max(len(groups), 1)))
     ax = figure.subplots()
@@ -50,7 +50,7 @@ def overview_figure(groups: Mapping[str, Sequence[Row]]) -> Figure:
 
 
 def _mark(chart: Chart, row: Row, group: str, y: float) -> None:
-    """One number; where print is zero, or far away, an arrow at the edge."""
+    """Draw one number, as an arrow at the edge if print is zero or the ratio is off the scale."""
     ratio = FARTHEST**2 if row.deviation is None else 1.0 + row.deviation
     far = not 1 / FARTHEST <= ratio <= FARTHEST
     shown = min(max(ratio, 1 / FARTHEST), FARTHEST)

@@ -1,6 +1,6 @@
-"""Figures of collisions in flight, in the manner of the paper.
+"""Figures of collisions in flight, in the style of the paper's.
 
-Nothing here computes physics: every number shown is a trajectory column, a count of trials or a
+No physics is computed here: every number is a column of a trajectory, a count of trials or a
 printed value.
 """
 
@@ -18,10 +18,10 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 
 from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.panels import Array, contacts, thinned
-from springback.interfaces.figures.style import WIDTH, Look, StyledFigure, styled
+from springback.interfaces.figures.panels import Array, contacts, thin_curve
+from springback.interfaces.figures.style import WIDTH, Look, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, ROBOTS
-from springback.interfaces.reproduction.figures.choices import ORDER, signed
+from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS
 from springback.paper.resilience import (
     FASTEST,
@@ -38,14 +38,14 @@ PRINTED: Look = {"color": INK, "ls": (0, (6, 2, 1, 2)), "lw": 0.9}
 SINCE = "Time from first touch [s]"
 STATES = ("Position x [m]", "Velocity x [m/s]", "Pitch [°]")
 SPAN = (-0.3, 2.2)
-"""Time since first touch that the figures of one collision show [s] (chosen)."""
+"""Time since first touch shown for a collision [s] (chosen)."""
 
 
 class TimeView(NamedTuple):
-    """A stretch of time, and how it is shown."""
+    """Time interval of a panel, and its axis."""
 
     span: tuple[float, float]
-    """Since first touch [s]."""
+    """Time since first touch [s]."""
     scale: float
     head: str
 
@@ -53,15 +53,15 @@ class TimeView(NamedTuple):
 VIEWS = (TimeView(SPAN, 1.0, SINCE), TimeView((-0.008, 0.045), 1e3, "From touch [ms]"))
 """The recovery, and a close-up of the contact (chosen)."""
 ZOOMED = 1.0
-"""[s], as in the paper: of the repeated test's first collision, what the boxes show."""
+"""Time of the repeated test's first collision shown enlarged, as in the paper [s]."""
 POSES = 0.07
-"""[s], chosen: between two drawings of a robot seen from the side."""
+"""Chosen: time between two drawings of a robot seen from the side [s]."""
 SEEN = 1.5
-"""[s], chosen: after touch, what a side view shows."""
+"""Chosen: time after touch shown in a side view [s]."""
 BODY, ARM, AXIS = 0.035, 0.018, 0.09
-"""[m], chosen: radii of the circles of main body and arms, length of the line along e_z."""
+"""Chosen: radii of the circles of main body and arms, length of the line along e_z [m]."""
 DRAWN_WIDTH = 3.45
-"""[in]: of a side view, what colour bar and labels leave of the figure."""
+"""Width of a side view without colour bar and labels [in]."""
 COLOURS = "viridis"
 
 
@@ -71,7 +71,7 @@ def _within(curves: dict[str, Array], span: tuple[float, float]) -> dict[str, Ar
 
 
 def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
-    """Position, velocity and pitch, in the order and units of `STATES`."""
+    """Position, velocity and pitch in the order and units of `STATES`."""
     x, v, pitch = (curves[f"{prefix}{name}"] for name in ("x", "vx", "pitch"))
     return [x, v, np.degrees(pitch)]
 
@@ -79,13 +79,13 @@ def _states(curves: dict[str, Array], prefix: str = "") -> list[Array]:
 # -- success --------------------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def success_figure(results: ResilienceResults) -> Figure:
-    """Shares of recovered trials with Wilson's intervals, and what the paper prints."""
+    """Shares of recovered trials with Wilson intervals, and printed shares."""
     figure = StyledFigure(figsize=(WIDTH, 3.0))
     ax = figure.subplots()
     chart = Chart(ax, "Speed and pitch at contact", "Recovered [%]")
-    names = [f"{speed:g} m/s\n{signed(pitch)}°" for pitch, speed in ORDER]
+    names = [f"{speed:g} m/s\n{signed_angle(pitch)}°" for pitch, speed in ORDER]
     for robot, shift in zip(FLOWN, (-0.14, 0.14), strict=True):
         look = ROBOTS[robot]
         found = {ORDER.index((t.pitch, t.speed)): t for t in results.tallies() if t.robot == robot}
@@ -111,15 +111,15 @@ def success_figure(results: ResilienceResults) -> Figure:
 
 
 def _condition(robot: str, pitch: float, speed: float) -> str:
-    return f"{ROBOTS[robot].label}, {speed:g} m/s, {signed(pitch)}°"
+    return f"{ROBOTS[robot].label}, {speed:g} m/s, {signed_angle(pitch)}°"
 
 
 # -- states over time -----------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def fast_figure(sample: Sample) -> Figure:
-    """Position, velocity and pitch of one collision: flown and asked for, and a close-up."""
+    """Position, velocity and pitch of one collision, flown and reference, with a close-up."""
     figure = StyledFigure(figsize=(WIDTH, 5.0))
     axes = figure.subplots(3, 2, sharey="row", width_ratios=(2.3, 1.0))
     titles = (_condition(sample.robot, sample.pitch, sample.speed), "In contact")
@@ -147,13 +147,13 @@ def fast_figure(sample: Sample) -> Figure:
 
 
 def _events(sample: Sample) -> dict[str, float]:
-    """First touch and alarm since first touch [s]."""
+    """Times of first touch and alarm since first touch [s]."""
     touch, alarm = 0.0, sample.flight.measures["detection_delay"]
     return {"touch": touch} | ({} if alarm is None else {"alarm": alarm})
 
 
 def _collision(charts: Sequence[Chart], sample: Sample, view: TimeView) -> None:
-    """States flown and asked for, with events and contacts."""
+    """Draw states, flown and reference, with events and contacts."""
     curves, scale = _within(motion(sample.flight), view.span), view.scale
     flown, asked, t = _states(curves), _states(curves, "asked_"), scale * curves["t"]
     touch = sample.flight.measures["touch_time"] or 0.0
@@ -161,10 +161,10 @@ def _collision(charts: Sequence[Chart], sample: Sample, view: TimeView) -> None:
              for a, b in contacts(sample.flight.columns)]  # fmt: skip
     for k, chart in enumerate(charts):
         chart.curve("flown", t, flown[k], color=BLUE, zorder=3)
-        chart.curve("asked for", t, asked[k], **ASKED)
+        chart.curve("reference", t, asked[k], **ASKED)
         if k == 2:
             aimed = np.degrees(curves["aimed_pitch"])
-            chart.curve("asked for, with feedback", t, aimed, **AIMED)
+            chart.curve("commanded, with feedback", t, aimed, **AIMED)
         for (name, when), marker in zip(_events(sample).items(), ("o", "^"), strict=False):
             chart.vline(name, scale * when, lw=0.8, zorder=1.4)
             at = float(np.interp(when, curves["t"], flown[k]))
@@ -177,9 +177,9 @@ def _collision(charts: Sequence[Chart], sample: Sample, view: TimeView) -> None:
                 chart.span("contact", scale * low, scale * high)
 
 
-@styled
-def compared_figure(samples: Sequence[Sample]) -> Figure:
-    """Position, velocity and pitch of both robots over the same collision."""
+@in_style
+def comparison_figure(samples: Sequence[Sample]) -> Figure:
+    """Position, velocity and pitch of both robots in the same collision."""
     figure = StyledFigure(figsize=(WIDTH, 4.4))
     axes = figure.subplots(3, 1, sharex=True)
     charts = [Chart(ax, SINCE, label) for ax, label in zip(axes, STATES, strict=True)]
@@ -199,7 +199,7 @@ def compared_figure(samples: Sequence[Sample]) -> Figure:
 # -- from the side --------------------------------------------------------------------------------
 
 
-@styled
+@in_style
 def side_figure(samples: Sequence[Sample]) -> Figure:
     """Robots from the side, time as colour: away from the wall above, back to p_r below."""
     seen = [_within(motion(sample.flight), (0.0, SEEN)) for sample in samples]
@@ -228,7 +228,7 @@ def side_figure(samples: Sequence[Sample]) -> Figure:
 
 
 def _poses(chart: Chart, sample: Sample, curves: dict[str, Array], scale: Normalize) -> None:
-    """Main body, arms and e_z, again and again; arms at the paper's constant L* = L/√2."""
+    """Draw main body, arms and e_z repeatedly, with arms at the paper's constant L* = L/√2."""
     reach = sample.flight.scenario.vehicle.lengths()[0] / math.sqrt(2.0)
     wall = sample.noise_stream.wall_distance
     chart.span("wall", wall, wall + 1.0, color=GREY, zorder=1)
@@ -255,10 +255,10 @@ def _poses(chart: Chart, sample: Sample, curves: dict[str, Array], scale: Normal
 # -- again and again ------------------------------------------------------------------------------
 
 
-@styled
-def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
-    """Collision after collision without landing; the first second of the first one on the right."""
-    flight = next(r.flight for r in results.repeated(robot) if r.flight is not None)
+@in_style
+def repeat_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
+    """Repeated collisions without landing; on the right the first second of the first one."""
+    flight = next(r.flight for r in results.repeats_of(robot) if r.flight is not None)
     curves, touch = motion(flight), flight.measures["touch_time"] or 0.0
     figure = StyledFigure(figsize=(WIDTH, 3.5))
     axes = figure.subplots(2, 2, sharex="col", sharey="row", width_ratios=(2.6, 1.0))
@@ -268,7 +268,7 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
     for k, ((name, label, scale), (left, right)) in enumerate(zip(rows, axes, strict=True)):
         whole = Chart(left, "Time [s]", label, _condition(robot, *REPEATED), titled=k == 0)
         zoom = Chart(right, "From touch [s]", label, "The first", titled=k == 0)
-        t, values = thinned(curves["t"] + touch, scale * curves[name])
+        t, values = thin_curve(curves["t"] + touch, scale * curves[name])
         whole.curve("flown", t, values, key=False, color=colour, lw=0.9)
         zoom.curve("flown", close["t"], scale * close[name], key=False, color=colour)
         zoom.vline("first touch", 0.0)
@@ -284,7 +284,7 @@ def repeated_figure(results: ResilienceResults, robot: str = "arq") -> Figure:
 
 
 def _over(flight: Any) -> float:
-    """A second after the last way home ended [s]."""
+    """Time one second after the last return ended [s]."""
     phases, t = flight.telemetry["phase"], flight.telemetry["t"]
     changes = np.flatnonzero(np.diff(phases))
     return float(min(t[-1], t[changes[-1]] + 1.0)) if len(changes) else float(t[-1])

@@ -1,7 +1,6 @@
-"""Figures of the slider tests, in the manner of the paper.
+"""Figures of the slider tests, in the style of the paper's.
 
-Nothing here computes physics: every number shown is a measure, a trajectory column or a printed
-value.
+No physics is computed here: every number is a measure, a column of a trajectory or a printed value.
 """
 
 from __future__ import annotations
@@ -20,8 +19,8 @@ from springback.interfaces.figures.style import (
     WIDTH,
     Look,
     StyledFigure,
-    as_written,
-    styled,
+    escape,
+    in_style,
 )
 from springback.interfaces.output.robots import GREY, INK, ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
     from springback.paper.slider import Case, SliderResults
 
 FLOWN = ("quad", "arq")
-"""In the order of the paper."""
+"""Surfaces in the order of the paper."""
 SURFACES = ("wall", "mat")
 STATES = ("Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]")
 SPEED = "Speed at touch [m/s]"
@@ -42,7 +41,7 @@ END: Look = {"marker": "o", "mec": "white", "ms": 5, "ls": "none"}
 
 
 def predictions(results: SliderResults, robot: str, surface: str) -> list[Case]:
-    """The first case of every reading: the one flown with Quad's c_a."""
+    """First case of every reading, with Quad's c_a."""
     found: dict[str, Case] = {}
     for case in results.cases:
         if (case.robot, case.surface) == (robot, surface):
@@ -57,18 +56,18 @@ def _reading_looks(results: SliderResults) -> dict[str, Look]:
 
 
 def _legend_room(readings: int) -> float:
-    """More height [in] for the legend of more than three readings, three names to a line."""
+    """Additional height for the legend of more than three readings, three per line [in]."""
     return 0.2 * max(0, -(-readings // 3) - 1)
 
 
-@styled
+@in_style
 def slider_figure(results: SliderResults, robot: str) -> Figure:
     """A robot hits wall and mat: position, velocity, acceleration, and arm length if arms slide.
 
-    Dash-dotted lines mark what the paper prints for its simulation; a diamond its contact time.
+    Dash-dotted lines mark printed values of the paper's simulation; a diamond its contact time.
 
     Args:
-        results: The slider tests.
+        results: Results of the slider tests.
         robot: ``quad`` or ``arq``.
     """
     flown = {surface: predictions(results, robot, surface) for surface in SURFACES}
@@ -99,12 +98,12 @@ def slider_figure(results: SliderResults, robot: str) -> Figure:
 
 
 def _front(flight: Flight) -> int:
-    """The arm that is pressed hardest."""
+    """Index of the arm with the largest compression."""
     return max(arms_of(flight.columns), key=lambda j: float(np.max(flight.columns[f"fn{j}"])))
 
 
 def _since_touch(flight: Flight) -> tuple[Array, float]:
-    """Time from first touch [ms], and the instant of it [s]."""
+    """Time from first touch [ms], and its instant [s]."""
     touch = flight.measures.get("touch_time") or 0.0
     return 1e3 * (flight.columns["t"] - touch), touch
 
@@ -123,7 +122,7 @@ def _slider_curves(
     c, (t, touch) = case.flight.columns, _since_touch(case.flight)
     past = c["x"] - np.interp(touch, c["t"], c["x"])
     curves = [1e3 * past, c["vx"], c["ax"], 1e3 * c[f"l{_front(case.flight)}"]]
-    inside = (t > 1.1 * span[0]) & (t < 1.02 * span[1])  # the rest would only stretch the scales
+    inside = (t > 1.1 * span[0]) & (t < 1.02 * span[1])  # later times would only stretch the scales
     name = short("computed" if case.robot == "quad" else f"reading {case.reading.name}")
     for k, (chart, values) in enumerate(zip(charts, curves, strict=False)):
         chart.curve(name, t[inside], values[inside], key=k == 0, **look)
@@ -135,7 +134,7 @@ def _slider_curves(
 
 
 def _slider_print(charts: Sequence[Chart], robot: str, surface: str) -> None:
-    """Printed values, and the beginning of contact."""
+    """Draw printed values, and the beginning of contact."""
     printed = TABLE_III[robot, surface]
     after = -printed.restitution * SLIDER_SPEED
     line: Look = {"color": INK, "ls": (0, (6, 2, 1, 2)), "zorder": 2}
@@ -153,9 +152,9 @@ def _slider_print(charts: Sequence[Chart], robot: str, surface: str) -> None:
     charts[2].hline("printed value", -printed.peak_acceleration, **line)
 
 
-@styled
+@in_style
 def sweep_figure(results: SliderResults) -> Figure:
-    """Peak acceleration against speed, without the sliding bar, and how much less ARQ's is."""
+    """Peak acceleration over speed, without the sliding bar, and the difference of the robots."""
     names = [r.name for r in results.readings if any(p.reading == r.name for p in results.sweep)]
     looks, points = _reading_looks(results), {(p.reading, p.speed): p for p in results.sweep}
     speeds = sorted({p.speed for p in results.sweep})
@@ -184,25 +183,25 @@ def sweep_figure(results: SliderResults) -> Figure:
 def _bars(
     chart: Chart, speeds: Sequence[float], bars: list[tuple[str, str, list[float]]], first: int = 0
 ) -> None:
-    """Groups of bars; ``first`` bars are left out on the left, to line up with the panel above."""
+    """Draw groups of bars; ``first`` bars are left out to align with the panel above."""
     hatches = ("", "//", "", "\\\\", "..", "xx", "--")
     width = 0.84 / max(len(bars) + first, 1)
     for k, (name, colour, heights) in enumerate(bars, first):
         left = [v - 0.42 + (k + 0.5) * width for v in speeds]
         chart.record(name, {chart.x: speeds, chart.y: heights})
         chart.ax.bar(
-            left, heights, 0.92 * width, color=colour, label=as_written(name), edgecolor="white",
+            left, heights, 0.92 * width, color=colour, label=escape(name), edgecolor="white",
             hatch=hatches[k % len(hatches)], linewidth=0.0,
         )  # fmt: skip
     chart.ax.grid(visible=False, axis="x")
 
 
-@styled
+@in_style
 def readings_figure(results: SliderResults) -> Figure:
-    """Every reading against the four printed numbers of ARQ: ours over print, 1 is agreement."""
+    """ARQ's four numbers in every reading, divided by the printed ones."""
     rows = {
         (row.surface, row.reading, row.quantity): row.deviation
-        for row in reversed(results.rows)  # so that the first of several, the prediction, stays
+        for row in reversed(results.rows)  # the first of several, the prediction, wins
         if row.experiment == "Table III" and row.robot == "arq"
     }
     lines = [
@@ -245,9 +244,9 @@ def readings_figure(results: SliderResults) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
-    """ARQ and Quad hit the wall on the slider: velocity and acceleration, for a front page."""
+    """Velocity and acceleration of ARQ and Quad hitting the wall on the slider, for the README."""
     cases = predictions(results, "quad", "wall") + [
         case for case in predictions(results, "arq", "wall") if case.reading.name == reading
     ]
@@ -273,7 +272,7 @@ def readme_figure(results: SliderResults, reading: str = "B") -> Figure:
             )  # fmt: skip
     for chart in (left, right):
         chart.vline("first touch", 0.0)
-        chart.ax.set_ylabel("")  # it is the title
+        chart.ax.set_ylabel("")  # used as the title
         chart.ax.set_xlim(-8.0, 52.0)
     left.ax.legend(loc="upper right", fontsize=10)
     return figure
