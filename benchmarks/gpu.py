@@ -25,12 +25,13 @@ from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
 from springback.kernels.layout import Buffer, rows
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
+from springback.simulation.flight import LANES, flight_buffers, fly_buffers, shape_of
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import Loader
-from springback.simulation.record import Model
-from springback.vehicle.state import State
+from springback.simulation.noise import FlightNoise
+from springback.simulation.ticks import FlightBuffers
 
 #: Flights of each job that are flown on the processor, too; more are copies of them.
 DIFFERENT = 1024
@@ -82,7 +83,7 @@ def impacts(flights: int, rounds: int) -> dict[str, Any]:
     model = reference_model()
     states = starts(model, DIFFERENT)
     shape = shape_of(model, states[0])
-    ready = loaded(shape, [model], states, LANES)
+    ready = flight_buffers(shape, [model], states, LANES)
     there = _copied(ready, flights // DIFFERENT)
     work = there.copy()
 
@@ -122,6 +123,7 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     first, seeds = ready[0], [one.seed for one in ready]
     assert first.built_avionics is not None
     avionics, draws = first.built_avionics.avionics, first.built_avionics.noise
+    alone = FlightNoise(draws, seeds, [0] * DIFFERENT)
     loader = Loader(first.model, first.start, avionics, GUIDED_LANES)
     for one in ready:
         assert one.built_avionics is not None
@@ -132,20 +134,22 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     times = flights // DIFFERENT
     buffers, onboard = _copied(laid.buffers, times), _copied(laid.onboard, times)
     work, inside = buffers.copy(), onboard.copy()
-    kind: tuple[Model, State, Any] = laid.model, laid.start, laid.avionics
+    kind, lanes = GuidedFlight(laid.model, laid.start, laid.avionics), (0,) * GUIDED_LANES
+    together = FlightNoise(draws, seeds * times, [0] * flights)
 
     def reset() -> None:
         work[:], inside[:] = buffers, onboard
 
     def fly() -> None:
-        fly_groups_on_gpu(*kind, work, inside, draws, seeds * times, width=GUIDED_LANES)
+        fly_groups_on_gpu(kind, FlightBuffers(work, inside, lanes), together)
 
     on_gpu = _timed(fly, reset, rounds)
     here, beside = laid.buffers.copy(), laid.onboard.copy()
-    fly_groups(*kind, here[:8], beside[:8], draws, seeds[:64], width=GUIDED_LANES)  # compiles
+    few = FlightBuffers(here[:8], beside[:8], lanes)
+    fly_groups(kind, few, alone.part(slice(0, 64)))  # compiles
     here, beside = laid.buffers.copy(), laid.onboard.copy()
     begun = time.perf_counter()
-    fly_groups(*kind, here, beside, draws, seeds, width=GUIDED_LANES)
+    fly_groups(kind, FlightBuffers(here, beside, lanes), alone)
     on_cpu = time.perf_counter() - begun
     remembered = inside.reshape(times, *beside.shape).view(np.uint64)
     return {

@@ -118,7 +118,7 @@ class Lanes:
     def __init__(self, model: Model, states: list[State], width: int) -> None:
         """Lay the flights into buffers."""
         self.shape, self.width, self.count = flight.shape_of(model, states[0]), width, len(states)
-        self.loaded = flight.loaded(self.shape, [model], states, width)
+        self.loaded = flight.flight_buffers(self.shape, [model], states, width)
         self.buffers = empty_groups(self.shape, len(states), width)
         self.columns = ["motion." + n for n in names(self.shape.motion)], names(self.shape.record)
 
@@ -143,7 +143,7 @@ class Single:
     def __init__(self, model: Model, state: State) -> None:
         """Lay the flight into a buffer."""
         self.shape = flight.shape_of(model, state)
-        self.loaded = flight.loaded(self.shape, [model], [state], 1)
+        self.loaded = flight.flight_buffers(self.shape, [model], [state], 1)
         self.steps = names(self.shape.record).index("steps") - rows(self.shape.record)
 
     def run(self) -> float:

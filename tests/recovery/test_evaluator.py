@@ -11,7 +11,7 @@ from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
-from springback.simulation.onboard import ContactReport, evaluated
+from springback.simulation.onboard import ContactReport, evaluator_step
 from springback.vehicle.state import State
 
 STILL = Vec(0.0, 0.0, 0.0)
@@ -42,7 +42,7 @@ def seen(
     thought: RecoveryPilotMemory,
 ) -> EvaluatorMemory:
     """What the referee has seen after a tick; where no run is open, the short way says the same."""
-    after: EvaluatorMemory = evaluated(REFEREE, time, now, touch, thought, memory)
+    after: EvaluatorMemory = evaluator_step(REFEREE, time, now, touch, thought, memory)
     if memory.open == 0.0 and touch.contacts == memory.contacts:
         alarm = thought.recovery_state.log.alarm
         assert between_runs(time, now.position, alarm, touch, memory) == after

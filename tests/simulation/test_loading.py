@@ -13,8 +13,8 @@ from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import loaded, shape_of
-from springback.simulation.guided import loaded_avionics
+from springback.simulation.flight import flight_buffers, shape_of
+from springback.simulation.guided import avionics_buffers
 from springback.simulation.loading import Loader
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
@@ -72,7 +72,10 @@ def test_collected_flights_are_laid_as_by_themselves(width: int, in_groups: bool
         loader.add(*one)
     laid = loader.laid()
     shape = shape_of(models[0], starts[0])
-    wanted, onboard = loaded(shape, models, starts, width), loaded_avionics(avionics_list, width)
+    wanted, onboard = (
+        flight_buffers(shape, models, starts, width),
+        avionics_buffers(avionics_list, width),
+    )
     assert laid.onboard is not None
     # By their bits: −0 is not 0 here.
     np.testing.assert_array_equal(laid.buffers.view(np.int64), wanted.view(np.int64))
@@ -86,7 +89,7 @@ def test_flights_without_pilots_are_laid_too() -> None:
         loader.add(model, start, None)
     laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
     assert laid.onboard is None
-    np.testing.assert_array_equal(laid.buffers, loaded(laid.shape, models, starts, 8))
+    np.testing.assert_array_equal(laid.buffers, flight_buffers(laid.shape, models, starts, 8))
 
 
 def test_flights_of_another_kind_have_another_structure() -> None:

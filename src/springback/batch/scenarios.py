@@ -31,10 +31,13 @@ from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
+from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import Laid, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
+from springback.simulation.ticks import FlightBuffers
 
 #: Outcome of a flight whose scenario cannot be flown.
 REFUSED = "refused"
@@ -227,11 +230,10 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     if built_avionics is None or laid.avionics is None or laid.onboard is None:
         fly.impacts(laid.shape, laid.buffers, width, progress=progress)
     else:
-        fly.guided(
-            laid.model, laid.start, laid.avionics, laid.buffers, laid.onboard,
-            built_avionics.noise, kind.seeds,
-            width=width, progress=progress,
-        )  # fmt: skip
+        flight = GuidedFlight(laid.model, laid.start, laid.avionics)
+        buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)
+        noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
+        fly.guided(flight, buffers, noise, progress=progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
     for number, word in zip(kind.numbers, words, strict=True):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
@@ -37,15 +37,21 @@ from springback.sensing.measurement import Estimate
 from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.guided import FIRST_GUST_NOISE, NO_EVALUATION, avionics_at_start
+from springback.simulation.guided import (
+    NO_EVALUATION,
+    AvionicsMemory,
+    avionics_at_start,
+)
 from springback.simulation.noise import Purpose, stream
-from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems, Relay
+from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
+#: Normal numbers that gusts take before the first tick.
+FIRST_GUST_NOISE = 5
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
 
@@ -363,17 +369,17 @@ def recovery_pilot(
     return RecoveryPilot(cascade, *eyes, route)
 
 
+#: Builds the pilot of a scenario, model and start with a builder of its parts: `cascade_of`.
+MakePilot = Callable[[ScenarioTables, Model, State, Build], CompiledPilot]
+
+
 def build_avionics(
     scenario: ScenarioTables,
     model: Model,
     start: State,
-    *,
-    flight: int = 0,
-    pilot: CompiledPilot | None = None,
-    relay: bool = False,
+    pilot: CompiledPilot | MakePilot = cascade_of,
     normals: Sequence[float] | None = None,
     build: Build = plain_build,
-    advises: bool = True,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.
 
@@ -381,20 +387,15 @@ def build_avionics(
         scenario: With a reference, or flown by a pilot of the user's own.
         model: Model of the flight.
         start: State at time 0.
-        flight: Number of the flight in a campaign, for its noise.
-        pilot: Pilot in place of the paper's.
-        relay: True for a pilot in plain Python, which runs outside.
-        normals: `normals_at_start`, if already known.
+        pilot: Pilot, or the function that builds it.
+        normals: `normals_at_start` of the flight; by default those of the scenario's seed.
         build: Builder of the parts.
-        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
     """
     s, arms, period = scenario, len(model.airframe.arms), 1.0 / scenario.clock
     devices = devices_of(s.sensors, s.estimator, period, s.vehicle)
-    drawn = normals or normals_at_start(s.seed, s.air.gusts is not None, flight)
+    drawn = normals or normals_at_start(s.seed, s.air.gusts is not None)
     sensors = devices.settings.switched_on(devices.sensors, drawn[:BIASES])
-    if relay:
-        pilot = CompiledPilot(Relay(0.0), model.thrust)
-    flown_by = pilot or cascade_of(s, model, start, build, advises)
+    flown_by = pilot if isinstance(pilot, CompiledPilot) else pilot(s, model, start, build)
     air = _air_of(s.air, period)
     judged = s.recovery if isinstance(flown_by.settings, RecoveryPilot) else None
     evaluator: Any = judged.evaluator() if judged else NoEvaluator(0.0)
@@ -411,13 +412,10 @@ def build_avionics(
         period=period,
     )
     remembered = traceable(sensors_at_start)(sensors, start, s.world.gravity)
-    calm = systems._replace(weather=NoGusts(0.0))
-    onboard = avionics_at_start(
-        calm, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
-    ).onboard
-    if s.air.gusts is not None:
-        onboard = onboard._replace(weather=_first_gust(air.weather, tuple(drawn[BIASES:])))
-    return BuiltAvionics(Avionics(systems, onboard), (*devices.noise, air.noise))
+    gusts = _first_gust(air.weather, tuple(drawn[BIASES:]))
+    memory = AvionicsMemory(remembered, flown_by.memory, seen, gusts)
+    avionics = avionics_at_start(systems, memory, model, start, noise_count(arms))
+    return BuiltAvionics(avionics, (*devices.noise, air.noise))
 
 
 @traceable

@@ -1,7 +1,7 @@
 """Many flights in buffers: one by one, or as many as differ from one in the same numbers.
 
-Each column is that of `springback.simulation.flight.loaded` and
-`springback.simulation.guided.loaded_avionics`.
+Each column is that of `springback.simulation.flight.flight_buffers` and
+`springback.simulation.guided.avionics_buffers`.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Loader:
     """Flights of one kind, while they are collected."""
 
     def __init__(self, model: Model, start: State, avionics: Avionics | None, width: int) -> None:
-        """Of the first flight, which is to be added like all others."""
+        """No flights yet: the first one is added like all others."""
         self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
@@ -82,7 +82,7 @@ class Loader:
         self.count += len(flown[1])
 
     def laid(self) -> Laid:
-        """All flights in their buffers; spare lanes repeat the last flight, already ended."""
+        """Buffers of all flights; spare lanes repeat the last flight, already ended."""
         width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
         _lay(self._flights, buffers, width)
         spare = -self.count % width

@@ -1,4 +1,4 @@
-"""The measures of a flight by name and unit, and its outcome in a sentence."""
+"""Measures of a flight by name and unit, and its outcome in a sentence."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from springback.simulation.record import NOT_FINITE, Record
 
 
 class Outcome(Enum):
-    """How a flight ended; the value is the sentence."""
+    """Outcome of a flight; the value is its sentence."""
 
     NOT_FINITE = "the simulation diverged; the last good state is kept"
     HIT_GROUND = "touched the ground"
@@ -28,17 +28,17 @@ class Outcome(Enum):
 
     @property
     def word(self) -> str:
-        """Short name, as it stands in files."""
+        """Short name, used in files."""
         return self.name.lower()
 
 
 def outcome_of(record: Record) -> Outcome:
-    """The outcome of a flight; where several apply, the worst."""
+    """Outcome of a flight; if several apply, the worst."""
     return outcomes_of(as_columns(record))[0]
 
 
 def outcomes_of(record: Any) -> list[Outcome]:
-    """The outcomes of many flights, from a `Record` whose leaves are columns."""
+    """Outcomes of many flights, from a `Record` whose leaves are columns."""
     claims = [
         (Outcome.NOT_FINITE, record.status == NOT_FINITE),
         (Outcome.HIT_GROUND, record.ground_time >= 0.0),
@@ -50,22 +50,22 @@ def outcomes_of(record: Any) -> list[Outcome]:
 
 
 def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list[Outcome]:
-    """Of every flight, the first outcome whose claim holds."""
+    """For each flight, the first outcome whose claim holds."""
     said = [otherwise, *(outcome for outcome, _ in claims)]
     numbers = range(1, len(said))
     chosen = np.select([claim for _, claim in claims], list(numbers), 0)
     return [said[k] for k in chosen.tolist()]
 
 
-#: An energy ledger that leaves no more than this share of the largest energy closes.
+#: An energy ledger closes if its residual is at most this share of the largest energy ...
 CLOSED = 1e-4
-#: Less than this is the rounding of heights and speeds of what stands still [J].
+#: ... or less than this, the rounding of heights and speeds of a vehicle at rest [J].
 ROUNDING = 1e-9
-#: Outcomes of a flight without a recovery that are no success.
+#: Outcomes of a flight without a pilot that are no success.
 FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
-#: Unit and meaning of every measure.  Those of the first impact, from its first touch until its
-#: arms have settled, stand apart from those of the whole flight.
+#: Unit and meaning of each measure.  Those of the first impact are from its first touch until the
+#: arms have settled, the others of the whole flight.
 MEASURES = {
     "restitution_at_separation": ("", "|v_n| of the main body, last separation / first touch"),
     "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
@@ -81,7 +81,7 @@ MEASURES = {
         "of the main body past its place at first touch, into the obstacle, until last separation",
     ),
     "impact_peak_acceleration": ("m/s^2", "first impact: largest |dv/dt| of the main body"),
-    "impact_peak_acceleration_time": ("s", "when"),
+    "impact_peak_acceleration_time": ("s", "time of it"),
     "impact_peak_specific_force": (
         "m/s^2",
         "first impact: largest specific force of the main body, gravity included",
@@ -99,7 +99,7 @@ MEASURES = {
     ),
     "contact_duration": ("s", "whole flight: total time in contact, all contacts"),
     "peak_acceleration": ("m/s^2", "whole flight: largest |dv/dt| of the main body"),
-    "peak_acceleration_time": ("s", "when"),
+    "peak_acceleration_time": ("s", "time of it"),
     "peak_specific_force": (
         "m/s^2",
         "whole flight: largest specific force of the main body, gravity included",
@@ -115,29 +115,29 @@ MEASURES = {
     "impulse_x": ("N s", "of all contact forces, world X"),
     "impulse_y": ("N s", "of all contact forces, world Y"),
     "impulse_z": ("N s", "of all contact forces, world Z"),
-    "contacts": ("", "times that the vehicle came into contact, one by one"),
-    "body_contacts": ("", "times that the main body itself came into contact; it needs a hull"),
-    "impacts": ("", "contacts closer together than the dwell time are one impact"),
+    "contacts": ("", "number of times that the vehicle came into contact"),
+    "body_contacts": ("", "number of times that the main body came into contact; needs a hull"),
+    "impacts": ("", "number of impacts: contacts closer together than the dwell time are one"),
     "bottomed_time": ("s", "an arm reached the end of its stroke"),
-    "ground_time": ("s", "something touched the ground"),
+    "ground_time": ("s", "a cage or the hull touched the ground"),
     "end_time": ("s", "end of the simulation"),
     "steps": ("", "Runge-Kutta steps taken"),
-    "energy_start": ("J", "kinetic energy and what is stored, gravity above the start"),
+    "energy_start": ("J", "kinetic and stored energy, gravity above the start"),
     "energy_end": ("J", "the same at the end"),
     "energy_kinetic": ("J", "kinetic energy at the end"),
     "energy_gravity": ("J", "gravitational energy at the end, above the start"),
     "energy_springs": ("J", "in arm springs at the end"),
     "energy_stops": ("J", "in end stops at the end"),
     "energy_contact": ("J", "in contacts at the end"),
-    "work_thrust": ("J", "put in by the rotors"),
-    "loss_arm": ("J", "taken by arm dampers"),
-    "loss_stop": ("J", "taken by end stops"),
-    "loss_contact": ("J", "taken by contact damping"),
-    "loss_friction": ("J", "taken by friction"),
+    "work_thrust": ("J", "done by the rotors"),
+    "loss_arm": ("J", "dissipated by arm dampers"),
+    "loss_stop": ("J", "dissipated by end stops"),
+    "loss_contact": ("J", "dissipated by contact damping"),
+    "loss_friction": ("J", "dissipated by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
-    "loss_air": ("J", "taken by the air; negative where wind gives"),
-    "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
-    "ledger_open": ("", "1 where that is more than 1e-4, and 1e-9 J: do not trust the numbers"),
+    "loss_air": ("J", "lost to the air; negative where wind does work"),
+    "ledger_residual": ("", "unaccounted energy, as a share of the largest energy"),
+    "ledger_open": ("", "1 if that is more than 1e-4 and 1e-9 J: the flight cannot be trusted"),
 }  # fmt: skip
 
 
@@ -148,7 +148,7 @@ def scalars_of(columns: dict[str, Array]) -> dict[str, float | None]:
 
 
 def where(happened: Any, value: Array) -> Array:
-    """A value where something happened, else NaN."""
+    """A value where an event happened, else NaN."""
     return np.where(happened, value, np.nan)
 
 
@@ -162,7 +162,7 @@ def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
 
 
 def _body_contacts(record: Any) -> Array:
-    """NaN without a hull: nobody knows then."""
+    """Number of contacts of the main body; NaN without a hull, because it is unknown then."""
     return next(iter(record.hull_contacts), np.full_like(record.contacts, np.nan))
 
 
@@ -173,10 +173,10 @@ def _largest(first: Array, *others: Array) -> Array:
 
 
 def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
-    """Every measure of many flights, in the order of `MEASURES`; NaN for what did not happen.
+    """Measures of many flights, in the order of `MEASURES`; NaN for events that did not happen.
 
     Args:
-        record: A `Record` whose leaves are columns, one number for each flight, as are all others'.
+        record: A `Record` whose leaves are columns, a number for each flight; all others likewise.
         work: `Work` since the start.
         before: `Energy` at the start.
         after: `Energy` at the end.
@@ -254,6 +254,6 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
 
 
 def measures_of(flown: FlightRecord) -> dict[str, float | None]:
-    """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
+    """Measures of a flight, in the order of `MEASURES`; None for events that did not happen."""
     trees = flown.record, flown.motion.work, flown.before, flown.after
     return scalars_of(measure_columns(*(as_columns(tree) for tree in trees)))

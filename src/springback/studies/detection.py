@@ -19,7 +19,8 @@ from springback.progress import Progress, silent
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
+from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
+from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
@@ -163,7 +164,8 @@ def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     avionics, draws = built
     ticks = ticks_of(model.timing.until, avionics.systems.period)
     noise = noise_table(scenario.seed, 0, ticks, draws)
-    return ReadyTrial(scenario, model, avionics), fly_guided(model, start, avionics, noise)
+    flight = GuidedFlight(model, start, avionics)
+    return ReadyTrial(scenario, model, avionics), fly_guided(flight, noise)
 
 
 def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSignal]:
