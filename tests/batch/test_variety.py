@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import functools
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -168,3 +171,51 @@ def test_whatever_differs_is_built_as_alone(has_pilot: bool) -> None:
             refused += 1
     assert together > 20
     assert refused > 10
+
+
+def places_of_floats(table: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Paths of all floats in a table."""
+    parts: Iterable[tuple[Any, Any]] = ()
+    if isinstance(table, dict):
+        parts = table.items()
+    elif isinstance(table, list):
+        parts = enumerate(table)
+    for key, part in parts:
+        if type(part) is float:
+            yield (*at, key)
+        else:
+            yield from places_of_floats(part, (*at, key))
+
+
+def changed(table: Any, path: tuple[Any, ...], k: int) -> dict[str, Any]:
+    """A table with one of its numbers changed a little, by the number of a flight."""
+    copied: dict[str, Any] = copy.deepcopy(table)
+    *keys, last = path
+    node = functools.reduce(lambda part, key: part[key], keys, copied)
+    node[last] = node[last] * (1.0 + 1e-5 * (k + 1)) if node[last] else 1e-6 * (k + 1)
+    return copied | {"seed": 0}
+
+
+def without_none(table: Any) -> Any:
+    if isinstance(table, dict):
+        return {key: without_none(part) for key, part in table.items() if part is not None}
+    return [without_none(part) for part in table] if isinstance(table, list | tuple) else table
+
+
+def test_every_number_is_traced() -> None:
+    """Whatever a campaign varies: flights that can be flown are built together."""
+    air = {"body_drag": 0.01, "wind": [1.0, 0.5, 0.0], "gusts": {"wind_at_6_m": 5.0}}
+    full = without_none(scenario_from(trial() | {"air": air}).model_dump(exclude={"seed"}))
+    traced, refused = 0, []
+    for path in places_of_floats(full):
+        if path in (("clock",), ("simulation", "duration")):  # of a batch
+            continue
+        tables = [changed(full, path, k) for k in range(FEW)]
+        together = [k for many in built(tables) for k in many.flights]
+        traced += together == [*range(FEW)]
+        if together != [*range(FEW)]:
+            with pytest.raises(InputError):
+                alone(tables[0])
+            refused.append(path)
+    assert traced > 150
+    assert len(refused) < 30
