@@ -6,7 +6,9 @@ import math
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, PlainValidator, model_validator
+from pydantic import BeforeValidator, GetCoreSchemaHandler, model_validator
+from pydantic_core import CoreSchema
+from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
 from springback.kernels.tracing import cos, hypot, sqrt, traceable  # for batch set-up
@@ -45,6 +47,15 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
         raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
     check_moments(principal)
     return tuple(tuple(row) for row in rows)
+
+
+class _Inertia:
+    """Field that `_inertia` reads in place of pydantic."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return no_info_plain_validator_function(_inertia)
 
 
 @traceable
@@ -89,7 +100,7 @@ class Body(Settings):
     """The main body: everything but the arms."""
 
     mass: Mass
-    inertia: Annotated[tuple[tuple[float, ...], ...], PlainValidator(_inertia)]
+    inertia: Annotated[tuple[tuple[float, ...], ...], _Inertia()]
     """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
 
 
