@@ -11,7 +11,6 @@ from springback.interfaces.cli.common import Output, output_options, seed_option
 
 LEAST_DURATION, MOST_DURATION = 4.0, 60.0
 """[s] of a trial: less than the longest run-up and an impact makes no sense."""
-Rows = list[dict[str, Any]]
 
 
 @click.group()
