@@ -1,1 +1,1 @@
-"""Results of a campaign: intervals, marginals and statistics."""
+"""Evaluation of a campaign: intervals, marginals and statistics."""

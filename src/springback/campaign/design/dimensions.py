@@ -1,4 +1,4 @@
-"""Dimensions of a plan: fields, the distributions of their values, and their targets."""
+"""Dimensions of a plan: fields, their distributions, and their targets in the scenario."""
 
 from __future__ import annotations
 
@@ -33,38 +33,38 @@ from springback.scenario.scenario import Scenario
 from springback.studies.trials import Scatter
 
 Blame = Callable[[Path, str], None]
-"""Function that collects problems: path in the plan, and message."""
+"""Function that records a problem by its path in the plan and its message."""
 
 #: Names of columns (chosen): dotted paths, and words.
 NAME = re.compile(r"[A-Za-z_][\w.\[\]]*\Z")
-#: Ending of a column whose values are factors of the scenario's own.
+#: Suffix of columns whose values are factors of the scenario's own.
 FACTOR = "_factor"
 
 
 @dataclass(frozen=True)
 class Dimension:
-    """A quantity that differs from flight to flight."""
+    """A quantity that varies from flight to flight."""
 
     column: str
     unit: str
     law: Distribution
     table: str
-    """Table of the scenario that the value goes into."""
+    """Table of the scenario that the value belongs to."""
     place: Place
     slot: int = -1
-    """Index of its random number among those of the scatter; -1 for a sampled dimension."""
+    """Index of the random number of a flight for scatter; -1 for sampled dimensions."""
     own: tuple[float, ...] = ()
-    """The scenario's own value for each robot, if the drawn value is relative to it."""
+    """The scenario's own value of each robot, to which the drawn one is added."""
     factor: bool = False
-    """True if it is multiplied by the drawn value; False if the value is added."""
+    """True if it is multiplied by the drawn value instead."""
 
     @property
     def scatter(self) -> bool:
-        """True for scatter."""
+        """True for a scattered dimension."""
         return self.slot >= 0
 
     def scenario_value(self, drawn: Any, robot: int) -> Any:
-        """Value for a robot's scenario, from the drawn one."""
+        """Value in a robot's scenario, from a drawn one."""
         if isinstance(self.law, LevelSet):
             return self.law.values[drawn]
         if not self.own:
@@ -77,7 +77,7 @@ class Dimension:
         return isinstance(self.law, LevelSet) and not all(map(_is_number, self.law.values))
 
     def column_value(self, drawn: Any, robot: int) -> Any:
-        """Value for the column, from the drawn one."""
+        """Value in the column, from a drawn one."""
         if not isinstance(self.law, LevelSet):
             return drawn if self.factor else self.scenario_value(drawn, robot)
         value = self.law.values[drawn]
@@ -87,11 +87,11 @@ class Dimension:
 
 
 Extremes = tuple[tuple[Path, Any], ...]
-"""Values to be checked before anything is flown, each with its path in the plan."""
+"""Values to be tried before anything is flown, with their paths in the plan."""
 
 
 class Found(NamedTuple):
-    """A dimension, its extremes, and the field that it is of."""
+    """A dimension, its extremes, and its field."""
 
     dimension: Dimension
     extremes: Extremes
@@ -105,14 +105,14 @@ def _is_number(value: Any) -> bool:
 def varied_dimension(
     k: int, entry: Vary, plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
 ) -> Found | None:
-    """The dimension of an entry of ``vary``; None if it has a problem, which is reported.
+    """Dimension of an entry of ``vary``; None if it has a problem, which is recorded.
 
     Args:
         k: Number of the entry.
-        entry: As written.
-        plan: That it is in.
-        scenarios: Of each robot.
-        blame: Called with each problem.
+        entry: Entry as written.
+        plan: Plan of the entry.
+        scenarios: Scenario of each robot.
+        blame: Called with problems.
     """
     at: Path = ("vary", k)
     try:
@@ -139,7 +139,7 @@ def varied_dimension(
 
 
 class _Reader:
-    """Reader of the values of one entry, which reports problems."""
+    """Reader of the values of an entry, which records problems."""
 
     def __init__(
         self,
@@ -154,7 +154,7 @@ class _Reader:
         self.failed = False
 
     def number(self, key: str, value: Any, difference: bool = False) -> float:
-        """A number in SI; 0 if it is none, which is reported."""
+        """Number in SI; 0 if it is invalid, which is recorded."""
         assert self.goal.number is not None
         whole = self.goal.number.whole and not difference
         plain = Parameter(self.entry.field, self.goal.path, self.goal.number.unit, whole)
@@ -172,7 +172,7 @@ class _Reader:
         self.blame((*self.at, *([key] if key else [])), what)
 
     def levels(self) -> tuple[Distribution, Extremes] | None:
-        """Levels from ``values``."""
+        """Levels from a list of values."""
         given = self.entry.values or ()
         if self.goal.number is not None:
             read = tuple(self.number("values", value) for value in given)
@@ -186,7 +186,7 @@ class _Reader:
     def law(self, grid: bool) -> tuple[Distribution, Extremes] | None:
         """Distribution from ``from`` and ``to``, ``normal`` or ``factor``."""
         if self.goal.number is None:
-            self.say("field", "is no single number; give values")
+            self.say("field", "is not a single number; give values")
             return None
         if self.goal.number.whole and self.entry.from_ is None:
             self.say("field", "is a whole number: give values, or from, to and step")
@@ -208,7 +208,7 @@ class _Reader:
         return None if law is None else (law, ends)
 
     def spread(self, first: float, last: float, grid: bool) -> Distribution | None:
-        """Levels if their number is given, else a uniform distribution."""
+        """Levels if their number or step is given, else a uniform distribution."""
         count, logarithmic = self.entry.count, self.entry.spacing == "logarithmic"
         whole = self.goal.number is not None and self.goal.number.whole
         if self.entry.step is not None:
@@ -271,7 +271,7 @@ class _Reader:
         return UniformDistribution(float(given.from_), float(given.to)), ()
 
     def scenario_values(self) -> tuple[float, ...] | None:
-        """The scenario's own value for each robot; None if one has none, which is reported."""
+        """The scenario's own value of each robot; None if one has none, which is recorded."""
         if self.goal.relative:
             return (0.0,) * len(self.scenarios)
         found = []
@@ -292,11 +292,11 @@ def scatter_dimensions(deviations: Scatter, scenario: Scenario) -> list[Dimensio
     """Dimensions of scatter, as in a trial (`springback.studies.trials.trial_tables`).
 
     Args:
-        deviations: Standard deviations; quantities with 0 are left out.
-        scenario: That has a wall, if walls are scattered.
+        deviations: Standard deviations; quantities without one are left out.
+        scenario: Scenario with a wall, if walls are scattered.
 
     Raises:
-        InputError: If it has none.
+        InputError: If it has no wall.
     """
     rows: list[tuple[str, str, float, str, Place | None]] = []
     for name, unit, deviation in (
@@ -328,5 +328,5 @@ def scatter_dimensions(deviations: Scatter, scenario: Scenario) -> list[Dimensio
     return found
 
 
-#: Random numbers that the scatter of a flight needs.
+#: Random numbers of a flight that scatter needs.
 SLOTS = 16

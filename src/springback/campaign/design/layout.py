@@ -1,4 +1,4 @@
-"""Design of a plan: checked against its scenario, and drawn flight by flight."""
+"""Layout of a plan: validation against its scenario, and the values of every flight."""
 
 from __future__ import annotations
 
@@ -47,33 +47,33 @@ from springback.vehicle.library import VEHICLES
 Tables = dict[str, Any]
 #: Upper limit of flights, to catch typing errors (chosen).
 MOST_FLIGHTS = 10**9
-#: Number of levels of a field above which only the first and last are checked (chosen).
+#: Most levels of a field that are all tried; of more only the first and the last are (chosen).
 MOST_TRIED = 200
-#: Columns that identify the flight of a row.
+#: Columns of all campaigns that identify the flight of a row.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
 
 class DesignSlice(NamedTuple):
-    """Some consecutive flights."""
+    """Scenarios and values of a range of flights."""
 
     tables: list[Tables]
-    """Whole scenarios; equal tables are the same object."""
+    """Complete scenario of each flight; equal tables are the same object."""
     columns: dict[str, list[Any]]
-    """Numbers of the flights, and all that differs between them."""
+    """Columns that identify the flights, and all values that vary."""
 
 
 @dataclass(frozen=True)
 class Design:
-    """A plan that can be flown."""
+    """A validated plan, ready to fly."""
 
     plan: Plan
     robots: tuple[str, ...]
     bases: tuple[Tables, ...]
-    """Scenario of each robot, with nothing varied."""
+    """Scenario of each robot without variations."""
     dimensions: tuple[Dimension, ...]
-    """In the order of the plan, scatter last."""
+    """Dimensions in the order of the plan, scatter last."""
     placing: tuple[int, ...]
-    """Numbers of dimensions, in the order in which they are put into the scenario."""
+    """Indices of dimensions, in the order of their insertion into the scenario."""
     samples: int
 
     @property
@@ -83,12 +83,12 @@ class Design:
 
     @property
     def units(self) -> dict[str, str]:
-        """SI units of the columns of the dimensions."""
+        """SI units of the columns of dimensions."""
         return {d.column: d.unit for d in self.dimensions}
 
     @functools.cached_property
     def full_scenarios(self) -> list[dict[str, Any]]:
-        """Scenario of each robot with every preset and default as numbers, in SI."""
+        """Scenario of each robot with all presets and defaults as numbers, in SI."""
         return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
 
     @functools.cached_property
@@ -98,7 +98,7 @@ class Design:
 
     @property
     def success(self) -> str:
-        """Definition of success, in SQL."""
+        """Condition of success in SQL."""
         if self.plan.success is not None:
             return self.plan.success
         if self.bases[0].get("recovery") is not None:
@@ -136,18 +136,18 @@ class Design:
         steps: Mapping[str, Sequence[int]],
         known: dict[Any, Any],
     ) -> Tables:
-        """A robot's scenario with values; tables made before for the same values are used again.
+        """A robot's scenario with values, reusing tables of the same values.
 
         Args:
-            robot: Its number.
+            robot: Number of the robot.
             drawn: Values of all dimensions.
-            steps: Of each table, which dimensions go into it, in their order.
-            known: Tables made before; more are added.
+            steps: Dimensions of each table, in order of insertion.
+            known: Tables built so far, which is extended.
         """
         tables = dict(self.bases[robot])
         for name, changes in steps.items():
             table = tables.get(name, {})
-            # Robots whose own values differ have tables of their own.
+            # Robots with different own values have different tables.
             key = (name, id(table), *[drawn[k] for k in changes])
             if key not in known:
                 for k in changes:
@@ -161,7 +161,7 @@ class Design:
 def _numbers(
     design: Design, begin: int, count: int
 ) -> Callable[[int, int], tuple[int, tuple[Any, ...]]]:
-    """Seed and values of some samples, by number from ``begin`` and repeat."""
+    """Function from sample number, counted from ``begin``, and repeat to seed and values."""
     plan, dimensions = design.plan, design.dimensions
     grid = plan.method == "grid"
     gridded = [k for k, d in enumerate(dimensions) if not d.scatter and (d.law.levels or not grid)]
@@ -180,7 +180,7 @@ def _numbers(
 
     @functools.cache
     def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
-        """Seeds and values of one repeat of all these samples."""
+        """Seeds and values of one repeat of these samples."""
         scatter = uniform_rows(plan.seed, (Purpose.SCATTER, repeat), begin, count, SLOTS)
         more = uniform_rows(plan.seed, (Purpose.DRAWN, repeat), begin, count, len(drawn))
         found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
@@ -197,20 +197,20 @@ def _numbers(
 
 @functools.lru_cache(maxsize=4)
 def design_of(text: str) -> Design:
-    """The design of a plan as `Plan.canonical` has it; its dimensions are looked up once."""
+    """Design of a plan from `Plan.canonical`, cached."""
     return lay_out(plan_from(json.loads(text)), tried=False)
 
 
 def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> Design:
-    """Check a plan against its scenario, and lay it out.
+    """Design of a plan, validated against its scenario.
 
     Args:
         plan: Any; a scenario that is a path is read, relative to the working directory.
-        source: Source of the plan.
-        tried: Check the extremes; not needed for a plan that was checked before.
+        source: Origin of the plan.
+        tried: Try the extremes; not needed for a plan that was laid out before.
 
     Raises:
-        InputError: One line for each problem, all that there are.
+        InputError: One line for each problem.
     """
     where = source or Source()
     plan = with_scenario(plan, Path(), where)
@@ -264,7 +264,7 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
 
 
 def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
-    """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
+    """Order of insertion: tables before their fields, fields of a wall before its changes."""
     goals = [one.goal for one in fields]
     order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
     return (*order, *range(len(goals), len(goals) + noise_stream))
@@ -274,25 +274,25 @@ def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
 
 
 def _robot_names(plan: Plan) -> tuple[str, ...]:
-    """Names of the robots, as in rows."""
+    """Names of the robots in rows."""
     if plan.robots:
         return plan.robots
     assert isinstance(plan.scenario, dict)
     vehicle = plan.scenario.get("vehicle")
-    if isinstance(vehicle, Mapping):  # one's own name for it goes before that of the preset
+    if isinstance(vehicle, Mapping):  # the user's name takes precedence over that of the preset
         vehicle = vehicle.get("name") or vehicle.get("preset")
     return (vehicle if isinstance(vehicle, str) else "own",)
 
 
 def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
-    """The scenario with each robot."""
+    """Scenarios of the robots."""
     assert isinstance(plan.scenario, dict)
-    given: Tables = json.loads(json.dumps(plan.scenario))  # lists, whatever it was made of
+    given: Tables = json.loads(json.dumps(plan.scenario))  # converts all sequences to lists
     if not plan.robots:
         return (given,)
     vehicle = given.get("vehicle", {})
     if isinstance(vehicle, Mapping) and vehicle and "preset" not in vehicle:
-        what = "cannot be laid over a vehicle without a preset; leave robots out"
+        what = "cannot be applied to a vehicle without a preset; leave robots out"
         raise InputError(where.problem_line(("robots",), what))
     own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
     bases = []
@@ -323,7 +323,7 @@ def _check_columns(
     """Reject fields given twice, and columns of the same name."""
     from springback.campaign.columns import known_columns
 
-    taken = {name.lower(): "has a meaning of its own" for name in known_columns()}
+    taken = {name.lower(): "is reserved" for name in known_columns()}
     fields: dict[tuple[Any, ...], int] = {}
     for k, (entry, one) in enumerate(zip(plan.vary, found, strict=True)):
         if one is None:
@@ -348,9 +348,9 @@ def _try_out(
     plan: Plan,
     blame: Callable[[Sequence[str | int], str], None],
 ) -> None:
-    """Report values of a field with which the base scenario cannot be flown.
+    """Record values with which the otherwise unchanged scenario cannot be flown.
 
-    Run-ups are not planned, which is slow; a vehicle too weak for one leads to refused rows.
+    Run-ups are not planned, which may take long; a vehicle too weak for one leads to refused rows.
     """
     few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
@@ -365,12 +365,12 @@ def _try_out(
 
 
 def value_text(value: Any) -> str:
-    """A value as a user would write it."""
+    """Value as text."""
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 class _Reference(Settings):
-    """A reference alone, to be checked without planning a run-up."""
+    """A reference alone, to be validated without planning a run-up."""
 
     reference: ReferenceSettings
 
