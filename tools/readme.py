@@ -245,8 +245,8 @@ def read_choices(folder: Path) -> ChoiceResults:
         medians = {name: row[f"median_{name}"] for name in MEDIANS}
         results.cells.append(
             ConditionOutcome(
-                known[row["friction"], row["estimator"]], row["duration"], row["robot"],
-                row["pitch_deg"], row["speed"], row["trials"], row["successes"], outcomes, medians,
+                row["robot"], row["pitch_deg"], row["speed"], row["trials"], row["successes"],
+                outcomes, medians, known[row["friction"], row["estimator"]], row["duration"],
             )
         )  # fmt: skip
     return results

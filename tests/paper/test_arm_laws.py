@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from arm_laws import BASES, VARIANTS, bounce
 
-from springback.paper.arm_laws import BASES, VARIANTS, bounce
 from springback.paper.slider import READINGS, fitted_dissipation, slider_tables
 from springback.results.flight import fly
 

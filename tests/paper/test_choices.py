@@ -35,7 +35,7 @@ from springback.scenario.presets import expand_presets
 from springback.scenario.scenario import scenario_from
 from springback.sensing.library import ESTIMATORS, PX4_EKF2, SOURCES
 from springback.studies.run_ups import CONDITIONS, run_up_scenario
-from springback.studies.trials import Condition, Scatter, fly_trials, trial_tables
+from springback.studies.trials import Condition, Scatter, fly_trials, tally, trial_tables
 
 FAST = (0.0, 3.5)
 PAPERS = {(c.friction, c.estimator): c for c in CHOICES}
@@ -50,8 +50,10 @@ def made_up(shares: dict[tuple[str, float, float], float], trials: int = 100) ->
             won = round(trials * shares.get((robot, pitch, speed), 1.0))
             ends = {"recovered": won, "not_settled": trials - won}
             results.cells.append(
-                ConditionOutcome(CHOICES[0], 11.0, robot, pitch, speed, trials, won, ends,
-                     dict.fromkeys(MEDIANS, 0.5))
+                ConditionOutcome(
+                    robot, pitch, speed, trials, won, ends, dict.fromkeys(MEDIANS, 0.5),
+                    CHOICES[0], 11.0,
+                )
             )  # fmt: skip
     return results
 
@@ -100,11 +102,14 @@ def test_a_preset_flies_the_same_alone_and_among_many() -> None:
 
 def test_springs_give_and_peaks_fall_with_the_papers_friction() -> None:
     """Medians of 40, as computed independently: 8.2 mm and 194 m/s² at 2 m/s, Quad 290 m/s²."""
-    flown = fly_trials([Condition(robot, 0.0, 2.0) for robot in ROBOTS], 40)
+    trials = fly_trials([Condition(robot, 0.0, 2.0) for robot in ROBOTS], 40)
+    flown = dict(zip(ROBOTS, trials, strict=True))
 
     def median(robot: str, name: str) -> float:
-        values = sorted(t.measures[name] or 0.0 for t in flown if t.robot == robot)
-        return 0.5 * (values[19] + values[20])
+        values = sorted(t.measures[name] or 0.0 for t in flown[robot])
+        found = tally(flown[robot]).medians[name]
+        assert found == 0.5 * (values[19] + values[20])
+        return found
 
     assert median("arq", "impact_arm_stroke") == pytest.approx(8.2e-3, abs=1e-4)
     assert median("arq", "impact_peak_acceleration") == pytest.approx(194.0, abs=1.5)
@@ -124,13 +129,10 @@ def test_clipping_and_trust_together_lose_quad_and_neither_alone() -> None:
         "trust alone": {"estimator": {"kalman": {"distrust_clipped": False}}},
         "range": unlimited,
     }
-    tests = [Condition(robot, *FAST, change) for change in changes.values() for robot in ROBOTS]
-    flown = iter(fly_trials(tests, 10))
-    won = {
-        (name, robot): sum(next(flown).success for _ in range(10))
-        for name in changes
-        for robot in ROBOTS
-    }
+    tests = {(name, robot): Condition(robot, *FAST, changes[name])
+             for name in changes for robot in ROBOTS}  # fmt: skip
+    flown = fly_trials([*tests.values()], 10)
+    won = {of: tally(some).successes for of, some in zip(tests, flown, strict=True)}
     assert won["both", "quad"] <= 4
     assert won["both", "arq"] >= 9
     for name in ("noise alone", "trust alone", "range"):

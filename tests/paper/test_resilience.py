@@ -30,10 +30,10 @@ from springback.paper.resilience import (
     pitch_of,
     rate_mark,
     resilience_experiments,
-    wilson,
 )
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark
+from springback.studies.proportions import wilson
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import HOME, Scatter
 
@@ -58,7 +58,7 @@ def test_arq_recovers_everywhere(results: ResilienceResults) -> None:
     """Printed: 100 %; asked of the model: the same, with one set of parameters."""
     for tally in nonempty(results.tallies()):
         if tally.robot == "arq":
-            assert tally.rate == 1.0, tally
+            assert tally.share == 1.0, tally
 
 
 def test_print_has_a_number_or_words_for_every_condition() -> None:
@@ -120,11 +120,11 @@ def test_every_printed_number_has_its_row_and_mark(results: ResilienceResults) -
     assert {row.robot for row in beside} == set(ROBOTS)
     assert len(beside) == len(SUCCESS)
     assert len(rows) == len(results.rows()) == 2 * len(SUCCESS) + 4 + len(given)
-    tallies = {tally[:3]: tally for tally in results.tallies()}
+    tallies = {tally.condition: tally for tally in results.tallies()}
     for of, printed in SUCCESS.items():
         row, rate = (
             rows[of[0], resilience.condition_name(*of[1:]), "success rate"],
-            tallies[of].rate,
+            tallies[of].share,
         )
         assert (row.printed, row.ours) == (printed, rate)
         assert (row.mark is Mark.PREDICTED) == (abs(rate - printed) <= 0.05 * printed)
@@ -153,9 +153,9 @@ def test_a_failed_trial_counts_and_is_named(results: ResilienceResults) -> None:
         for t in results.flown
     ]
     worse = replace(results, flown=flown)
-    (tally,) = [t for t in worse.tallies() if t[:3] == ("quad", *FASTEST)]
-    assert (tally.rate, tally.low) == (0.0, 0.0)
-    assert tally.failures == {Outcome.HIT_GROUND.value: 2}
+    (tally,) = [t for t in worse.tallies() if t.condition == ("quad", *FASTEST)]
+    assert (tally.share, tally.interval[0]) == (0.0, 0.0)
+    assert tally.outcomes == {Outcome.HIT_GROUND.word: 2}
     (row,) = [r for r in worse.rows() if r.robot == "quad" and "; " not in r.reading]
     assert row.mark is Mark.PREDICTED  # none printed, none ours
 

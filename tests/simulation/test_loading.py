@@ -58,7 +58,7 @@ def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> Non
     loader = Loader(*flights[0], width)
     for one in flights:
         loader.add(*one)
-    laid = loader.laid()
+    laid = loader.flights()
     shape = shape_of(models[0], starts[0])
     wanted, onboard = (
         flight_buffers(shape, models, starts, width),
@@ -75,7 +75,7 @@ def test_flights_without_pilots_are_laid_too() -> None:
     loader = Loader(*flights[0], None, 8)
     for model, start in flights:
         loader.add(model, start, None)
-    laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
+    laid, (models, starts) = loader.flights(), zip(*flights, strict=True)
     assert laid.onboard is None
     np.testing.assert_array_equal(laid.buffers, flight_buffers(laid.shape, models, starts, 8))
 
@@ -108,4 +108,4 @@ def test_flights_of_another_kind_are_told_apart() -> None:
             loader.add(*other)
     assert loader.count == 1
     wanted = avionics_buffers([avionics], 8)
-    np.testing.assert_array_equal(loader.laid().onboard, wanted)
+    np.testing.assert_array_equal(loader.flights().onboard, wanted)

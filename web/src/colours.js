@@ -1,4 +1,4 @@
-// Colours of Okabe and Ito, as in springback.interfaces.figures.style; lighter ones of the same hues where
+// Colours of Okabe and Ito, as in springback.interfaces.output.robots; lighter ones of the same hues if
 // the page is dark.
 export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
 
@@ -15,5 +15,5 @@ const DARK = {
   robots: ["#4ea8e0", "#ff8a3d"], force: "#ffc13d", thrust: "#7cc8f2", before: "#a7b0ba",
 };
 
-/** The colours of the page as it is now. */
+/** The present colours of the page. */
 export const palette = () => (isDark() ? DARK : LIGHT);

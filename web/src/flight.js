@@ -1,4 +1,4 @@
-// A flight as it comes from springback.interfaces.replay.scene, made ready to be asked for any instant.
+// A flight from springback.interfaces.replay.scene, unpacked for evaluation at any instant.
 
 const KINDS = { f4: Float32Array, f8: Float64Array, i4: Int32Array };
 
@@ -8,7 +8,7 @@ export function unpacked(packed) {
   return new KINDS[packed.type](bytes.buffer);
 }
 
-/** A flight of a scene: arrays instead of text, and which row of the forces each instant has. */
+/** A flight of a scene: arrays instead of text, and the row of the forces of each instant. */
 export function flightOf(scene) {
   if (scene.ready) return scene;
   const t = unpacked(scene.t);
@@ -34,7 +34,7 @@ export function flightOf(scene) {
   };
 }
 
-/** Number of the last instant at or before a time. */
+/** Index of the last instant at or before a time. */
 export function placeOf(times, time) {
   let low = 0;
   let high = times.length - 1;
@@ -47,7 +47,7 @@ export function placeOf(times, time) {
   return times[high] <= time ? high : low;
 }
 
-/** Everything about a flight at a time: straight lines between instants. */
+/** State of a flight at a time, interpolated linearly between instants. */
 export function poseAt(flight, time) {
   const t = Math.min(Math.max(time - flight.shift, flight.begin), flight.end);
   const i = placeOf(flight.t, t);
@@ -114,7 +114,7 @@ export function largestForce(flight) {
   return most;
 }
 
-/** Size of the sum of all contact forces over the instants [N]. */
+/** Magnitude of the sum of all contact forces at the instants [N]. */
 export function wholeForce(flight) {
   const parts = flight.arms.length + flight.hull.length;
   return Float32Array.from(flight.rows, (row) => {
@@ -124,7 +124,7 @@ export function wholeForce(flight) {
   });
 }
 
-/** A round number not above x: 1, 2 or 5 times a power of ten. */
+/** Largest round number not above x: 1, 2 or 5 times a power of ten. */
 export function roundBelow(x) {
   if (!(x > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(x));

@@ -1,19 +1,19 @@
-// The impact lab: settings on one side, the flight they make on the other; its page and its data
-// are springback.interfaces.lab.app.
+// The impact lab: settings on one side, the resulting flight on the other; its page and its data
+// come from springback.interfaces.lab.app.
 import "./lab.css";
 import { touchOf } from "./flight.js";
 import { createControls } from "./lab_controls.js";
-import { createDesk } from "./lab_desk.js";
+import { createQueue } from "./lab_queue.js";
 import { createLabPlots } from "./lab_plots.js";
 import { createLabTable } from "./lab_table.js";
-import { choice, createPlayer, made } from "./player.js";
+import { choice, createPlayer, create } from "./player.js";
 import { CAMERAS, createScene, together } from "./scene.js";
 import { palette } from "./colours.js";
 
 const VIEWS = { impact: "Impact", follow: "Follow", side: "Side", top: "Top", free: "All" };
-/** An impact is first shown where springs are most pressed, so long after the touch [s]. */
+/** Initial instant of an impact after the touch, about at the largest compression [s]. */
 const PRESSED = 0.012;
-/** So long after the last key what is typed counts as said [ms]. */
+/** Time after the last key at which typed input is sent [ms]. */
 const PAUSE = 350;
 const colourOf = (flight) => palette().robots[flight.label === "Quad" ? 1 : 0];
 
@@ -25,25 +25,25 @@ export function startLab(element, data) {
   let whole = false;
   const latency = [];
 
-  // -- what the page is made of -------------------------------------------------------------------
+  // -- elements of the page -----------------------------------------------------------------------
   const controls = createControls(data.controls, changed);
-  const outcomes = made("div", { class: "outcomes", "aria-live": "polite" });
-  const alert = made("p", { class: "alert", role: "alert", hidden: true });
-  const link = made("input", { class: "link", readonly: true, "aria-label": "Link to these settings", id: "link", onfocus: () => link.select() });
-  const copy = made("button", { type: "button", id: "copy", onclick: copied }, "Copy link");
-  const pin = made("button", { type: "button", id: "pin", "aria-pressed": "false", title: "Keep this flight behind the next ones, to compare", onclick: togglePin }, "Pin");
-  const reset = made("button", { type: "button", id: "reset", title: "Back to the paper's slider test", onclick: () => go("", { push: true }) }, "Reset");
-  const files = made("span", { class: "files" });
-  const stage = made("div", { class: "stage" });
-  const preparing = made("div", { class: "preparing", role: "status", hidden: true });
-  const bar = made("div");
-  const plotBox = made("div");
-  const tableBox = made("div", { class: "measures" });
-  const took = made("p", { class: "took" });
-  const drawer = made("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
+  const outcomes = create("div", { class: "outcomes", "aria-live": "polite" });
+  const alert = create("p", { class: "alert", role: "alert", hidden: true });
+  const link = create("input", { class: "link", readonly: true, "aria-label": "Link to these settings", id: "link", onfocus: () => link.select() });
+  const copy = create("button", { type: "button", id: "copy", onclick: copyLink }, "Copy link");
+  const pin = create("button", { type: "button", id: "pin", "aria-pressed": "false", title: "Keep this flight behind the next ones for comparison", onclick: togglePin }, "Pin");
+  const reset = create("button", { type: "button", id: "reset", title: "Return to the paper's slider test", onclick: () => go("", { push: true }) }, "Reset");
+  const files = create("span", { class: "files" });
+  const stage = create("div", { class: "stage" });
+  const preparing = create("div", { class: "preparing", role: "status", hidden: true });
+  const bar = create("div");
+  const plotBox = create("div");
+  const tableBox = create("div", { class: "measures" });
+  const took = create("p", { class: "took" });
+  const drawer = create("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
   const cameras = choice("Camera", CAMERAS.map((mode) => [mode, VIEWS[mode] ?? mode]), "impact", (mode) => scene.setCamera(mode));
-  const compare = choice("Two robots", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
-  const timeHead = made("h2");
+  const compare = choice("Two robots", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
+  const timeHead = create("h2");
   const spans = choice("Plots show", [["impact", "impact"], ["all", "all"]], "impact", (which) => {
     whole = which === "all";
     if (answer) drawPlots();
@@ -51,14 +51,14 @@ export function startLab(element, data) {
 
   element.classList.add("lab");
   element.replaceChildren(
-    made("header", { class: "top" },
-      made("div", { class: "said" }, made("h1", {}, "Impact lab"), outcomes, alert),
-      made("div", { class: "actions" }, pin, reset, files, made("span", { class: "linking" }, link, copy))),
-    made("main", {},
-      made("aside", { class: "settings", id: "settings" }, controls.element, took),
-      made("div", { class: "middle" },
-        made("div", { class: "frame" }, stage, made("div", { class: "views" }, cameras, compare), preparing), bar, tableBox),
-      made("aside", { class: "curves" }, made("div", { class: "plot-head" }, timeHead, spans), plotBox)),
+    create("header", { class: "top" },
+      create("div", { class: "said" }, create("h1", {}, "Impact lab"), outcomes, alert),
+      create("div", { class: "actions" }, pin, reset, files, create("span", { class: "linking" }, link, copy))),
+    create("main", {},
+      create("aside", { class: "settings", id: "settings" }, controls.element, took),
+      create("div", { class: "middle" },
+        create("div", { class: "frame" }, stage, create("div", { class: "views" }, cameras, compare), preparing), bar, tableBox),
+      create("aside", { class: "curves" }, create("div", { class: "plot-head" }, timeHead, spans), plotBox)),
     drawer,
   );
 
@@ -66,24 +66,24 @@ export function startLab(element, data) {
   const plots = createLabPlots(plotBox, { onSeek: (t) => (player.pause(), player.seek(t)) });
   const player = createPlayer({ scene, plots: { show: plots.show, replace: () => drawPlots() }, bar });
   const table = createLabTable(tableBox);
-  const desk = createDesk(page, { answered, refused, waits, gone });
+  const queue = createQueue(page, { answered, refused, waits, gone });
 
   // -- settings and answers -----------------------------------------------------------------------
   let typed = 0;
   function changed(name, value, how) {
     clearTimeout(typed);
-    const ask = () => desk.ask(controls.query(), { ...how, since: performance.now() });
+    const ask = () => queue.ask(controls.query(), { ...how, since: performance.now() });
     if (how.typing) typed = setTimeout(ask, PAUSE);
     else ask();
   }
 
-  function answered(found, asked) {
+  function answered(found, how) {
     const before = answer;
     answer = found;
     element.classList.add("ready");
-    if (!asked.aside) say([]);
+    if (!how.aside) say([]);
     preparing.hidden = true;
-    if (!asked.typing) controls.show(found.settings);
+    if (!how.typing) controls.show(found.settings);
     else controls.tellProblems([]);
     const first = !before || before.settings.mode !== found.settings.mode;
     const many = found.flights.length !== before?.flights.length;
@@ -95,18 +95,18 @@ export function startLab(element, data) {
     if (first) begin();
     drawOutcomes();
     table.show(found, pinned);
-    files.replaceChildren(...found.flights.map((one) => made("a", {
-      class: "button", href: `scenario.toml?${[found.query, `of=${one.robot}`].filter(Boolean).join("&")}`, download: one.file, title: `What springback fly takes, of ${one.label}`,
+    files.replaceChildren(...found.flights.map((one) => create("a", {
+      class: "button", href: `scenario.toml?${[found.query, `of=${one.robot}`].filter(Boolean).join("&")}`, download: one.file, title: `Scenario for springback fly, ${one.label}`,
     }, `${one.label}.toml`)));
-    remember(found.query, asked);
+    remember(found.query, how);
     requestAnimationFrame(() => {
-      const time = performance.now() - asked.since;
+      const time = performance.now() - how.since;
       latency.push(time);
       took.textContent = `Flown in ${found.took.flying.toFixed(0)} ms, answered in ${found.took.all.toFixed(0)} ms, drawn after ${time.toFixed(0)} ms.`;
     });
   }
 
-  /** Where a new kind of flight begins to be shown. */
+  /** Initial camera and instant of a new kind of flight. */
   function begin() {
     const touch = touchOf(scene.flights[0]);
     const impact = answer.settings.mode === "impact";
@@ -124,7 +124,7 @@ export function startLab(element, data) {
 
   function drawOutcomes() {
     outcomes.replaceChildren(...answer.flights.map((one, k) => {
-      const line = made("p", { class: `outcome ${one.well ? "well" : "badly"}` }, made("b", {}, one.label), one.sentence.slice(one.label.length));
+      const line = create("p", { class: `outcome ${one.well ? "well" : "badly"}` }, create("b", {}, one.label), one.sentence.slice(one.label.length));
       line.style.setProperty("--colour", scene.flights[k].colour);
       return line;
     }));
@@ -135,28 +135,28 @@ export function startLab(element, data) {
     alert.textContent = lines.join(" ");
   }
 
-  /** The settings are not to be flown: told where they stand, the last flight stays. */
-  function refused(lines, asked) {
+  /** The settings cannot be flown: show the problems beside them, and keep the last flight. */
+  function refused(lines, how) {
     preparing.hidden = true;
     controls.tellProblems(lines);
-    say([...lines.map((line) => `${line}.`), answer ? "Shown is the flight before." : "The lab is shown as it opens instead."]);
-    if (!answer) desk.ask("", { since: performance.now(), aside: true });
+    say([...lines.map((line) => `${line}.`), answer ? "The previous flight is shown." : "The default flight is shown instead."]);
+    if (!answer) queue.ask("", { since: performance.now(), aside: true });
   }
 
-  /** Kernels are being compiled: the same is asked again soon. */
-  function waits(told) {
+  /** Kernels are being compiled: the request is repeated soon. */
+  function waits(kind) {
     preparing.hidden = false;
-    preparing.replaceChildren(made("progress", {}), made("p", {}, `Compiling for ${told.what}: ${Math.round(told.waited)} s so far.`),
-      made("p", { class: "words" }, "Once on this machine, 10 s to a minute or two; other settings can be flown meanwhile where they are ready."));
+    preparing.replaceChildren(create("progress", {}), create("p", {}, `Compiling for ${kind.what}: ${Math.round(kind.waited)} s so far.`),
+      create("p", { class: "words" }, "Once on this machine, 10 s to a minute or two; other settings can be flown meanwhile if they are ready."));
   }
 
   function gone() {
-    say(["The lab does not answer; it may have been ended in its terminal. Any change asks again."]);
+    say(["The lab does not respond; it may have been stopped in its terminal. Any change tries again."]);
   }
 
   // -- link, history, pin -------------------------------------------------------------------------
   let gesture = false;
-  /** Put settings into the address: what one drag or one word goes through is one step of history. */
+  /** Put settings into the address; one drag or one typed word is one step of the history. */
   function remember(query, { settled = false, aside = false, restored = false }) {
     const address = `${location.pathname}${query ? `?${query}` : ""}`;
     link.value = location.origin + address;
@@ -169,11 +169,11 @@ export function startLab(element, data) {
   }
 
   function go(query, { push = false } = {}) {
-    desk.ask(query, { since: performance.now(), settled: push, restored: !push });
+    queue.ask(query, { since: performance.now(), settled: push, restored: !push });
   }
   addEventListener("popstate", () => go(location.search.slice(1)));
 
-  async function copied() {
+  async function copyLink() {
     try {
       await navigator.clipboard.writeText(link.value);
     } catch {

@@ -1,12 +1,12 @@
-// The controls of the lab, made from the table that the server sends: sliders with a field and the
-// paper's values as marks, and choices.  What a value may be is the server's to say.
-import { choice, made } from "./player.js";
+// The controls of the lab, built from the table that the server sends: sliders with a field and the
+// paper's values as marks, and choices.  The server validates values.
+import { choice, create } from "./player.js";
 
 const SHARES = 1000;
 
 const rounded = (value, step) => Number((Math.round(value / step) * step).toFixed(6));
 
-/** Where a value lies on a slider, from 0 to 1. */
+/** Position of a value on a slider, from 0 to 1. */
 function shareOf(control, value) {
   const { least, most, logarithmic } = control;
   const share = logarithmic ? Math.log(value / least) / Math.log(most / least) : (value - least) / (most - least);
@@ -20,10 +20,10 @@ function valueAt(control, share) {
   return Math.min(Math.max(rounded(value, Math.max(digits, step)), least), most);
 }
 
-function knob(control, changed) {
+function sliderControl(control, changed) {
   const id = `set-${control.name}`;
   const unit = control.unit.replace("^1.5", "¹·⁵");
-  const slider = made("input", {
+  const slider = create("input", {
     type: "range", min: 0, max: SHARES, step: 1, id: `${id}-slider`, "aria-label": control.label,
     oninput: () => set(valueAt(control, Number(slider.value) / SHARES), { moving: true }),
     onchange: () => changed(control.name, field.value, { settled: true }),
@@ -35,25 +35,25 @@ function knob(control, changed) {
       if (Number.isFinite(now)) set(Math.min(Math.max(rounded(now + by * control.step, control.step), control.least), control.most), { settled: true });
     },
   });
-  const field = made("input", {
+  const field = create("input", {
     type: "text", inputmode: "decimal", id, autocomplete: "off", spellcheck: "false", maxlength: 40,
     "aria-describedby": `${id}-words`, oninput: () => changed(control.name, field.value.trim(), { typing: true }),
     onchange: () => changed(control.name, field.value.trim(), { settled: true }),
   });
-  const words = made("p", { class: "words", id: `${id}-words` });
-  const marks = made("div", { class: "marks" }, ...control.marks.map((mark, k) => {
-    const wide = (one) => String(one.value).length * 0.013 + 0.01; // share of the rail that half a label takes, about
+  const words = create("p", { class: "words", id: `${id}-words` });
+  const marks = create("div", { class: "marks" }, ...control.marks.map((mark, k) => {
+    const wide = (one) => String(one.value).length * 0.013 + 0.01; // half the width of a label, as an approximate share of the rail
     const near = control.marks.some((one, i) => i < k && Math.abs(shareOf(control, one.value) - shareOf(control, mark.value)) < wide(one) + wide(mark));
-    const tick = made("button", {
+    const tick = create("button", {
       type: "button", class: near ? "tight" : "", title: `${mark.value} ${unit}, ${mark.words}`, "aria-label": `${control.label} ${mark.value} ${unit}, ${mark.words}`,
       onclick: () => set(mark.value, { settled: true }),
-    }, made("span", {}, String(mark.value)));
+    }, create("span", {}, String(mark.value)));
     tick.style.setProperty("--share", shareOf(control, mark.value));
     return tick;
   }));
-  const element = made("div", { class: "knob", "data-name": control.name },
-    made("label", { for: id }, control.label), made("span", { class: "field" }, field, made("span", { class: "unit" }, unit)),
-    made("div", { class: "rail" }, slider, marks), words);
+  const element = create("div", { class: "slider-control", "data-name": control.name },
+    create("label", { for: id }, control.label), create("span", { class: "field" }, field, create("span", { class: "unit" }, unit)),
+    create("div", { class: "rail" }, slider, marks), words);
 
   function show(value) {
     const number = Number(value);
@@ -64,7 +64,7 @@ function knob(control, changed) {
     }
     tellProblem("");
   }
-  /** Whose value this is, else what the number means. */
+  /** Source of this value, else the meaning of the number. */
   function describe() {
     const mark = control.marks.find((one) => one.value === Number(field.value));
     words.className = mark ? "words printed" : "words";
@@ -84,18 +84,18 @@ function knob(control, changed) {
   return { element, show, tellProblem };
 }
 
-function chosen(control, changed) {
+function choiceControl(control, changed) {
   const many = Object.keys(control.words).length > 3;
-  const words = made("p", { class: "words" }, control.explains);
+  const words = create("p", { class: "words" }, control.explains);
   const set = (value) => changed(control.name, value, { settled: true });
   if (!many) {
     const group = choice(control.label, Object.entries(control.words), control.default, set);
-    const element = made("div", { class: "picked", "data-name": control.name, title: control.explains }, made("span", { class: "label" }, control.label), group);
+    const element = create("div", { class: "picked", "data-name": control.name, title: control.explains }, create("span", { class: "label" }, control.label), group);
     return { element, show: group.mark, tellProblem: () => {} };
   }
-  const select = made("select", { id: `set-${control.name}`, onchange: () => set(select.value) },
-    ...Object.entries(control.words).map(([value, name]) => made("option", { value }, name)));
-  const element = made("div", { class: "picked", "data-name": control.name, title: control.explains }, made("label", { for: `set-${control.name}` }, control.label), select, words);
+  const select = create("select", { id: `set-${control.name}`, onchange: () => set(select.value) },
+    ...Object.entries(control.words).map(([value, name]) => create("option", { value }, name)));
+  const element = create("div", { class: "picked", "data-name": control.name, title: control.explains }, create("label", { for: `set-${control.name}` }, control.label), select, words);
   return { element, show: (value) => (select.value = value), tellProblem: (text) => (words.textContent = text || control.explains) };
 }
 
@@ -103,29 +103,29 @@ function chosen(control, changed) {
  * A form with all controls.
  *
  * @param controls the table, from springback.interfaces.lab.settings.controls
- * @param changed gets name, text and {moving, typing, settled}
- * @returns {element, values, query, show, tellProblems}: values are texts as they stand
+ * @param changed called with name, text and {moving, typing, settled}
+ * @returns {element, values, query, show, tellProblems}: values are texts as typed
  */
 export function createControls(controls, changed) {
   const values = {};
   const parts = {};
   const groups = new Map();
-  const told = (name, value, how) => {
+  const onChange = (name, value, how) => {
     values[name] = value;
     hide();
     changed(name, value, how);
   };
   for (const control of controls) {
     values[control.name] = String(control.default);
-    parts[control.name] = (control.kind === "knob" ? knob : chosen)(control, told);
+    parts[control.name] = (control.kind === "slider" ? sliderControl : choiceControl)(control, onChange);
     if (!groups.has(control.group)) groups.set(control.group, []);
     groups.get(control.group).push(parts[control.name].element);
   }
   const sections = [...groups].map(([name, elements]) =>
-    made("section", {}, ...(name ? [made("h2", {}, name)] : []), ...elements));
-  const element = made("form", { class: "controls", onsubmit: (event) => event.preventDefault() }, ...sections);
+    create("section", {}, ...(name ? [create("h2", {}, name)] : []), ...elements));
+  const element = create("form", { class: "controls", onsubmit: (event) => event.preventDefault() }, ...sections);
 
-  /** What has no effect is not shown. */
+  /** Hide settings without effect. */
   function hide() {
     for (const control of controls) {
       const acts = Object.entries(control.when).every(([other, words]) => words.includes(values[other]));
@@ -134,7 +134,7 @@ export function createControls(controls, changed) {
     sections.forEach((section) => (section.hidden = ![...section.querySelectorAll("[data-name]")].some((one) => !one.hidden)));
   }
 
-  /** Show settings as the server tells them. */
+  /** Show the settings that the server returns. */
   function show(settings) {
     for (const [name, value] of Object.entries(settings)) {
       values[name] = String(value);
@@ -143,7 +143,7 @@ export function createControls(controls, changed) {
     hide();
   }
 
-  /** Show problems where they are. */
+  /** Show problems beside their settings. */
   function tellProblems(lines) {
     for (const part of Object.values(parts)) part.tellProblem("");
     for (const line of lines) {

@@ -1,14 +1,14 @@
-// Plots of the lab: robots over one another, a pinned flight behind them, energy stacked.
+// Plots of the lab: robots overlaid, a pinned flight behind them, energy stacked.
 import uPlot from "uplot";
 import { palette } from "./colours.js";
 import { touchOf } from "./flight.js";
-import { made } from "./player.js";
+import { create } from "./player.js";
 
 const HEIGHT = 100;
 const ENERGY = "Energy";
-/** What an impact shows around first touch [s]. */
+/** Time shown around first touch of an impact [s]. */
 const WINDOW = [-0.01, 0.13];
-/** Parts of the ledger: held ones in full colour, lost ones hatched by a lighter one. */
+/** Parts of the energy balance: stored ones in full colour, lost ones in a lighter one. */
 const PARTS = {
   motion: ["#0072b2", 0.85], "arm springs": ["#56b4e9", 0.85], "end stops": ["#cc79a7", 0.85], contact: ["#009e73", 0.85],
   "lost in arms": ["#e69f00", 0.6], "lost in contact": ["#d55e00", 0.6], "lost in friction": ["#8c8c8c", 0.6],
@@ -17,14 +17,14 @@ const PARTS = {
 
 const faded = (colour, share) => colour + Math.round(255 * share).toString(16).padStart(2, "0");
 
-/** The least of 1, 1.5, 2, 3, 5, 7 times a power of ten that is not below x. */
+/** The smallest of 1, 1.5, 2, 3, 5, 7 times a power of ten that is not below x. */
 function roundAbove(x, digits = [1, 1.5, 2, 3, 5, 7, 10]) {
   if (!(x > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(x));
   return power * digits.find((digit) => digit * power >= x * 0.999999);
 }
 
-/** Bounds that stay where they are while curves still fit and fill them. */
+/** Bounds that stay constant while curves still fit and fill them. */
 function steady(bounds, low, high) {
   const wanted = [low < -1e-9 ? -roundAbove(-low) : 0, high > 1e-9 ? roundAbove(high) : low < -1e-9 ? 0 : 1];
   const [least, most] = bounds ?? wanted;
@@ -79,8 +79,8 @@ function curvesOf(flights, pinned) {
 }
 
 /**
- * @param element is filled with plots
- * @param onSeek gets the time that was clicked [s]
+ * @param element element to fill with plots
+ * @param onSeek called with the time that was clicked [s]
  */
 export function createLabPlots(element, { onSeek }) {
   const plots = new Map();
@@ -120,7 +120,7 @@ export function createLabPlots(element, { onSeek }) {
 
   const signature = (panel, whole) => `${whole} ${panel.curves.map((curve) => `${curve.name} ${curve.colour}`).join()}`;
 
-  /** One table for all curves; those of one flight share their instants. */
+  /** One table of all curves; those of one flight share their instants. */
   function dataOf(panel) {
     const shared = panel.curves.every((curve) => curve.flight === panel.curves[0].flight);
     const table = shared
@@ -131,8 +131,8 @@ export function createLabPlots(element, { onSeek }) {
 
   function build(panel, whole) {
     const colours = palette();
-    const told = !panel.stacked || panel.curves[0].flight === shown[0]; // the second ledger has the colours of the first
-    const keys = panel.curves.filter(() => told).map((curve) => {
+    const hasKeys = !panel.stacked || panel.curves[0].flight === shown[0]; // the second balance has the colours of the first
+    const keys = panel.curves.filter(() => hasKeys).map((curve) => {
       const swatch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
       swatch.setAttribute("viewBox", "0 0 22 8");
       swatch.setAttribute("aria-hidden", "true");
@@ -140,10 +140,10 @@ export function createLabPlots(element, { onSeek }) {
       const look = { x1: 0, x2: 22, y1: 4, y2: 4, stroke: curve.fill ?? curve.colour, "stroke-width": curve.fill ? 8 : 2.4, "stroke-dasharray": (curve.dash ?? []).join(" ") };
       Object.entries(look).forEach(([name, value]) => line.setAttribute(name, value));
       swatch.append(line);
-      return made("span", { class: "plot-key" }, swatch, made("span", {}, curve.name));
+      return create("span", { class: "plot-key" }, swatch, create("span", {}, curve.name));
     });
-    const canvas = made("div", { class: "plot-canvas" });
-    const box = made("section", { class: "plot", "data-panel": panel.name }, made("header", {}, made("h3", {}, `${panel.name} [${panel.unit}]`), made("div", { class: "plot-keys" }, ...keys)), canvas);
+    const canvas = create("div", { class: "plot-canvas" });
+    const box = create("section", { class: "plot", "data-panel": panel.name }, create("header", {}, create("h3", {}, `${panel.name} [${panel.unit}]`), create("div", { class: "plot-keys" }, ...keys)), canvas);
     element.append(box);
     const one = { box, canvas, panel, signature: signature(panel, whole), bounds: null, zero: 0 };
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
@@ -158,18 +158,18 @@ export function createLabPlots(element, { onSeek }) {
       series: [{}, ...curves.map((curve) => ({
         stroke: curve.colour, width: curve.fill ? 1 : curve.behind ? 1.4 : 1.8, dash: curve.dash ?? [], fill: curve.fill, spanGaps: true, points: { show: false },
       }))],
-      // A new range or size holds from the next drawing on, so that is when the mark moves.
+      // A new range or size applies from the next drawing on, so the mark moves then.
       hooks: { draw: [() => mark(one)] },
       bands: panel.stacked ? curves.slice(1).map((_, k) => ({ series: [k + 1, k + 2], fill: curves[k].fill })) : [],
     }, dataOf(panel), canvas);
-    one.marker = made("div", { class: "plot-now" });
+    one.marker = create("div", { class: "plot-now" });
     one.plot.over.append(one.marker);
     one.plot.over.addEventListener("click", (event) => onSeek(one.plot.posToVal(event.offsetX, "x")));
     plots.set(panel.name, one);
     return one;
   }
 
-  /** Put the line of a plot where the time is, or away if that is not shown. */
+  /** Move the line of a plot to the time, or hide it if that is not in view. */
   function mark({ plot, marker }) {
     if (!marker) return;
     const { min, max } = plot.scales.x;
@@ -199,7 +199,7 @@ export function createLabPlots(element, { onSeek }) {
   return {
     replace,
     show,
-    /** Flights to keep behind the others. */
+    /** Flights to show behind the others. */
     pin(flights) {
       pinned = flights;
     },

@@ -1,4 +1,4 @@
-// What a page can do; which of it a page does stands in <body data-app="…">.
+// Applications of a page, selected by <body data-app="…">.
 import "./style.css";
 import { startReplay } from "./player.js";
 import { startLab } from "./lab.js";

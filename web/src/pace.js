@@ -1,18 +1,18 @@
-// How fast a replay goes: slowed down around impacts, so that they take as long as people need.
+// Pace of a replay: slowed down around impacts, so that they can be followed.
 
-/** Seconds that an impact should take to watch, and the slowest pace. Chosen. */
+/** Chosen: viewing time of an impact [s], and the slowest pace. */
 const WATCHED = 3.0;
 const SLOWEST = 1 / 200;
-/** Before the touch and after it [s]; of a long contact only the beginning is slow. */
+/** Slow time before and after the touch [s]; of a long contact only the beginning is slow. */
 const BEFORE = 0.008;
 const AFTER = 0.02;
 const LONGEST = 0.12;
 /** The pace changes over this time on either side [s]. */
 const RAMP = 0.12;
-/** Slow stretches beyond these are not slowed down: a robot leaning on a wall touches for ever. */
+/** Largest number of slow intervals: a robot leaning on a wall touches it again and again. */
 const MOST = 12;
 
-/** Stretches to be slow in: [begin, end, pace]. */
+/** Slow intervals: [begin, end, pace]. */
 export function slowStretches(flights) {
   const found = [];
   for (const flight of flights) {
@@ -31,7 +31,7 @@ export function slowStretches(flights) {
   return joined.map(([begin, end]) => [begin, end, Math.min(1, Math.max(SLOWEST, (end - begin) / WATCHED))]);
 }
 
-/** Pace at a time: 1 far from all stretches, theirs within, geometric between. */
+/** Pace at a time: 1 far from all slow intervals, theirs within, geometric between. */
 function paceAt(stretches, time) {
   let pace = 1;
   for (const [begin, end, slow] of stretches) {
@@ -41,7 +41,7 @@ function paceAt(stretches, time) {
   return pace;
 }
 
-/** The time line: from time of flight to seconds of watching at automatic pace, and back. */
+/** The time line: conversion between flight time and viewing time at automatic pace. */
 export function timeLine(flights) {
   const begin = Math.min(...flights.map((f) => f.begin + f.shift));
   const end = Math.max(...flights.map((f) => f.end + f.shift));

@@ -2,16 +2,16 @@
 import { palette } from "./colours.js";
 import { placeOf, poseAt, touchOf, valueAt } from "./flight.js";
 import { timeLine } from "./pace.js";
-import { createPlots, told } from "./plots.js";
+import { createPlots, format } from "./plots.js";
 import { CAMERAS, createScene } from "./scene.js";
 
 const PACES = [1, 2, 5, 10, 20, 50, 100, 200];
 const NAMES = { follow: "Follow", free: "Whole flight", side: "Side", top: "Top", impact: "Impact" };
-/** Begin so long before the first touch [s]. */
+/** Start this long before the first touch [s]. */
 const LEAD = 0.25;
 
 /** An element with attributes and children. */
-export function made(tag, attributes = {}, ...children) {
+export function create(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
@@ -55,23 +55,23 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
   const state = { t: 0, playing: false, pace: "auto", line: null, flights: [], last: 0 };
 
   // -- controls -----------------------------------------------------------------------------------
-  const playButton = made("button", { class: "play", type: "button", onclick: () => (state.playing ? pause() : play()) });
-  const back = made("button", { type: "button", title: "One instant back (←)", "aria-label": "One instant back", onclick: () => step(-1) }, icon("back"));
-  const forth = made("button", { type: "button", title: "One instant on (→)", "aria-label": "One instant on", onclick: () => step(1) }, icon("forth"));
-  const toTouch = made("button", { type: "button", title: "To the first touch (T)", "aria-label": "To the first touch", onclick: goToTouch }, icon("touch"));
-  const pace = made("select", { "aria-label": "Speed", title: "Speed (, and .)", onchange: () => setPace(pace.value) },
-    made("option", { value: "auto" }, "slow at impact"),
-    ...PACES.map((p) => made("option", { value: String(p) }, p === 1 ? "real time" : `1/${p}`)));
-  const clock = made("output", { class: "clock", "aria-live": "off" });
-  const slider = made("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time", oninput: () => {
+  const playButton = create("button", { class: "play", type: "button", onclick: () => (state.playing ? pause() : play()) });
+  const back = create("button", { type: "button", title: "One instant back (←)", "aria-label": "One instant back", onclick: () => step(-1) }, icon("back"));
+  const forth = create("button", { type: "button", title: "One instant forward (→)", "aria-label": "One instant forward", onclick: () => step(1) }, icon("forth"));
+  const toTouch = create("button", { type: "button", title: "Go to the first touch (T)", "aria-label": "Go to the first touch", onclick: goToTouch }, icon("touch"));
+  const pace = create("select", { "aria-label": "Speed", title: "Speed (, and .)", onchange: () => setPace(pace.value) },
+    create("option", { value: "auto" }, "slow at impact"),
+    ...PACES.map((p) => create("option", { value: String(p) }, p === 1 ? "real time" : `1/${p}`)));
+  const clock = create("output", { class: "clock", "aria-live": "off" });
+  const slider = create("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time", oninput: () => {
     pause();
     seek(state.line.timeAt(Number(slider.value) * state.line.total));
   } });
-  const ticks = made("div", { class: "ticks", "aria-hidden": "true" });
-  const track = made("div", { class: "track" }, ticks, slider);
-  const chips = made("div", { class: "events" });
+  const ticks = create("div", { class: "ticks", "aria-hidden": "true" });
+  const track = create("div", { class: "track" }, ticks, slider);
+  const chips = create("div", { class: "events" });
   bar.classList.add("player");
-  bar.replaceChildren(made("div", { class: "buttons" }, playButton, back, forth, toTouch, pace, clock), track, chips);
+  bar.replaceChildren(create("div", { class: "buttons" }, playButton, back, forth, toTouch, pace, clock), track, chips);
 
   // -- time ---------------------------------------------------------------------------------------
   function seek(t) {
@@ -89,7 +89,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     const touch = state.flights.length ? touchOf(state.flights[0]) : null;
     const since = touch === null ? "" : ` · ${state.t >= touch ? "+" : "−"}${Math.abs(1e3 * (state.t - touch)).toFixed(1)} ms from touch`;
     const running = state.pace === "auto" ? state.line.paceAt(state.t) : 1 / Number(state.pace);
-    clock.replaceChildren(made("b", {}, `${state.t.toFixed(4)} s`), made("span", {}, since), made("span", { class: "pace" }, paceName(running)));
+    clock.replaceChildren(create("b", {}, `${state.t.toFixed(4)} s`), create("span", {}, since), create("span", { class: "pace" }, paceName(running)));
     slider.setAttribute("aria-valuetext", `${state.t.toFixed(3)} s${since}`);
     if (readouts) tellReadouts();
   }
@@ -136,7 +136,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     setPace(PACES[Math.min(Math.max(now, 0), PACES.length - 1)]);
   }
 
-  /** To the next instant that was computed, or the one before. */
+  /** Go to the next or the previous computed instant. */
   function step(by) {
     pause();
     const flight = state.flights[0];
@@ -152,12 +152,12 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     if (touch !== null) seek(touch);
   }
 
-  // -- what happens -------------------------------------------------------------------------------
+  // -- events -------------------------------------------------------------------------------------
   function drawTicks() {
     const line = state.line;
     const share = (t) => line.watchedAt(t) / line.total;
     ticks.replaceChildren(...line.stretches.map(([from, to]) => {
-      const band = made("span", { class: "slow" });
+      const band = create("span", { class: "slow" });
       band.style.left = `${100 * share(from)}%`;
       band.style.width = `${100 * Math.max(share(to) - share(from), 0.002)}%`;
       return band;
@@ -166,7 +166,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
       flight.events.map((event) => ({ ...event, t: event.t + flight.shift, flight })));
     events.sort((a, b) => a.t - b.t);
     for (const event of events) {
-      const mark = made("i", { class: event.kind });
+      const mark = create("i", { class: event.kind });
       mark.style.left = `${100 * share(event.t)}%`;
       if (state.flights.length > 1) mark.style.background = event.flight.colour;
       ticks.append(mark);
@@ -174,10 +174,10 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     const several = state.flights.length > 1;
     chips.replaceChildren(...events.filter((event) => event.kind !== "end" || !several).slice(0, 60).map((event) => {
       const name = several ? `${event.flight.label}: ${event.label}` : event.label;
-      const chip = made("button", { type: "button", class: `event ${event.kind}`, title: `${event.text}, ${event.t.toFixed(4)} s`, onclick: () => {
+      const chip = create("button", { type: "button", class: `event ${event.kind}`, title: `${event.text}, ${event.t.toFixed(4)} s`, onclick: () => {
         pause();
         seek(event.t);
-      } }, made("span", {}, name), made("small", {}, ` ${event.t.toFixed(3)} s`));
+      } }, create("span", {}, name), create("small", {}, ` ${event.t.toFixed(3)} s`));
       if (several) chip.style.setProperty("--colour", event.flight.colour);
       return chip;
     }));
@@ -190,18 +190,18 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     if (!readouts) return;
     const rows = ["speed", "acceleration", "compression, largest", "contact force, sum of all contacts", "thrust, all rotors"];
     const units = ["m/s", "m/s²", "mm", "N", "N"];
-    const table = made("table", { class: "numbers" });
+    const table = create("table", { class: "numbers" });
     if (state.flights.length > 1) {
-      table.append(made("thead", {}, made("tr", {}, made("th", {}, ""), ...state.flights.map((f) => {
-        const head = made("th", { scope: "col" }, f.label);
+      table.append(create("thead", {}, create("tr", {}, create("th", {}, ""), ...state.flights.map((f) => {
+        const head = create("th", { scope: "col" }, f.label);
         head.style.color = f.colour;
         return head;
-      }), made("th", {}, ""))));
+      }), create("th", {}, ""))));
     }
-    const body = made("tbody");
+    const body = create("tbody");
     cells = rows.map((name, k) => {
-      const values = state.flights.map(() => made("td"));
-      body.append(made("tr", {}, made("th", { scope: "row" }, name), ...values, made("td", { class: "unit" }, units[k])));
+      const values = state.flights.map(() => create("td"));
+      body.append(create("tr", {}, create("th", { scope: "row" }, name), ...values, create("td", { class: "unit" }, units[k])));
       return values;
     });
     table.append(body);
@@ -217,7 +217,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
       const force = Math.hypot(...[0, 1, 2].map((c) => pose.contacts.reduce((sum, one) => sum + (one ? one.force[c] : 0), 0)));
       const numbers = [value("Velocity"), value("Acceleration"), pressed, force, pose.thrust.reduce((a, b) => a + b, 0)];
       const rigid = !flight.arms.some((arm) => arm.compliant);
-      numbers.forEach((number, row) => (cells[row][k].textContent = row === 2 && rigid ? "rigid" : told(number)));
+      numbers.forEach((number, row) => (cells[row][k].textContent = row === 2 && rigid ? "rigid" : format(number)));
     });
   }
 
@@ -234,7 +234,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
       Home: () => (pause(), seek(state.line.begin)), End: () => (pause(), seek(state.line.end)),
       ",": () => slower(1), ".": () => slower(-1), t: goToTouch,
     };
-    if (event.key === " " && tag === "BUTTON") return; // the button is pressed by it
+    if (event.key === " " && tag === "BUTTON") return; // it presses the button
     const act = actions[event.key];
     if (!act || !state.line) return;
     event.preventDefault();
@@ -242,7 +242,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
   }
   if (keys) document.addEventListener("keydown", pressed);
 
-  /** Take other flights, those that the scene shows; time stays where it is if it can. */
+  /** Switch to the flights of the scene; the time is kept if possible. */
   function replace({ keepTime = true } = {}) {
     state.flights = scene.flights;
     state.line = timeLine(state.flights);
@@ -275,9 +275,9 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
 /** Buttons that choose one of several. */
 export function choice(label, options, chosen, onchoose) {
-  const group = made("div", { class: "choice", role: "group", "aria-label": label });
+  const group = create("div", { class: "choice", role: "group", "aria-label": label });
   for (const [value, name] of options) {
-    group.append(made("button", { type: "button", "data-value": value, "aria-pressed": String(value === chosen), onclick: () => {
+    group.append(create("button", { type: "button", "data-value": value, "aria-pressed": String(value === chosen), onclick: () => {
       mark(value);
       onchoose(value);
     } }, name));
@@ -292,31 +292,31 @@ export function choice(label, options, chosen, onchoose) {
 /** The page of springback view: data is {flights: […]}. */
 export function startReplay(element, data) {
   const many = data.flights.length > 1;
-  const stage = made("div", { class: "stage" });
-  const bar = made("div");
-  const readouts = made("div", { class: "readouts" });
-  const plotBox = made("div");
+  const stage = create("div", { class: "stage" });
+  const bar = create("div");
+  const readouts = create("div", { class: "readouts" });
+  const plotBox = create("div");
   let cameras = null;
   const scene = createScene(stage, { flights: data.flights, onCamera: (mode) => cameras?.mark(mode) });
   const flights = scene.flights;
 
   const outcomes = flights.map((flight) => {
-    const line = made("p", { class: `outcome ${flight.success ? "well" : "badly"}` },
-      made("b", {}, flight.label), ` ${flight.sentence}`);
+    const line = create("p", { class: `outcome ${flight.success ? "well" : "badly"}` },
+      create("b", {}, flight.label), ` ${flight.sentence}`);
     line.style.setProperty("--colour", flight.colour);
     return line;
   });
   const name = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
   cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
-  const compare = choice("Two flights", [["side", "side by side"], ["ghost", "one in the other"]], "side", (mode) => scene.setCompare(mode));
+  const compare = choice("Two flights", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
   const bends = flights.some((flight) => flight.arms.some((arm) => arm.compliant));
   const arms = choice("Arm travel", [["1", "arms to scale"], ["10", "arm travel × 10"]], "1", (times) => scene.setMagnified(Number(times)));
   const notes = [...new Set(flights.flatMap((flight) => [
     ...flight.notes.map((note) => `${flight.label}: ${note}.`),
-    flight.shift ? `${flight.label} is shown ${Math.abs(flight.shift).toFixed(3)} s ${flight.shift < 0 ? "earlier" : "later"} than it flew, so that both touch together.` : "",
+    flight.shift ? `${flight.label} is shown ${Math.abs(flight.shift).toFixed(3)} s ${flight.shift < 0 ? "earlier" : "later"} than it flew, so that both touch at the same time.` : "",
   ]))].filter(Boolean);
   const error = Math.max(...flights.map((flight) => flight.departure.position)) * 1000;
-  notes.push(`Between the instants drawn, straight lines: positions are within ${error < 0.01 ? "0.01" : error.toFixed(2)} mm of the flight.`);
+  notes.push(`Motion between the drawn instants is interpolated linearly: positions are within ${error < 0.01 ? "0.01" : error.toFixed(2)} mm of the flight.`);
 
   const plots = createPlots(plotBox, { onSeek: (t) => {
     player.pause();
@@ -330,14 +330,14 @@ export function startReplay(element, data) {
   };
   const zooms = choice("Plots show", [["all", "whole flight"], ...(touch === null ? [] : [["impact", "first impact"]])], "all", (which) =>
     which === "all" ? plots.zoom() : plots.zoom(...impact()));
-  const about = made("details", { class: "about" }, made("summary", {}, "About this picture"),
-    ...notes.map((note) => made("p", {}, note)),
-    made("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on cages and main body, friction included; their sum as vectors, in which friction on two cages may cancel, stands among the numbers. Blue bars are the thrust of the rotors; dark discs are shadows straight down."),
-    made("p", { class: "keys" }, "Keys: space plays, ← → go from instant to instant (with shift ten), , and . change the speed, T goes to the touch, Home and End to the ends. A click in a plot jumps there, a drag looks closer, a double click shows all again."));
+  const about = create("details", { class: "about" }, create("summary", {}, "About this view"),
+    ...notes.map((note) => create("p", {}, note)),
+    create("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on cages and main body, including friction; the numbers show their vector sum, in which friction on two cages may cancel. Blue bars are the thrust of the rotors; dark discs are vertical shadows."),
+    create("p", { class: "keys" }, "Keys: space plays, ← and → step by one instant (with shift by ten), , and . change the speed, T goes to the touch, Home and End to the ends. In a plot a click jumps there, a drag zooms in, and a double click shows all."));
 
   element.replaceChildren(
-    made("header", { class: "top" }, made("div", {}, made("h1", {}, name), ...outcomes), made("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []))),
-    made("main", {}, made("div", { class: "left" }, stage, bar), made("aside", {}, readouts, made("div", { class: "plot-head" }, made("h2", {}, "Over time"), zooms), plotBox, about)),
+    create("header", { class: "top" }, create("div", {}, create("h1", {}, name), ...outcomes), create("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []))),
+    create("main", {}, create("div", { class: "left" }, stage, bar), create("aside", {}, readouts, create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms), plotBox, about)),
   );
   element.classList.add("replay");
   const player = createPlayer({ scene, plots, bar, readouts });
@@ -348,7 +348,7 @@ export function startReplay(element, data) {
   }
   scene.setCamera("follow");
 
-  // A link may say where to begin: #t=2.76&camera=impact&speed=50&arms=10
+  // A link may set the initial view: #t=2.76&camera=impact&speed=50&arms=10
   const asked = new URLSearchParams(location.hash.slice(1));
   if (CAMERAS.includes(asked.get("camera"))) {
     cameras.mark(asked.get("camera"));

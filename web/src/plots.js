@@ -1,14 +1,14 @@
-// Plots over time, in step with a scene: a line marks the instant, a click or tap goes there.
+// Plots over time, synchronised with a scene: a line marks the instant, a click or tap goes there.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { palette } from "./colours.js";
 import { valueAt, wholeForce } from "./flight.js";
 
 const HEIGHT = 112;
-/** Curves of equal shape within this share of their peak are drawn and named as one. */
+/** Curves that agree within this share of their peak are drawn and labelled as one. */
 const ALIKE = 5e-3;
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3], [12, 4], [4, 2, 1, 2]];
-/** With two flights, what stands for the curves of all arms. */
+/** Curve that replaces those of all arms when there are two flights. */
 const OF_ALL = {
   "Arm compression": ["largest", (values) => Math.max(...values)],
   Thrust: ["all rotors", (values) => values.reduce((a, b) => a + b, 0)],
@@ -44,7 +44,7 @@ function summed(panel, series, flight, k) {
   return [{ name, values, flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
 }
 
-/** Curves of arms that do the same, as one. */
+/** Equal curves of arms merged. */
 function joined(series) {
   const found = [];
   for (const one of series) {
@@ -59,14 +59,14 @@ function joined(series) {
   return found.map(({ names, values }) => ({ name: shortened(names), values }));
 }
 
-/** "arm 1", "arm 2" as "arm 1, 2"; all four as "all arms" would hide how many: they stay. */
+/** "arm 1", "arm 2" as "arm 1, 2". */
 function shortened(names) {
   const stems = names.map((name) => name.match(/^(.*?)\s*(\d+)$/));
   if (names.length < 2 || stems.some((m) => !m || m[1] !== stems[0][1])) return names.join(", ");
   return `${stems[0][1]} ${stems.map((m) => m[2]).join(", ")}`;
 }
 
-export const told = (value) => {
+export const format = (value) => {
   const size = Math.abs(value);
   if (size < 5e-4) return "0";
   return value.toFixed(size < 1 ? 3 : size < 10 ? 2 : size < 100 ? 1 : 0);
@@ -75,8 +75,8 @@ export const told = (value) => {
 /**
  * Plots of flights inside an element.
  *
- * @param options.onSeek gets the time that was clicked [s]
- * @param options.onZoom is called when the user has chosen the range: true for a part, false for all
+ * @param options.onSeek called with the time that was clicked [s]
+ * @param options.onZoom called when the user has changed the range: true for a part, false for all
  */
 export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = {}) {
   let plots = [];
@@ -167,7 +167,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
             onZoom(true);
           },
         ],
-        // A new range or size holds from the next drawing on, so that is when the mark moves.
+        // A new range or size applies from the next drawing on, so the mark moves then.
         draw: [(u) => plots.filter((one) => one.plot === u).forEach(mark)],
       },
     };
@@ -183,7 +183,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
     return plot;
   }
 
-  /** Show times from one to the other [s]; without them, all. */
+  /** Show the times from begin to end [s]; all without arguments. */
   function zoom(from, to) {
     range = from === undefined ? null : [from, to];
     plots.forEach(({ plot }) => {
@@ -193,7 +193,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
     show(now);
   }
 
-  /** Put the line of a plot where the time is, or away if that is not shown. */
+  /** Move the line of a plot to the time, or hide it if that is not in view. */
   function mark({ plot, marker }) {
     if (!marker) return;
     const { min, max } = plot.scales.x;
@@ -201,13 +201,13 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
     marker.style.transform = `translateX(${plot.valToPos(now, "x")}px)`;
   }
 
-  /** Mark a time [s] and tell all values there. */
+  /** Mark a time [s] and show all values there. */
   function show(t) {
     now = t;
     for (const one of plots) {
       const { panel, values } = one;
       mark(one);
-      panel.curves.forEach((curve, k) => (values[k].textContent = told(valueAt(curve.flight, curve.values, t))));
+      panel.curves.forEach((curve, k) => (values[k].textContent = format(valueAt(curve.flight, curve.values, t))));
     }
   }
 

@@ -1,10 +1,10 @@
-// A robot to look at: main body, arms that really slide, springs that really compress, cages.
+// Model of a robot: main body, sliding arms, springs that compress, cages.
 import * as THREE from "three";
 
 const TURNS = 7;
 const WIRE = 0.0022;
 
-/** A helix of length 1 along x, to be stretched. */
+/** A helix of length 1 along x, to be scaled. */
 function helix(radius) {
   class Helix extends THREE.Curve {
     getPoint(u, target = new THREE.Vector3()) {
@@ -21,7 +21,7 @@ function rod(radius, sides = 14) {
   return shape.rotateZ(-Math.PI / 2).translate(0.5, 0, 0);
 }
 
-/** An arrow of length 1 along x would lose its head when stretched: shaft and head apart. */
+/** An arrow whose head keeps its size when scaled: shaft and head are separate. */
 export class Arrow {
   constructor(colour, radius, opacity) {
     this.group = new THREE.Group();
@@ -35,7 +35,7 @@ export class Arrow {
     this.way = new THREE.Vector3();
   }
 
-  /** From a point along a vector. */
+  /** Place it at a point along a vector. */
   show(from, vector) {
     const length = this.way.set(...vector).length();
     this.group.visible = length > 1e-4;
@@ -72,7 +72,7 @@ export class Robot {
     const own = paint(look.colour);
     const spring = paint(colours.force, { metalness: 0.4, roughness: 0.35 });
     const span = Math.max(...flight.arms.map((arm) => arm.length));
-    const unit = span / 0.19; // all thicknesses are those of the paper's robots
+    const unit = span / 0.19; // scale of all thicknesses, 1 for the paper's robots
 
     const hub = new THREE.Mesh(new THREE.CylinderGeometry(0.042 * unit, 0.042 * unit, 0.026 * unit, 28), dark);
     hub.rotation.x = Math.PI / 2;
@@ -100,10 +100,10 @@ export class Robot {
     frame.rotation.z = Math.atan2(arm.direction[1], arm.direction[0]);
     this.group.add(frame);
     const stroke = arm.length - arm.shortest;
-    const end = new THREE.Group(); // moves with the arm's end
+    const end = new THREE.Group(); // moves with the end of the arm
     frame.add(end);
     const parts = { end, frame, free: arm.length };
-    const collar = 0.13 * arm.length; // of the spring's outer seat, inwards from the arm's end
+    const collar = 0.13 * arm.length; // distance of the spring's outer seat from the end of the arm
     if (arm.compliant) {
       const seat = Math.max(0.24 * arm.length, arm.shortest - collar - 0.8 * stroke);
       const tube = new THREE.Mesh(rod(0.0075 * unit), metal);
@@ -154,7 +154,7 @@ export class Robot {
     return Object.assign(parts, { blades, cagePaint, thrust, spin: arm.spin });
   }
 
-  /** Take a pose of flight.js; arms pressed in by `magnified` times what they are. */
+  /** Show a pose of flight.js, with arm compressions multiplied by `magnified`. */
   show(pose, magnified = 1) {
     this.group.position.set(...pose.position);
     const [w, x, y, z] = pose.quaternion;
@@ -164,7 +164,7 @@ export class Robot {
       const length = magnified === 1 ? pose.armLengths[j] : arm.free - pressed;
       arm.end.position.x = length;
       if (arm.coil) arm.coil.scale.x = Math.max(length - arm.collar - arm.seat, 0.004);
-      arm.blades.rotation.z = arm.spin * pose.own * 60; // as an eye sees them in slow motion
+      arm.blades.rotation.z = arm.spin * pose.own * 60; // as in slow motion
       const bar = (this.bar * pose.thrust[j]) / this.most;
       arm.thrust.visible = bar > 1e-3;
       arm.thrust.scale.z = Math.max(bar, 1e-3);
@@ -176,7 +176,7 @@ export class Robot {
   }
 }
 
-/** Free what the graphics hold of an object and all in it. */
+/** Free the graphics resources of an object and its children. */
 export function disposed(object) {
   object.traverse((one) => {
     one.geometry?.dispose();

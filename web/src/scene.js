@@ -1,4 +1,4 @@
-// One or two flights in one picture.
+// Three-dimensional view of one or two flights.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
@@ -6,19 +6,19 @@ import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from ".
 import { Arrow, Robot, disposed } from "./robot.js";
 import { Path, Shadow, compass, obstacle, rail, reference } from "./surroundings.js";
 
-/** Length of the arrow of a round force near the largest [m]; between robots side by side [m]. */
+/** Length of the arrow of a round force near the largest [m]; distance of robots side by side [m]. */
 const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
-/** Flights touch together where they would not by more than this [s]. */
+/** Flights whose first touches differ by more than this are aligned [s]. */
 const TOGETHER = 5e-3;
 const FOLLOWING = ["follow", "side", "top"];
 export const CAMERAS = ["follow", "free", "side", "top", "impact"];
 
-/** From the middle of a robot to the outside of its cages [m]. */
+/** Radius of a robot with its cages [m]. */
 const reachOf = (flight) => Math.max(...flight.arms.map((arm) => arm.length + arm.cage_radius));
 const sum = (a, b) => a.map((x, k) => x + b[k]);
 
-/** Make flights comparable: each its colour, and their first touches together. */
+/** Give flights their colours, and align their first touches. */
 export function together(scenes, colours, align = true) {
   const flights = scenes.map(flightOf);
   const robots = colours.robots;
@@ -34,13 +34,13 @@ export function together(scenes, colours, align = true) {
 }
 
 /**
- * A picture of flights inside an element.
+ * A view of flights inside an element.
  *
- * @param element is filled; its size is the picture's
- * @param options.flights scenes as springback.interfaces.replay.scene.plain gives them, or flights
+ * @param element element to fill; its size is that of the view
+ * @param options.flights scenes from springback.interfaces.replay.scene.plain, or flights
  * @param options.compare "side" or "ghost"
- * @param options.align whether flights that touch at different times are shown as touching together
- * @param options.onCamera gets the view, one of CAMERAS, when it is taken, and "" when the user has turned away from it
+ * @param options.align align flights that touch at different times
+ * @param options.onCamera called with the view, one of CAMERAS, when it is selected, and with "" when the user has moved the camera
  */
 export function createScene(element, { flights = [], compare = "side", align = true, onCamera = () => {} } = {}) {
   const state = { compare, align, magnified: 1, camera: "follow", t: 0, flights: [], lost: false };
@@ -57,7 +57,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   } catch {
     const sorry = document.createElement("p");
     sorry.className = "no-graphics";
-    sorry.textContent = "This browser draws no 3-D graphics (WebGL is off); plots and numbers work.";
+    sorry.textContent = "This browser cannot draw 3-D graphics (WebGL is off); plots and numbers work.";
     element.append(sorry);
   }
   const world = new THREE.Scene();
@@ -79,7 +79,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   if (renderer) {
     element.append(renderer.domElement, labels, legend);
     renderer.domElement.setAttribute("role", "img");
-    renderer.domElement.setAttribute("aria-label", "The flight in three dimensions; numbers stand beside it.");
+    renderer.domElement.setAttribute("aria-label", "The flight in three dimensions, with numbers beside it.");
     controls = new OrbitControls(camera, renderer.domElement);
     controls.enableDamping = false;
     controls.minDistance = 0.15;
@@ -89,11 +89,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls.addEventListener("start", () => (held = true));
     controls.addEventListener("end", () => (held = false));
     controls.addEventListener("change", () => {
-      if (held && state.camera !== "follow") onCamera(""); // who follows still does, from elsewhere
+      if (held && state.camera !== "follow") onCamera(""); // it still follows, from another side
     });
   }
 
-  /** Draw soon, once. */
+  /** Schedule one drawing. */
   function draw() {
     if (renderer && !asked) asked = requestAnimationFrame(drawn);
   }
@@ -121,7 +121,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   // -- flights ------------------------------------------------------------------------------------
 
-  /** Level and along the first wall, to the left of who flies north; y without a wall. */
+  /** Horizontal direction along the first wall, to the left when flying north; y without a wall. */
   function leftward() {
     const wall = state.flights[0].obstacles.find((one) => one.kind === "wall" || one.kind === "mat");
     const left = wall && Math.abs(wall.normal[2]) < 0.9 ? new THREE.Vector3(...wall.across).normalize() : new THREE.Vector3(0, 1, 0);
@@ -136,7 +136,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return [across.toArray(), across.clone().negate().toArray()];
   }
 
-  /** Swap the flights; the camera stays where it is unless asked. */
+  /** Replace the flights; the camera is kept if requested. */
   function replace(scenes, { keepCamera = true } = {}) {
     colours = palette();
     state.flights = together(scenes, colours, state.align);
@@ -196,7 +196,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     tellLegend();
   }
 
-  /** The level that shadows fall on: the ground, else somewhat below the flight. */
+  /** Height of the plane of shadows: the ground, else slightly below the flight. */
   function floorOf() {
     const level = Math.max(...state.flights.flatMap((f) => f.obstacles.filter((o) => o.kind === "ground").map((o) => o.centre[2])));
     if (Number.isFinite(level)) return level;
@@ -262,7 +262,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return places.reduce((a, b) => a.add(b), new THREE.Vector3()).divideScalar(places.length || 1);
   }
 
-  /** Show everything at a time [s]. */
+  /** Show the flights at a time [s]. */
   function show(t) {
     state.t = t;
     state.poses = state.flights.map((flight) => poseAt(flight, t));
@@ -291,7 +291,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     draw();
   }
 
-  /** Distance at which a sphere fills the picture. */
+  /** Distance at which a sphere fills the view. */
   function farFrom(radius) {
     const half = THREE.MathUtils.degToRad(camera.fov / 2);
     const narrow = Math.min(1, camera.aspect);
@@ -304,7 +304,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls.update();
   }
 
-  /** Which view; one of CAMERAS. */
+  /** Select a view, one of CAMERAS. */
   function setCamera(mode) {
     state.camera = CAMERAS.includes(mode) ? mode : "follow";
     followed = null;
@@ -328,7 +328,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     draw();
   }
 
-  /** Middle of the robots at first touch. */
+  /** Centre of the robots at first touch. */
   function impactPlace() {
     const at = state.flights.map((flight, k) => {
       const pose = poseAt(flight, touchOf(flight) ?? flight.begin);
@@ -383,7 +383,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       state.compare = mode;
       if (state.flights.length) replace(state.flights, { keepCamera: false });
     },
-    /** Arms pressed in by so many times what they are. */
+    /** Set the factor of arm compressions. */
     setMagnified(times) {
       state.magnified = times;
       tellLegend();
@@ -395,19 +395,19 @@ export function createScene(element, { flights = [], compare = "side", align = t
     get camera() {
       return state.camera;
     },
-    /** What is shown, in numbers. */
+    /** Numbers of what is shown. */
     pose: () => ({ t: state.t, camera: state.camera, flights: state.poses ?? [] }),
-    /** What the graphics hold, for tests of leaks. */
+    /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),
   };
 }
 
-/** An obstacle elsewhere. */
+/** An obstacle, shifted. */
 const moved = (one, by) => (one.kind === "mesh" ? { ...one, moved: by } : { ...one, centre: sum(one.centre, by) });
 
 const dot = (a, b) => a.reduce((total, x, k) => total + x * b[k], 0);
 
-/** Rectangles in one plane as one, so that they have no seam and do not shimmer; the rest as is. */
+/** Merge rectangles in one plane, so that they have no seam and do not flicker. */
 function joined(things) {
   const found = new Map();
   for (const one of things) {

@@ -1,4 +1,4 @@
-// What is there to hit, the path flown, and what helps to see depth and direction.
+// Obstacles, the path flown, and aids to see depth and direction.
 import * as THREE from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
@@ -6,7 +6,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 
 const vector = (v) => new THREE.Vector3(...v);
 
-/** Lines of a grid on a rectangle, spaced as told [m], from its centre. */
+/** Lines of a grid on a rectangle, with a given spacing [m], from its centre. */
 function grid(centre, across, along, step, colour, opacity) {
   const places = [];
   const a = across.length();
@@ -44,7 +44,7 @@ function slab(thing, depth, colour, opacity, from = 0) {
   return mesh;
 }
 
-/** Something to hit. */
+/** An obstacle. */
 export function obstacle(thing, colours, unpacked) {
   const group = new THREE.Group();
   if (thing.kind === "mesh") {
@@ -72,7 +72,7 @@ export function obstacle(thing, colours, unpacked) {
   return group;
 }
 
-/** A faint level grid under flights that have no ground: it is there for depth only. */
+/** A faint horizontal grid under flights without ground, for depth only. */
 export function reference(box, colours) {
   const size = box.getSize(new THREE.Vector3());
   const middle = box.getCenter(new THREE.Vector3());
@@ -81,7 +81,7 @@ export function reference(box, colours) {
   return grid(middle, new THREE.Vector3(half(size.x), 0, 0), new THREE.Vector3(0, half(size.y), 0), 0.25, colours.faint, 0.35);
 }
 
-/** The rail of a slider, through where the main body is. */
+/** The rail of a slider, through the main body. */
 export function rail(flight, colours) {
   const axis = vector(flight.guide).normalize();
   const along = [];
@@ -98,7 +98,7 @@ export function rail(flight, colours) {
   return mesh;
 }
 
-/** The path of a flight: grey before the first touch, the colour of force in contact, its own after. */
+/** The path of a flight: grey before the first touch, coloured as forces in contact, its own colour after. */
 export class Path {
   constructor(flight, colours, resolution) {
     const touches = flight.impacts;
@@ -135,7 +135,7 @@ export class Path {
     this.group.add(this.whole, this.flown);
   }
 
-  /** What was flown until an instant is thick. */
+  /** Draw the path up to an instant thick. */
   show(time) {
     let count = 0;
     let high = this.times.length;
@@ -153,7 +153,7 @@ export class Path {
   }
 }
 
-/** Shadow straight down on a level: cages and body as discs, and a plumb line. */
+/** Vertical shadow on a horizontal plane: cages and body as discs, and a plumb line. */
 export class Shadow {
   constructor(flight, level, colours) {
     this.level = level;
@@ -208,7 +208,7 @@ function letter(text, colour) {
   return sprite;
 }
 
-/** Directions of the world, for a corner of the picture: x north, y west, z up. */
+/** World axes for a corner of the view: x north, y west, z up. */
 export function compass(colours) {
   const group = new THREE.Group();
   const axes = { "x N": [1, 0, 0], "y W": [0, 1, 0], "z up": [0, 0, 1] };

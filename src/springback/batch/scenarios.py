@@ -21,6 +21,7 @@ from springback.batch.validation import UNCHECKED, flight_from_tables, settings_
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.memo import Memo
+from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
@@ -33,7 +34,7 @@ from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
-from springback.simulation.loading import DifferentStructure, Laid, Loader
+from springback.simulation.loading import DifferentStructure, LoadedFlights, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
@@ -86,7 +87,7 @@ def fly_scenarios(
     *,
     threads: int = 1,
     device: Device = "cpu",
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> Rows:
     """Fly many scenarios; each flight's numbers depend on its own tables alone.
 
@@ -111,11 +112,7 @@ def fly_scenarios(
     fly = _on_processor(threads) if device == "cpu" else _on_gpu()
     for first in range(0, count, most):
         block = order[first : first + most]
-
-        def share(x: float, first: int = first, size: int = len(block)) -> None:
-            if progress is not None:
-                progress((first + x * size) / count)
-
+        share = stage(progress, first / count, len(block) / count)
         with no_collection():
             _fly_block(tables, block, build, fly, share, out)
             build.forget()
@@ -151,7 +148,7 @@ def _fly_block(
     block: list[int],
     build: Memo,
     fly: _Fly,
-    progress: Callable[[float], None],
+    progress: Progress,
     out: Rows,
 ) -> None:
     """Build some flights, fly them batch by batch, and read their results."""
@@ -181,12 +178,9 @@ def _fly_block(
         last.seeds.append(ready.seed)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
     for kind in kinds.values():
-
-        def share(x: float, done: int = done, size: int = len(kind.numbers)) -> None:
-            progress((done + x * size) / all_ready)
-
-        _fly_kind(kind, fly, share, out)
-        done += len(kind.numbers)
+        size = len(kind.numbers)
+        _fly_kind(kind, fly, stage(progress, done / all_ready, size / all_ready), out)
+        done += size
 
 
 def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
@@ -269,9 +263,9 @@ def _on_gpu() -> _Fly:
     return _Fly(fly_buffers_on_gpu, fly_groups_on_gpu)
 
 
-def _fly_kind(kind: _Kind, fly: _Fly, progress: Callable[[float], None], out: Rows) -> None:
+def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     """Fly all flights of one kind, and store their results."""
-    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    laid, width, count = kind.loader.flights(), kind.loader.width, len(kind.numbers)
     before = energies(laid.shape, laid.buffers, width, count)
     built_avionics = kind.first.built_avionics
     if built_avionics is None or laid.avionics is None or laid.onboard is None:
@@ -289,7 +283,9 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Callable[[float], None], out: Ro
         out.measures[name][numbers] = column
 
 
-def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+def _read(
+    laid: LoadedFlights, before: Any, width: int, count: int
+) -> tuple[list[str], dict[str, Array]]:
     """Outcomes and measures of all flights of one kind."""
     shape, buffers = laid.shape, laid.buffers
     work_row = rows(shape.model) + row_of(shape.motion, "work")

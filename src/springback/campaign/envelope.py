@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import REFUSED
@@ -23,6 +23,7 @@ from springback.campaign.design.targets import NAMES, field_path
 from springback.campaign.flying import rows
 from springback.errors import InputError, excerpt
 from springback.problems import dotted_path
+from springback.progress import Progress, silent
 from springback.scenario.fields import degrees
 from springback.scenario.files import apply_overrides
 from springback.scenario.scenario import scenario_from
@@ -50,8 +51,6 @@ MOST_VALUES, MOST_TRIALS, MOST_FLIGHTS = 200, 1000, 1_000_000
 #: Measured on two cores, compiled: a flight of 8 s, and a cell's run-up on average over the default
 #: map: 0.1 s where there is one, 1 s where there is none [s].
 FLIGHT_TIME, RUN_UP_TIME = 0.024, 0.5
-
-Progress = Callable[[float], None]
 
 
 class EnvelopePlan(NamedTuple):
@@ -193,7 +192,7 @@ def _axis(design: Design, k: int) -> Axis:
     return Axis(one.column, "deg" if angle else one.unit or "-", values)
 
 
-def fly_envelope(plan: EnvelopePlan, progress: Progress | None = None) -> Envelope:
+def fly_envelope(plan: EnvelopePlan, progress: Progress = silent) -> Envelope:
     """Fly all cells.
 
     Args:
@@ -214,8 +213,7 @@ def fly_envelope(plan: EnvelopePlan, progress: Progress | None = None) -> Envelo
             outcomes[sample, robot][ended] += 1
             if ended == REFUSED:
                 refused.setdefault((sample, robot), flight)
-        if progress is not None:
-            progress(last / design.flights)
+        progress(last / design.flights)
     cells = {}
     for robot in design.robots:
         for row in range(len(y.values)):

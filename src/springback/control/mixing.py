@@ -225,9 +225,9 @@ def _limited_thrusts(
 ) -> tuple[float, ...]:
     """Thrusts within their limits if the demand does not fit [N]."""
     most = thrust if thrust > lift else lift
-    abreast = minimum(tree_map(_tilt_share, (rotors,), (rotors, lowest, highest)))
+    beside = minimum(tree_map(_tilt_share, (rotors,), (rotors, lowest, highest)))
     under = minimum(tree_map(_tilt_under, (rotors,), (most, lowest)))
-    tilt = within(under if under < abreast else abreast, 0.0, 1.0)
+    tilt = within(under if under < beside else beside, 0.0, 1.0)
     floor = maximum(tree_map(_collective_bound, (rotors,), (tilt, lowest)))
     ceiling = minimum(tree_map(_collective_bound, (rotors,), (tilt, highest)))
     collective = within(thrust, floor, ceiling)

@@ -1,1 +1,1 @@
-"""How people reach it: command line, files, figures, report."""
+"""User interfaces: command line, files, figures, reports, pages."""

@@ -2,28 +2,25 @@
 
 Three things decide how many trials recover and are not settled by the print: along which tangents
 friction acts, how much the robot's estimator trusts its sensors, and how long a trial lasts.  Every
-combination is flown with the same luck, and counted against the printed table.
+combination is flown with the same random draws, and counted against the printed table.
 """
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from springback.paper.printed import SUCCESS, SUCCESS_WORDS
-from springback.studies.proportions import wilson
+from springback.progress import Progress, silent, stage
 from springback.studies.run_ups import CONDITIONS, PAPER_WALL, WALL_DISTANCE
-from springback.studies.trials import Condition, Trial, fly_trials
+from springback.studies.trials import Condition, Tally, fly_trials, tally
 
 ROBOTS = ("arq", "quad")
 TRIALS = 100
-"""Of each condition, chosen: an interval is then at most 20 % wide."""
+"""Trials of each condition, chosen: an interval is then at most 20 % wide."""
 DURATIONS = (9.0, 11.0, 14.0)
-"""How long a trial lasts [s], chosen; the paper prints none.  A run-up takes up to 2.75 s of it."""
+"""Durations of a trial [s], chosen; the paper prints none.  A run-up takes up to 2.75 s of it."""
 PRINTED_TRIALS = 10
 """Section Impact Resilience: ten trials of each condition."""
 PLAUSIBLE = 0.05
@@ -33,7 +30,7 @@ GOOD = 0.8
 
 
 class AssumptionSet(NamedTuple):
-    """What a set of trials is flown with."""
+    """Assumptions with which a set of trials is flown."""
 
     friction: str
     estimator: str
@@ -48,7 +45,7 @@ class AssumptionSet(NamedTuple):
         return f"{self.friction}, {self.estimator}"
 
     def changes(self, duration: float) -> Mapping[str, Any]:
-        """Tables laid over those of a trial.
+        """Tables to be merged over those of a trial.
 
         Args:
             duration: Of the trial [s].
@@ -72,37 +69,16 @@ MEDIANS = (
     "height_loss", "excursion", "recovery_time", "lowest_height", "impact_arm_stroke",
     "impact_peak_acceleration",
 )  # fmt: skip
-"""Measures whose medians are kept."""
+"""Measures whose medians are in tables."""
 
 
 @dataclass(frozen=True)
-class ConditionOutcome:
+class ConditionOutcome(Tally):
     """One condition under one choice."""
 
     choice: AssumptionSet
     duration: float
     """Of the trials [s]."""
-    robot: str
-    pitch: float
-    """[deg]"""
-    speed: float
-    """[m/s]"""
-    trials: int
-    successes: int
-    outcomes: dict[str, int]
-    """How trials ended, in words."""
-    medians: dict[str, float | None]
-    """Of `MEDIANS` over the trials that have them, SI."""
-
-    @property
-    def share(self) -> float:
-        """Recovered of the trials."""
-        return self.successes / self.trials
-
-    @property
-    def interval(self) -> tuple[float, float]:
-        """Wilson's, at 95 %."""
-        return wilson(self.successes, self.trials)
 
     def as_dict(self) -> dict[str, Any]:
         """One row of a table, SI; pitch in degrees."""
@@ -112,7 +88,7 @@ class ConditionOutcome:
             "duration": self.duration, "robot": self.robot, "pitch_deg": self.pitch,
             "speed": self.speed, "trials": self.trials, "successes": self.successes,
             "share": self.share, "low": low, "high": high,
-            **{f"median_{name}": value for name, value in self.medians.items()},
+            **{f"median_{name}": self.medians[name] for name in MEDIANS},
             **{f"ended_{word}": self.outcomes.get(word, 0) for word in ENDS},
         }  # fmt: skip
 
@@ -122,18 +98,18 @@ ENDS = ("recovered", "not_settled", "not_detected", "hit_ground", "not_finite")
 
 
 class Agreement(NamedTuple):
-    """How much of the printed table a set of choices gives."""
+    """Agreement of a set of choices with the printed table."""
 
     choice: AssumptionSet
     duration: float
     close: int
-    """Of the printed shares, those met within five percentage points."""
+    """Number of printed shares met within five percentage points."""
     plausible: int
-    """Of the printed shares, those that ten of our trials give with a chance of `PLAUSIBLE`."""
+    """Number of printed shares that ten of our trials give with a chance of `PLAUSIBLE`."""
     numbers: int
     """Printed shares."""
     words: int
-    """Of the printed words, those that hold."""
+    """Number of printed words that hold."""
     phrases: int
     """Printed words."""
 
@@ -155,11 +131,7 @@ class ChoiceResults:
         self, choice: AssumptionSet, duration: float
     ) -> dict[tuple[str, float, float], ConditionOutcome]:
         """Cells of a set of choices by robot, pitch [deg] and speed [m/s]."""
-        return {
-            (c.robot, c.pitch, c.speed): c
-            for c in self.cells
-            if (c.choice, c.duration) == (choice, duration)
-        }
+        return {c.condition: c for c in self.cells if (c.choice, c.duration) == (choice, duration)}
 
     @property
     def combinations(self) -> list[tuple[AssumptionSet, float]]:
@@ -167,7 +139,7 @@ class ChoiceResults:
         return list(dict.fromkeys((c.choice, c.duration) for c in self.cells))
 
     def agreement(self, choice: AssumptionSet, duration: float) -> Agreement:
-        """How much of the printed table a set of choices gives."""
+        """Agreement of a set of choices with the printed table."""
         table = self.table(choice, duration)
         numbers = [(table[of], printed) for of, printed in SUCCESS.items() if of in table]
         words = [(of, word) for of, word in SUCCESS_WORDS.items() if of in table]
@@ -189,7 +161,7 @@ class ChoiceResults:
 
 
 def is_plausible(share: float, printed: float) -> bool:
-    """Whether ten trials that succeed with a probability give a printed share often enough.
+    """True if ten trials of a probability of success give a printed share often enough.
 
     Args:
         share: The probability.
@@ -200,7 +172,7 @@ def is_plausible(share: float, printed: float) -> bool:
 
 
 def _holds(word: str, cell: ConditionOutcome, level: ConditionOutcome | None) -> bool:
-    """Whether a phrase of the paper holds for a condition.
+    """True if a phrase of the paper holds for a condition.
 
     "fairly good": at least `GOOD` of the trials.  "drops": clearly fewer than the same robot
     recovers at 0 degrees and the same speed, their intervals apart.
@@ -210,19 +182,6 @@ def _holds(word: str, cell: ConditionOutcome, level: ConditionOutcome | None) ->
     return cell.share >= GOOD
 
 
-def cell_of(choice: AssumptionSet, duration: float, trials: Sequence[Trial]) -> ConditionOutcome:
-    """Counts and medians of the trials of one condition."""
-    first = trials[0]
-    found: dict[str, float | None] = {}
-    for name in MEDIANS:
-        known = [value for t in trials if (value := t.measures[name]) is not None]
-        found[name] = float(np.median(known)) if known else None
-    return ConditionOutcome(
-        choice, duration, first.robot, first.pitch, first.speed, len(trials),
-        sum(t.success for t in trials), dict(Counter(t.outcome.word for t in trials)), found,
-    )  # fmt: skip
-
-
 def fly_choices(
     trials: int = TRIALS,
     *,
@@ -230,17 +189,17 @@ def fly_choices(
     durations: Sequence[float] = DURATIONS,
     conditions: Sequence[tuple[float, float]] = CONDITIONS,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> ChoiceResults:
-    """Fly every condition of the printed table under every set of choices, with the same luck.
+    """Fly every condition of the printed table under every set of choices, with the same scatter.
 
     Args:
         trials: Of each condition.
-        choices: What the trials are flown with.
+        choices: Sets of assumptions.
         durations: Of a trial [s].
         conditions: Pitch [deg] and speed [m/s].
-        seed: Of all luck.
-        progress: Called with the share done.
+        seed: Of all random draws.
+        progress: Called with the fraction done.
     """
     results = ChoiceResults(trials, seed)
     sets = [(choice, duration) for choice in choices for duration in durations]
@@ -251,21 +210,16 @@ def fly_choices(
             for test in conditions
         ]
 
-        def share(x: float, done: int = done) -> None:
-            if progress is not None:
-                progress((done + x) / len(sets))
-
-        flown = fly_trials(asked, trials, seed=seed, progress=share)
-        by_test: dict[tuple[str, float, float], list[Trial]] = {}
-        for trial in flown:
-            by_test.setdefault((trial.robot, trial.pitch, trial.speed), []).append(trial)
-        results.cells += [cell_of(choice, duration, some) for some in by_test.values()]
-        share(1.0)
+        share = stage(progress, done / len(sets), 1.0 / len(sets))
+        results.cells += [
+            ConditionOutcome(**vars(tally(some)), choice=choice, duration=duration)
+            for some in fly_trials(asked, trials, seed=seed, progress=share) if some
+        ]  # fmt: skip
     return results
 
 
 def choices_sentences(results: ChoiceResults) -> list[str]:
-    """What the sets of choices say, a line each; the best set last."""
+    """Results of the sets of choices, a line each; the best set last."""
     said = []
     for one in results.combinations:
         count, fast = results.agreement(*one), results.table(*one)

@@ -8,7 +8,6 @@ its centre and sense, and how often and at which tilt ARQ falls before its last 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, Literal
@@ -22,6 +21,7 @@ from springback.paper.responses import (
     rise_time,
     step_response,
 )
+from springback.progress import Progress, silent
 from springback.results.flight import Flight, fly
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 
@@ -33,7 +33,7 @@ ROBOTS: tuple[Robot, ...] = ("quad", "arq", "arq after drops")
 TRIALS = 5
 """Section IV-C: five repeated trials of each test."""
 SEEDS_APART = 1000
-"""Between the first seeds of two columns: no two trials share their luck."""
+"""Between the first seeds of two columns: no two trials share their noise."""
 DWELL = 5.0
 """[s], section IV-C, between set-points."""
 STEP_BEGINS: dict[Axis, float] = {"x": 2.0 * DWELL, "y": 3.0 * DWELL, "z": 1.0 * DWELL}
@@ -86,7 +86,7 @@ class Drop:
     peak_acceleration: float
     """[m/s²]"""
     lengths: tuple[float, ...]
-    """Of the arms at the end [m]."""
+    """Lengths of the arms at the end [m]."""
     left: float
     """Largest deviation of an arm from its free length at the end [m]."""
 
@@ -284,17 +284,15 @@ def fly_circle(
     return CircleRun(robot, pace, seed, whole, later, flight if keep else None)
 
 
-def flight_experiments(
-    trials: int = TRIALS, progress: Callable[[float], None] | None = None
-) -> FlightResults:
+def flight_experiments(trials: int = TRIALS, progress: Progress = silent) -> FlightResults:
     """Fly all of Table IV with motion capture, inertial unit and Kalman filter.
 
-    Every trial has luck of its own.  After the drops the arms are back at their free length, so the
-    last column differs from the one before it in luck alone.
+    Every trial has noise of its own.  After the drops the arms are back at their free length, so
+    the last column differs from the one before it in its noise alone.
 
     Args:
         trials: Of each test.
-        progress: Called with the share that is done.
+        progress: Called with the fraction done.
     """
     results = FlightResults(trials)
     results.drops = drop_repeatedly({"preset": "arq"})
@@ -308,6 +306,5 @@ def flight_experiments(
         results.responses.append(fly_steps(robot, vehicles[robot], seed, keep=keep))
         for pace in PERIODS:
             results.circles.append(fly_circle(robot, vehicles[robot], pace, seed, keep=keep))
-        if progress is not None:
-            progress(done / (len(ROBOTS) * trials))
+        progress(done / (len(ROBOTS) * trials))
     return results

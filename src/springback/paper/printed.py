@@ -54,7 +54,7 @@ SUCCESS_WORDS = {
     ("quad", 30.0, 2.0): "fairly good", ("quad", -15.0, 2.0): "fairly good",
     ("quad", 15.0, 2.0): "fairly good", ("quad", -45.0, 2.0): "drops",
 }  # fmt: skip
-"""The same where it has words and no number."""
+"""The same where the paper has words and no number."""
 #: How these words are quoted.
 _QUOTED = {"fairly good": "“fairly good”", "drops": "success rate “drops”"}
 RECOVERY_PITCH = (-66.0, 49.0)
@@ -64,11 +64,11 @@ WALL_DISTANCE = 2.75
 RECOVERY_DISTANCE = 0.1
 """[m], section on recovery, L_c."""
 COLLISIONS_IN_A_ROW = 10
-"""Of ARQ at -45 deg, 2 m/s, 'without landing', section Impact Resilience."""
+"""Recoveries of ARQ at -45 deg, 2 m/s, 'without landing', section Impact Resilience."""
 
 
 def printed_success(robot: str, pitch: float, speed: float) -> str:
-    """What the paper prints of the success of a test, in words; empty if it prints nothing.
+    """Printed success of a test, in words; empty if nothing is printed.
 
     Args:
         robot: Preset.

@@ -2,18 +2,18 @@
 
 One set of parameters flies all of it; nothing is tuned to a condition.  Friction is the paper's,
 along the vertical; friction along both tangents and the noise that PX4's EKF2 assumes are flown
-beside it (`springback.paper.choices`).  Trials differ in their luck
-(`Scatter`), of which both robots are dealt the same.  What the paper leaves open is chosen here and
-said so: the laws of that luck, how long a flight lasts and how often the repeated test is flown.
+beside it (`springback.paper.choices`).  Trials differ in
+their random draws (`Scatter`), the same for both robots.  What the paper leaves open is chosen here
+and marked so: the distributions of the scatter, the duration of a flight, and the number of flights
+of the repeated test.
 """
 
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -27,21 +27,23 @@ from springback.paper.printed import (
     SUCCESS,
     WALL_DISTANCE,
 )
+from springback.progress import Progress, silent, stage
 from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER
 from springback.results.flight import Flight, fly
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
-from springback.studies.proportions import CONFIDENCE as CONFIDENCE
-from springback.studies.proportions import wilson as wilson
+from springback.studies.proportions import CONFIDENCE
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import (
     DURATION,
     HOME,
     Condition,
     Scatter,
+    Tally,
     Trial,
     TrialNoise,
     fly_trials,
+    tally,
     trial_tables,
 )
 
@@ -64,37 +66,20 @@ MAPPED = 4
 MAP = ("speed=2:6:5", "pitch=-45deg:45deg:5")
 """Axes of the map, chosen so that both robots fail on it."""
 MAP_SETTINGS = ("estimator=px4-ekf2",)
-"""Of the map: the noise with which the robots differ."""
+"""Settings of the map: the noise with which the robots differ."""
 REPEATS = 5
-"""How often the repeated test is flown, chosen."""
+"""Flights of the repeated test, chosen."""
 TIME_EACH = 12.0
 """For a collision of the repeated test, its way home included [s], chosen: it takes some 9 s, and
 some 10 s where the robot comes back to the wall a second time."""
 RETURN_TOLERANCE = 0.1
 """The robot must come back this near to the start [m]; chosen, L_c."""
 FAR = 2.0
-"""Chosen: who was so far from the place of touch before it came to rest [m] rested at home only."""
+"""Chosen: a robot that was so far from the place of touch before it came to rest [m] rested at home
+only."""
 SAMPLES = (("arq", 0.0, 3.5), ("arq", 0.0, 2.0), ("quad", 0.0, 2.0))
 """Robot, pitch [deg] and speed [m/s] of the flights that the paper draws."""
 PACE = "the duration of the way back was chosen so that it asks for the printed nose up"
-
-
-class Tally(NamedTuple):
-    """How often a robot recovered in one condition."""
-
-    robot: str
-    pitch: float  # [deg]
-    speed: float  # [m/s]
-    successes: int
-    trials: int
-    low: float  # Wilson's interval
-    high: float
-    failures: dict[str, int]  # outcome in words: how often
-
-    @property
-    def rate(self) -> float:
-        """Share of the trials."""
-        return self.successes / self.trials
 
 
 @dataclass(frozen=True)
@@ -109,7 +94,7 @@ class Repeat:
     collisions: int
     recovered: int
     returns: tuple[float, ...]
-    """How far from `HOME` the robot truly was when it took itself to be home, each time [m]."""
+    """True distance from `HOME` each time that the robot took itself to be home [m]."""
     alarms: int
     """One for each collision; more where the robot swung back to the wall before it rested."""
     false_alarms: int
@@ -166,22 +151,15 @@ class ResilienceResults:
         """A measure of all trials of a condition that have it."""
         found = [
             trial.measures[measure] for trial in [*self.flown, *self.slower]
-            if (trial.robot, trial.pitch, trial.speed) == (robot, pitch, speed)
+            if trial.condition == (robot, pitch, speed)
         ]  # fmt: skip
         return [value for value in found if value is not None]
 
     def tallies(self) -> list[Tally]:
         """Successes of every condition that was flown, robot by robot."""
-        tallies = []
-        for robot in ROBOTS:
-            for pitch, speed in CONDITIONS:
-                of = (robot, pitch, speed)
-                found = [t for t in self.flown if (t.robot, t.pitch, t.speed) == of]
-                if found:
-                    won = sum(trial.success for trial in found)
-                    lost = Counter(trial.outcome.value for trial in found if not trial.success)
-                    tallies.append(Tally(*of, won, len(found), *wilson(won, len(found)), {**lost}))
-        return tallies
+        asked = [(robot, *test) for robot in ROBOTS for test in CONDITIONS]
+        found = ([t for t in self.flown if t.condition == of] for of in asked)
+        return [tally(some) for some in found if some]
 
     def sample(self, robot: str, pitch: float, speed: float) -> Sample | None:
         """The trial of a condition whose trajectory was kept."""
@@ -208,34 +186,13 @@ class ResilienceResults:
     def _chosen_rows(self) -> list[Row]:
         """Printed shares beside ours with EKF2's noise."""
         rows, table = [], self.ekf2_conditions()
-        for of, printed in SUCCESS.items():
-            cell = table.get(of)
-            if cell is not None:
-                low, high = cell.interval
-                note = (
-                    f"{cell.successes} of {cell.trials} in trials of {cell.duration:g} s, Wilson "
-                    f"{100 * CONFIDENCE:g} % interval {low:.3f} to {high:.3f}"
-                )
-                name = f"{condition_name(*of[1:])}; {EKF2}"
-                mark = rate_mark(cell.share, printed)
-                rows.append(_row(of[0], name, "success rate", "", cell.share, printed, mark, note))
+        for of in SUCCESS:
+            if cell := table.get(of):
+                rows.append(_success_row(cell, f"; {EKF2}", f"trials of {cell.duration:g} s"))
         return rows
 
     def _success_rows(self) -> list[Row]:
-        rows = []
-        for tally in self.tallies():
-            printed = SUCCESS.get(tally[:3])
-            if printed is not None:
-                note = (
-                    f"{tally.successes} of {tally.trials}, Wilson {100 * CONFIDENCE:g} % interval "
-                    f"{tally.low:.3f} to {tally.high:.3f}"
-                )
-                name = condition_name(tally.pitch, tally.speed)
-                mark = rate_mark(tally.rate, printed)
-                rows.append(
-                    _row(tally.robot, name, "success rate", "", tally.rate, printed, mark, note)
-                )
-        return rows
+        return [_success_row(one) for one in self.tallies() if one.condition in SUCCESS]
 
     def _pitch_rows(self) -> list[Row]:
         rows, name = [], condition_name(*FASTEST)
@@ -299,6 +256,25 @@ def _row(
     )  # fmt: skip
 
 
+def _success_row(found: Tally, assumptions: str = "", trials: str = "") -> Row:
+    """A printed share of successes, beside ours.
+
+    Args:
+        found: Our trials.
+        assumptions: Words behind the condition.
+        trials: Words for the trials.
+    """
+    (low, high), printed = found.interval, SUCCESS[found.condition]
+    where = f" in {trials}" if trials else ""
+    note = (
+        f"{found.successes} of {found.trials}{where}, Wilson {100 * CONFIDENCE:g} % interval "
+        f"{low:.3f} to {high:.3f}"
+    )
+    name = f"{condition_name(found.pitch, found.speed)}{assumptions}"
+    mark = rate_mark(found.share, printed)
+    return _row(found.robot, name, "success rate", "", found.share, printed, mark, note)
+
+
 def condition_name(pitch: float, speed: float) -> str:
     """A condition in words."""
     return f"{speed:g} m/s, {pitch:g} deg"
@@ -311,7 +287,7 @@ def rate_mark(ours: float, printed: float) -> Mark:
     return predicted_or_contradicted(ours, printed)
 
 
-# -- what is read from a flight -------------------------------------------------------------------
+# -- measures of one flight ----------------------------------------------------------------------
 
 
 def pitch_of(w: Array, x: Array, y: Array, z: Array) -> Array:
@@ -320,7 +296,7 @@ def pitch_of(w: Array, x: Array, y: Array, z: Array) -> Array:
 
 
 def motion(flight: Flight) -> dict[str, Array]:
-    """What a flight did and what it was asked for, tick by tick.
+    """Flown and asked motion of a flight, tick by tick.
 
     Returns:
         ``t`` since first touch [s]; ``x`` [m], ``vx`` [m/s] and ``pitch`` [rad] as flown; the same
@@ -349,7 +325,7 @@ def command_extremes(flight: Flight, curve: str = "asked_pitch") -> tuple[float,
 
 
 def _began(flight: Flight, phase: float) -> Array:
-    """When a leg of the journey began [s]; the first of a flight did not begin."""
+    """Times at which a phase began [s], without the start of the flight."""
     phases = flight.telemetry["phase"]
     began: Array = flight.telemetry["t"][1:][(phases[1:] == phase) & (phases[:-1] != phase)]
     return began
@@ -401,7 +377,7 @@ def resilience_experiments(
     mapped: int = MAPPED,
     scatter: Scatter | None = None,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> ResilienceResults:
     """Fly all collisions in flight, every one with sensors, estimator and lagging rotors.
 
@@ -411,42 +387,40 @@ def resilience_experiments(
         collisions: Of each repeated test.
         compared: Trials of each condition under each set of choices; none are flown with 0.
         mapped: Trials of each cell of the map; none are flown with 0.
-        scatter: What differs from trial to trial; by default the laws of `Scatter`.
-        seed: Of all luck.
-        progress: Called with the share that is done.
+        scatter: Standard deviations from trial to trial; by default those of `Scatter`.
+        seed: Of all random draws.
+        progress: Called with the fraction done.
     """
-    dealt = scatter or Scatter()
+    scatter = scatter or Scatter()
     asked = [Condition(robot, *condition) for robot in ROBOTS for condition in CONDITIONS]
     more = [Condition(robot, *SLOWEST) for robot in ROBOTS]
 
-    def stretch(start: float, size: float) -> Callable[[float], None] | None:
-        return None if progress is None else lambda share: progress(start + size * share)
-
-    flown = fly_trials([*asked, *more], trials, scatter=dealt, seed=seed, progress=stretch(0, 0.2))
-    several = len(asked) * trials
-    results = ResilienceResults(trials, dealt, flown[:several], flown[several:])
+    flown = fly_trials(
+        [*asked, *more], trials, scatter=scatter, seed=seed, progress=stage(progress, 0.0, 0.2)
+    )
+    fast, slow = (list(chain(*some)) for some in (flown[: len(asked)], flown[len(asked) :]))
+    results = ResilienceResults(trials, scatter, fast, slow)
     if compared:
         results.choices = fly_choices(
-            compared, durations=(DURATION,), seed=seed, progress=stretch(0.2, 0.2)
+            compared, durations=(DURATION,), seed=seed, progress=stage(progress, 0.2, 0.2)
         )
     if mapped:
         plan = plan_envelope(*MAP, robots=ROBOTS, trials=mapped, seed=seed, settings=MAP_SETTINGS)
-        results.envelope = fly_envelope(plan, stretch(0.4, 0.2))
+        results.envelope = fly_envelope(plan, stage(progress, 0.4, 0.2))
     left = len(SAMPLES) + repeats * len(ROBOTS)
 
     def tick() -> None:
         done = len(results.samples) + len(results.repeats)
-        if progress is not None:
-            progress(0.6 + 0.4 * done / left)
+        progress(0.6 + 0.4 * done / left)
 
     for sample in SAMPLES:
-        results.samples.append(fly_sample(*sample, dealt, seed))
+        results.samples.append(fly_sample(*sample, scatter, seed))
         tick()
     for robot in ROBOTS:
         for trial in range(repeats):
             keep = trial == 0
             results.repeats.append(
-                fly_repeated_test(robot, trial, dealt, seed, collisions, keep=keep)
+                fly_repeated_test(robot, trial, scatter, seed, collisions, keep=keep)
             )
             tick()
     return results

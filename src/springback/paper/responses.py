@@ -1,4 +1,4 @@
-"""How a flight answered: rise time and mean square error of steps, errors on circles.
+"""Responses of flights: rise time and mean square error of steps, errors on circles.
 
 Trajectories come with instants that are not equally far apart; means over time are therefore taken
 by the trapezoidal rule, and crossings by linear interpolation.
@@ -33,7 +33,7 @@ def steady_state(time: Array, response: Array) -> float:
 
 
 def crossing(time: Array, response: Array, level: float) -> float:
-    """When a response first reaches a level above its start [s].
+    """Time at which a response first reaches a level above its start [s].
 
     Raises:
         InputError: If it never does, or starts there.
@@ -50,7 +50,7 @@ def rise_time(time: Array, response: Array) -> float:
 
     Args:
         time: Instants [s].
-        response: Of a step from 0; to where is of no account.
+        response: To a step from 0, to any value.
     """
     end = steady_state(time, response)
     return crossing(time, response, 0.9 * end) - crossing(time, response, 0.1 * end)
@@ -92,7 +92,7 @@ def circle_errors(
         radius: r [m].
         begins: Of the time that counts [s].
         ends: Of the time that counts [s].
-        late: How far the reference is behind the flight in a record of both [s].
+        late: Delay of the reference against the flight in a record of both [s].
 
     Returns:
         Of ``px`` and ``py`` [m²], ``vx`` and ``vy`` [m²/s²].

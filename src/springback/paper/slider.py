@@ -26,6 +26,7 @@ from springback.paper.printed import (
     TABLE_III,
     PrintedImpact,
 )
+from springback.progress import Progress, silent
 from springback.results.flight import Flight, fly
 from springback.scenario.files import apply_overrides
 from springback.scenario.presets import vehicle_table
@@ -96,12 +97,12 @@ READINGS = (
     ),
 )  # fmt: skip
 QUADS = "Quad's restitution"
-"""Where c_a comes from in tests that predict."""
+"""Source of c_a in tests that predict."""
 DEFAULT = "B"
 """The reading that the library's vehicles and surfaces have, and every flight."""
 COUNTED = ("restitution_at_separation", "impact_peak_acceleration", "travel", "time_to_return")
-"""What counts for the four numbers of a column of Table III, each once: COR when the cage leaves,
-contact time until the body is back where it was at first touch."""
+"""Measures that count for the four numbers of a column of Table III, each once: COR when the cage
+leaves, contact time until the body is back where it was at first touch."""
 
 
 def named_reading(text: str) -> Interpretation:
@@ -193,7 +194,7 @@ class SweepPoint:
 
 @dataclass
 class SliderResults:
-    """All slider tests: what was flown and how it compares."""
+    """All slider tests, and their comparison with print."""
 
     cases: list[Case] = field(default_factory=list)
     rows: list[Row] = field(default_factory=list)
@@ -292,18 +293,18 @@ def _input_rows() -> list[Row]:
 
 
 def _range_row(surface: str) -> Row:
-    """Whether c_a, fitted to Quad's restitution, lies in the range that is printed for it."""
+    """Comparison of c_a, fitted to Quad's restitution, with the range that is printed for it."""
     c_a, (least, most) = fitted_dissipation(surface), DISSIPATION_RANGE
     nearest = min(max(c_a, least), most)
     return Row(
         "Section IV", "quad", surface, "Quad", "c_a, against the printed range", "s/m", c_a,
         nearest, None, predicted_or_contradicted(c_a, nearest), c_a, QUADS,
-        f"printed: {least:g} to {most:g}; of a value inside, the value itself stands as printed",
+        f"printed: {least:g} to {most:g}; a value inside counts as printed itself",
     )  # fmt: skip
 
 
 def slider_experiments(
-    extra_readings: Sequence[Interpretation] = (), progress: Callable[[float], None] | None = None
+    extra_readings: Sequence[Interpretation] = (), progress: Progress = silent
 ) -> SliderResults:
     """Fly all slider tests: Quad and ARQ, wall and mat, every reading, and the sweep.
 
@@ -322,8 +323,7 @@ def slider_experiments(
     def tick() -> None:
         nonlocal done
         done += 1
-        if progress is not None:
-            progress(done / total)
+        progress(done / total)
 
     for surface in ("wall", "mat"):
         c_a = fitted_dissipation(surface)

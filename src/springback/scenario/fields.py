@@ -28,35 +28,35 @@ class TableField:
     key: str
     annotation: Any
     metadata: tuple[Any, ...]
-    """What `typing.Annotated` says of it."""
+    """Metadata of `typing.Annotated`."""
     default: Any
     required: bool
 
     @property
     def leaves(self) -> list[tuple[Any, tuple[Any, ...]]]:
-        """The types that a value may have, each with what `typing.Annotated` says of it."""
+        """Possible types of a value, each with its metadata of `typing.Annotated`."""
         return list(_leaves(self.annotation, self.metadata))
 
     @property
     def entries(self) -> list[tuple[Any, tuple[Any, ...]]]:
-        """The same, of a list of its entries."""
+        """`leaves`, for a list those of its entries."""
         return list(_leaves(self.annotation, self.metadata, lists=True))
 
     @property
     def unit(self) -> Unit | None:
         """Unit and range of its number or numbers; None for anything else."""
-        notes = (note for _, told in self.entries for note in told)
+        notes = (note for _, metadata in self.entries for note in metadata)
         return next((note for note in notes if isinstance(note, Unit)), None)
 
     @property
     def shape(self) -> Any:
-        """Of its numbers: float, `Triple` or `PerArm`."""
+        """Type of its numbers: float, `Triple` or `PerArm`."""
         types = {leaf for leaf, _ in self.entries}
         return Triple if Triple in types else float if types <= {float, type(None)} else PerArm
 
     @property
     def words(self) -> tuple[str, ...]:
-        """That it is one of; none for anything else."""
+        """Allowed words; empty if it is not a choice."""
         choices = (get_args(leaf) for leaf, _ in self.leaves if get_origin(leaf) is Literal)
         return tuple(word for words in choices for word in words if isinstance(word, str))
 
@@ -122,9 +122,9 @@ class Parameter:
     unit: str
     """SI; empty for plain numbers."""
     whole: bool = False
-    """Whether it must be a whole number."""
+    """True if it must be an integer."""
     others: tuple[float, ...] = ()
-    """Of a vector, all its numbers, of which this is one."""
+    """All numbers of the vector that this is a component of, if any."""
 
     def read(self, text: str) -> float:
         """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
@@ -138,7 +138,7 @@ class Parameter:
 
 
 def degrees(angle: float) -> float:
-    """Of radians, without the last digits, which are rounding errors."""
+    """Angle in degrees, rounded to remove rounding errors."""
     return round(math.degrees(angle), 9) + 0.0
 
 

@@ -165,7 +165,7 @@ class Differences:
         lanes[-1, :, (count - 1) % width + 1 :] = lanes[-1, :, (count - 1) % width, None]
 
 
-class Laid(NamedTuple):
+class LoadedFlights(NamedTuple):
     """Flights of one kind in their buffers."""
 
     shape: Shape
@@ -187,8 +187,8 @@ class Loader:
         self._shape = shape_of(model, start)
         end = buffer_rows(self._shape, width)
         record = end - rows(self._shape.record)
-        self._status = record + row_of(self._shape.record, "status")
-        self._phase = record + row_of(self._shape.record, "phase")
+        self._status = record + row_of(self._shape.record.stepping, "status")
+        self._phase = record + row_of(self._shape.record.stepping, "phase")
         self._phases: list[float] = []
         self._flights, self._both = Differences(), Comparison((model, start))
         self._onboard, self._avionics = (
@@ -259,7 +259,7 @@ class Loader:
         self._phases += [first_phase(model, start)] * count
         self.count += count
 
-    def laid(self) -> Laid:
+    def flights(self) -> LoadedFlights:
         """Buffers of all flights; spare lanes repeat the last flight, already ended."""
         width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
         self._flights.buffers(buffers, width, self._both.rows)
@@ -272,4 +272,4 @@ class Loader:
         if self.avionics is not None:
             onboard = zeros(groups, rows(self.avionics) * width)
             self._onboard.buffers(onboard, width, self._avionics.rows)
-        return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)
+        return LoadedFlights(self._shape, self.model, self.start, self.avionics, buffers, onboard)

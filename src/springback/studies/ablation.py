@@ -1,26 +1,24 @@
-"""Why one robot survives and another does not: one thing at a time is made otherwise.
+"""Ablation: one change at a time, to find why one robot survives and another does not.
 
-Two at a time are in `springback.studies.ablation_pairs`.
+Pairs of changes are in `springback.studies.ablation_pairs`.
 
-Every variant flies the paper's tests with the same luck (`springback.studies.trials.Scatter`)
-and differs from the default in one thing.  Ranges walk along one number that the paper does not
-print, to see over which of its values the printed result holds.
+Every variant flies the paper's tests with the same random draws
+(`springback.studies.trials.Scatter`) and differs from the default in one thing.  A range varies one
+number that the paper does not print, to find the values for which the printed result holds.
 """
 
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-import numpy as np
-
+from springback.progress import Progress, silent
 from springback.scenario.scenario import merge
 from springback.sensing.parameters import STANDARD_GRAVITY
 from springback.studies.run_ups import CONDITIONS, PAPER_WALL
-from springback.studies.trials import Condition, Trial, fly_trials
+from springback.studies.trials import Condition, Tally, fly_trials, tally
 from springback.vehicle.library import VEHICLES
 
 ROBOTS = ("arq", "quad")
@@ -29,11 +27,11 @@ Changes = Callable[[str], Mapping[str, Any]]
 
 
 class Ablation(NamedTuple):
-    """One thing made otherwise."""
+    """One change."""
 
-    cause: str  # what is switched
+    cause: str  # what is changed
     name: str  # to what
-    changes: Changes  # tables laid over a robot's test
+    changes: Changes  # tables merged over a robot's test
     robots: tuple[str, ...] = ROBOTS
 
 
@@ -87,7 +85,7 @@ LARGE_RANGE: Mapping[str, Any] = {
     "sensors": {"imu": {"accelerometer": {"full_scale": UNLIMITED}}},
     "estimator": {"kalman": {"accelerometer_range": UNLIMITED}},
 }
-"""Of an accelerometer of some 200 g, which no collision here exceeds."""
+"""An accelerometer of some 200 g, which no collision here exceeds."""
 #: Time over which a clipped reading loses as much as the range, such that the noise is the 4.9 m/s²
 #: at steps of 10 ms that PX4's EKF2 assumes in later versions while a reading is clipped [s].
 LATER_CLIPPING = 0.01 * (4.9 / (16.0 * STANDARD_GRAVITY)) ** 2
@@ -178,36 +176,23 @@ RANGES = (
 
 
 @dataclass(frozen=True)
-class AblationOutcome:
+class AblationOutcome(Tally):
     """One test of one robot in one variant."""
 
     cause: str
     name: str
-    robot: str
-    pitch: float
-    speed: float
-    successes: int
-    trials: int
-    outcomes: dict[str, int]
-    lowest: float
-    """Median of the lowest height over the flight [m]."""
-    nose_up: float
-    """Median [rad], a negative pitch."""
-    nose_down: float
-    """Median [rad]."""
-    recovery_time: float
-    """Median of those that recovered [s]; NaN if none did."""
 
     def as_dict(self) -> dict[str, Any]:
         """One row of a table; angles in degrees."""
+        medians = self.medians
         return {
             "cause": self.cause, "variant": self.name, "robot": self.robot,
             "pitch_deg": self.pitch, "speed": self.speed, "successes": self.successes,
             "trials": self.trials, "outcomes": self.outcomes,
-            "median_lowest_height": self.lowest,
-            "median_nose_up_deg": math.degrees(self.nose_up),
-            "median_nose_down_deg": math.degrees(self.nose_down),
-            "median_recovery_time": None if math.isnan(self.recovery_time) else self.recovery_time,
+            "median_lowest_height": medians["lowest_height"],
+            "median_nose_up_deg": math.degrees(medians["nose_up"] or 0.0),
+            "median_nose_down_deg": math.degrees(medians["nose_down"] or 0.0),
+            "median_recovery_time": medians["recovery_time"],
         }  # fmt: skip
 
 
@@ -229,7 +214,7 @@ class WhyResults:
         }
 
     def moves(self, robot: str) -> list[tuple[Ablation, int, list[tuple[float, float]]]]:
-        """Variants with other successes than the default: how many more, and tests unflown."""
+        """Variants whose successes differ from the default: by how many, and tests unflown."""
         base, found = self.successes(VARIANTS[0], robot), []
         for variant in VARIANTS[1:]:
             cells = self.successes(variant, robot)
@@ -281,27 +266,6 @@ def _label(value: float) -> str:
     return f"{value:.4g}"
 
 
-def _cell(cause: str, name: str, trials: Sequence[Trial]) -> AblationOutcome:
-    def median(key: str) -> float:
-        known = [t.measures[key] for t in trials if t.measures[key] is not None]
-        return float(np.median(known)) if known else math.nan  # type: ignore[arg-type]
-
-    first = trials[0]
-    return AblationOutcome(
-        cause, name, first.robot, first.pitch, first.speed,
-        sum(t.success for t in trials), len(trials),
-        dict(Counter(t.outcome.word for t in trials)),
-        median("lowest_height"), median("nose_up"), median("nose_down"), median("recovery_time"),
-    )  # fmt: skip
-
-
-def _cells(cause: str, name: str, trials: Sequence[Trial]) -> list[AblationOutcome]:
-    tests: dict[tuple[str, float, float], list[Trial]] = {}
-    for trial in trials:
-        tests.setdefault((trial.robot, trial.pitch, trial.speed), []).append(trial)
-    return [_cell(cause, name, some) for some in tests.values()]
-
-
 def why(
     trials: int = TRIALS,
     *,
@@ -309,38 +273,65 @@ def why(
     ranges: Sequence[Range] = RANGES,
     conditions: Sequence[tuple[float, float]] = CONDITIONS,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> WhyResults:
     """Fly all variants and ranges.
 
     Args:
         trials: Of each test.
-        variants: Things made otherwise.
-        ranges: Numbers that are walked along, with ARQ and Quad.
+        variants: Changes.
+        ranges: Numbers that are varied, with ARQ and Quad.
         conditions: Pitch [deg] and speed [m/s] of the tests.
-        seed: Of all luck.
-        progress: Called with the share done.
+        seed: Of all random draws.
+        progress: Called with the fraction done.
     """
     results = WhyResults()
-    walked = [(one, value) for one in ranges for value in one.values]
-    count = len(variants) + len(walked)
-    for done, variant in enumerate(variants):
+    asked = [(v.cause, v.name, {robot: v.changes(robot) for robot in v.robots}) for v in variants]
+    asked += [
+        (one.name, _label(value), {robot: one.changes(robot, value) for robot in ROBOTS})
+        for one in ranges for value in one.values
+    ]  # fmt: skip
+    for done, (cause, name, changes) in enumerate(asked, 1):
         tests = [
-            Condition(robot, pitch, speed, variant.changes(robot))
-            for robot in variant.robots
-            for pitch, speed in conditions
+            Condition(r, *test, tables) for r, tables in changes.items() for test in conditions
         ]
-        flown = fly_trials(tests, trials, seed=seed)
-        results.cells += _cells(variant.cause, variant.name, flown)
-        if progress is not None:
-            progress((done + 1) / count)
-    for done, (one, value) in enumerate(walked):
-        tests = [
-            Condition(robot, pitch, speed, merge({}, one.changes(robot, value)))
-            for robot in ROBOTS
-            for pitch, speed in conditions
-        ]
-        results.ranges += _cells(one.name, _label(value), fly_trials(tests, trials, seed=seed))
-        if progress is not None:
-            progress((len(variants) + done + 1) / count)
+        cells = [
+            AblationOutcome(**vars(tally(some)), cause=cause, name=name)
+            for some in fly_trials(tests, trials, seed=seed) if some
+        ]  # fmt: skip
+        (results.cells if done <= len(variants) else results.ranges).extend(cells)
+        progress(done / len(asked))
     return results
+
+
+def why_sentences(results: WhyResults, pairs: Sequence[str] = ()) -> list[str]:
+    """Results of the study, a line each.
+
+    Args:
+        results: Of `why`.
+        pairs: Sentences on pairs of changes, to be put before those on ranges.
+    """
+    said = []
+    for robot in ROBOTS:
+        cells = results.successes(VARIANTS[0], robot)
+        counts = ", ".join(
+            f"{p:+g} deg {v:g} m/s {c.successes}/{c.trials}" for (p, v), c in cells.items()
+        )
+        said.append(f"{robot}, all as documented: {counts}")
+        for variant, more, unflown in results.moves(robot):
+            cannot = ", ".join(f"{p:+g} deg {v:g} m/s" for p, v in unflown)
+            reason = f"; run-up cannot be flown: {cannot}" if unflown else ""
+            said.append(f"  {variant.cause}, {variant.name}: {more:+d} successes{reason}")
+    found = results.printed_by()
+    names = ", ".join(f"{v.cause} {v.name}" for v in found) or "none of these changes"
+    said.append(f"ARQ always and Quad never at 3.5 m/s, as printed: {names}")
+    if pairs:
+        said.append("two changes at a time, 0 deg 3.5 m/s, that tell the robots apart:")
+        said += [f"  {sentence}" for sentence in pairs]
+    for one in RANGES if results.ranges else ():
+        interval = results.holds(one)
+        unit = f" {one.unit}" if one.unit else ""
+        span = f"{interval[0]:.4g} to {interval[1]:.4g}{unit}" if interval else ""
+        where = span or "not even at its default"
+        said.append(f"ARQ survives every trial with {one.name} {where} (default {one.default:.4g})")
+    return said

@@ -1,4 +1,4 @@
-"""Pairs of changes: what one change alone does not bring about, two may do together.
+"""Pairs of changes: two together may do what neither does alone.
 
 A filter that trusts its poses to a fraction of a millimetre survives any clipping, and one that
 distrusts clipped readings survives any noise settings.  Changing one thing at a time, one sees
@@ -7,11 +7,12 @@ neither; so at the paper's fastest collision every two changes are made together
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations_with_replacement
 from typing import Any, NamedTuple
 
+from springback.progress import Progress, silent
 from springback.scenario.presets import merge
 from springback.studies.ablation import (
     LARGE_RANGE,
@@ -24,13 +25,13 @@ from springback.studies.ablation import (
     thrust,
     vehicle_changes,
 )
-from springback.studies.trials import Condition, Trial, fly_trials
+from springback.studies.trials import Condition, fly_trials
 
 TRIALS = 10
 FASTEST = (0.0, 3.5)
 """Pitch [deg] and speed [m/s] of the test: the only one in which print has a robot fail."""
 CLEAR = 0.5
-"""Chosen: by how much of the trials the robots must differ to be told apart."""
+"""Chosen: share of the trials by which the robots must differ to count as separated."""
 
 
 def _kalman(**numbers: Any) -> Changes:
@@ -54,7 +55,7 @@ CHANGES = (
     Ablation("look", "looking for 50 ms first",
             same({"recovery": {"characterisation": {"window": 0.05}}})),
 )  # fmt: skip
-"""What is paired: what EKF2's settings consist of, and what else may tell robots apart."""
+"""Changes that are paired: parts of EKF2's settings, and others that may separate the robots."""
 
 
 class Pair(NamedTuple):
@@ -70,10 +71,6 @@ class Pair(NamedTuple):
     def share(self) -> float:
         """Recovered of the trials."""
         return self.successes / self.trials
-
-    def as_dict(self) -> dict[str, Any]:
-        """One row of a table."""
-        return self._asdict()
 
 
 @dataclass
@@ -103,7 +100,7 @@ def fly_pairs(
     *,
     changes: Sequence[Ablation] = CHANGES,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> PairResults:
     """Fly the paper's fastest collision under every change and every two changes.
 
@@ -112,8 +109,8 @@ def fly_pairs(
     Args:
         trials: Of each robot under each pair.
         changes: To be paired.
-        seed: Of all luck.
-        progress: Called with the share done.
+        seed: Of all random draws.
+        progress: Called with the fraction done.
     """
     asked: list[tuple[str, str, str, Mapping[str, Any]]] = [
         ("none", "none", robot, {}) for robot in ROBOTS
@@ -126,25 +123,15 @@ def fly_pairs(
                     tables = merge(tables, change.changes(robot))
             asked.append((one.cause, other.cause, robot, tables))
     tests = [Condition(robot, *FASTEST, tables) for _, _, robot, tables in asked]
-    flown = iter(fly_trials(tests, trials, seed=seed, progress=progress))
-    results = PairResults()
-    waiting: Trial | None = next(flown, None)
-    for first, second, robot, _ in asked:
-        mine: list[Trial] = []
-        while (
-            waiting is not None and len(mine) < trials and waiting.robot == robot
-            and waiting.number == len(mine)
-        ):  # fmt: skip
-            mine.append(waiting)
-            waiting = next(flown, None)
-        if mine:
-            won = sum(trial.success for trial in mine)
-            results.pairs.append(Pair(first, second, robot, won, len(mine)))
-    return results
+    flown = fly_trials(tests, trials, seed=seed, progress=progress)
+    return PairResults([
+        Pair(first, second, robot, sum(trial.success for trial in some), len(some))
+        for (first, second, robot, _), some in zip(asked, flown, strict=True) if some
+    ])  # fmt: skip
 
 
 def pair_sentences(results: PairResults) -> list[str]:
-    """What the pairs say, a line each."""
+    """Results of the pairs, a line each."""
     said = []
     names = {change.cause: change.name for change in CHANGES}
     for arq, quad in results.splits():

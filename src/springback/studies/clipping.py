@@ -1,14 +1,15 @@
 """Velocity that clipping hides from an accelerometer, over the speed of a collision.
 
-What a filter cannot read it must learn from poses, and how soon it does depends on how much it
-trusts them; so the size of the gap, not the impact itself, tells the robots apart.
+A filter must learn from poses what it cannot read, and how soon it does depends on how much it
+trusts them; so the size of the gap, not the impact itself, separates the robots.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
+from springback.progress import Progress, silent
 from springback.results.estimate_errors import clipped_area
 from springback.results.flight import fly
 from springback.sensing.parameters import STANDARD_GRAVITY
@@ -17,7 +18,7 @@ from springback.studies.friction import PRINTED_FRICTION, impact_tables
 SPEEDS = tuple(0.5 * k for k in range(2, 11))
 """[m/s]"""
 RANGE = 16.0 * STANDARD_GRAVITY
-"""Of the ICM-20689 [m/s²]."""
+"""Range of the ICM-20689 [m/s²]."""
 KINDS = (("quad", "vertical"), ("arq", "both"), ("arq", "vertical"))
 """Robots and axes of friction, the hardest impact first; a rigid front hardly minds the axes."""
 
@@ -28,7 +29,7 @@ class ClippingLoss(NamedTuple):
     robot: str
     axes: str
     speed: float  # into the wall [m/s]
-    velocity: float  # that the accelerometer cannot tell of [m/s]
+    velocity: float  # hidden from the accelerometer [m/s]
     change: float  # of the velocity in the impact [m/s]
 
     def as_dict(self) -> dict[str, float | str]:
@@ -44,14 +45,14 @@ def clipping_losses(
     speeds: Sequence[float] = SPEEDS,
     *,
     full_scale: float = RANGE,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> list[ClippingLoss]:
     """Fly both robots straight into the paper's wall, level, and integrate what is clipped.
 
     Args:
         speeds: Into the wall [m/s].
         full_scale: Range of each axis of the accelerometer [m/s²].
-        progress: Called with the share done.
+        progress: Called with the fraction done.
     """
     found = []
     asked = [(robot, axes, speed) for robot, axes in KINDS for speed in speeds]
@@ -60,6 +61,5 @@ def clipping_losses(
         velocity = clipped_area(flight, full_scale)
         restitution = flight.measures["restitution_at_separation"] or 0.0
         found.append(ClippingLoss(robot, axes, speed, velocity, speed * (1.0 + restitution)))
-        if progress is not None:
-            progress(done / len(asked))
+        progress(done / len(asked))
     return found

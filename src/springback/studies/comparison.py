@@ -1,4 +1,4 @@
-"""Our numbers beside printed ones, each marked for what it is."""
+"""Our numbers beside printed ones, each with its mark."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ AGREEMENT = 0.05
 
 
 class Mark(Enum):
-    """What a compared number is; the value is the explanation."""
+    """Kind of a compared number; the value is its explanation."""
 
     GIVEN = "printed, and put in"
     FITTED = "a free number was chosen to make it so"
@@ -20,7 +20,7 @@ class Mark(Enum):
 
     @property
     def word(self) -> str:
-        """Short name, as it stands in tables."""
+        """Short name, as in tables."""
         return self.name.lower()
 
 
@@ -36,9 +36,9 @@ class Row:
     unit: str
     ours: float | None
     printed: float | None
-    """Of the paper's simulation, or its text."""
+    """Value from the paper's simulation, or its text."""
     printed_test: float | None
-    """Of the paper's physical test."""
+    """Value from the paper's physical test."""
     mark: Mark
     dissipation: float
     """c_a of the run [s/m]."""

@@ -1,20 +1,21 @@
-"""The study of detection and characterisation: how soon, how surely, how well collisions are known.
+"""Study of detection and characterisation: delay, reliability and accuracy.
 
-Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and
-they fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger looks at
-every flight, whether it is in use or not.
+Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and they
+fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger watches every
+flight, whether it is in use or not.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.progress import Progress, silent
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
 from springback.scenario.scenario import Scenario, scenario_from
@@ -28,9 +29,9 @@ from springback.studies.trials import Scatter, trial_tables
 ROBOTS = ("arq", "quad")
 #: Speeds at contact [m/s]; the paper's are 2 and 3.5.
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 3.5)
-#: Below this a collision is there to be noticed, not to be made out [m/s], chosen.
+#: Below this speed a collision is only to be detected, not characterised [m/s], chosen.
 CHARACTERISED_FROM = 1.0
-#: How the wall and how the robot stand [deg]; what was asked for is −30 to 30.
+#: Yaw of the wall and of the robot [deg]; −30 to 30 was required.
 ASKEW = ((0, 0), (-30, 0), (-15, 0), (15, 0), (30, 0), (0, -30), (0, -15), (0, 15), (0, 30))
 #: An alarm later than this after touch counts as a miss [s], chosen: contacts take 26 ms at least.
 IN_TIME = 0.03
@@ -85,9 +86,9 @@ def approach_tables(
     """The scenario of a flight at a wall: level cruise at the speed asked for, then contact.
 
     Args:
-        approach: What is asked for.
-        seed: Of all luck.
-        changes: Tables laid over those of the test.
+        approach: Speed and yaws.
+        seed: Of all random draws.
+        changes: Tables merged over those of the test.
     """
     robot, speed, wall_yaw, robot_yaw, trial = approach
     noise_stream = Scatter().draw(robot, 0.0, speed, trial, seed)
@@ -148,7 +149,7 @@ def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) 
 
 
 class ReadyTrial(NamedTuple):
-    """A flight made ready."""
+    """A flight ready to be flown."""
 
     scenario: Scenario
     model: Model
@@ -156,7 +157,7 @@ class ReadyTrial(NamedTuple):
 
 
 def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
-    """A flight made ready and flown, trajectory, telemetry and all."""
+    """A flight, flown with its trajectory and telemetry."""
     scenario = scenario_from(tables)
     _, model, start, built = scenario.build()
     assert built is not None  # every flight of the study has a pilot
@@ -182,7 +183,7 @@ def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSigna
 
 
 class CharacterisationError(NamedTuple):
-    """How well one collision was made out, against the truth."""
+    """Errors of the characterisation of one collision."""
 
     approach: Approach
     clipped: bool  # the accelerometer was at its range
@@ -198,13 +199,13 @@ class CharacterisationError(NamedTuple):
 
 @dataclass(frozen=True)
 class CollisionTrial:
-    """One collision: when it was noticed, and as what."""
+    """One collision, its detection and characterisation."""
 
     approach: Approach
     touch: float
     """Time of first touch [s]."""
     delays: dict[str, float | None]
-    """Of each trigger at its threshold, after touch [s]; None if it missed."""
+    """Delay after touch of each trigger at its threshold [s]; None if it missed."""
     signals: dict[str, TriggerSignal] = field(repr=False)
     characterisation_error: CharacterisationError | None = None
 
@@ -257,7 +258,7 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
 def characterisation_error(
     approach: Approach, ready: ReadyTrial, guided: GuidedFlown, touch: float
 ) -> CharacterisationError | None:
-    """What the robot made of a collision, against the truth; None if it noticed nothing.
+    """The robot's characterisation of a collision, against the truth; None if it noticed nothing.
 
     Two things count as true: the direction of the impulse of the contact force, with friction, from
     touch to the end of the window; and the wall's normal.
@@ -280,7 +281,7 @@ def characterisation_error(
     pressed = np.stack([trace[f"arms.{j + 1}.normal"][first : last + 1] for j in range(count)])
     shares = np.trapezoid(pressed, t[first : last + 1], axis=1)
     touched = shares >= TOOK_PART * shares.sum()
-    normal = np.array(guided.flown.record.inward)
+    normal = np.array(guided.flown.record.first_impact.inward)
     told = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
     said = dict(zip(SOURCES, told, strict=True))
     there = true_contact_point(trace, ready.model.airframe, at, normal, touched)
@@ -305,15 +306,15 @@ def characterisation_error(
 def fly_collision(
     approach: Approach, seed: int, changes: dict[str, Any] | None = None
 ) -> CollisionTrial:
-    """Fly one approach and look at the collision.
+    """Fly one approach and evaluate the collision.
 
     Args:
-        approach: What is asked for.
-        seed: Of all luck.
-        changes: Tables laid over those of the test.
+        approach: Speed and yaws.
+        seed: Of all random draws.
+        changes: Tables merged over those of the test.
     """
     ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
-    touch = guided.flown.record.touch_time
+    touch = guided.flown.record.first_impact.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
     delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}
@@ -342,18 +343,18 @@ class DetectionResults:
     alarms: dict[str, dict[str, float]] = field(default_factory=dict)
     """Alarms of each trigger in the free flights of each robot, at its default threshold."""
     _false_alarms: dict[tuple[str, str, int], FalseAlarms] = field(default_factory=dict, repr=False)
-    """Looked through once: free flight is long."""
+    """Cache: free flight is long."""
 
     def free_time(self, robot: str) -> float:
         """Free flight of a robot [s]."""
         return sum(len(one["wrench"].signal) * one["wrench"].period for one in self.free[robot])
 
     def triggers(self, robot: str) -> list[str]:
-        """Triggers that say anything on a robot: where no arm slides, its sensors do not."""
+        """Triggers of a robot; the arms' sensors are useless where no arm slides."""
         return [name for name in SIGNALS if name != "hall" or robot == "arq"]
 
     def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[CollisionTrial]:
-        """Collisions of a robot, on which a trigger looked."""
+        """Collisions of a robot that a trigger watched."""
         flights = self.on_momentum if trigger == "momentum" else self.collisions
         return [
             one for one in flights
@@ -361,7 +362,7 @@ class DetectionResults:
         ]  # fmt: skip
 
     def delays(self, robot: str, trigger: str, speed: float) -> list[float | None]:
-        """Of a trigger at its default threshold [s]; None where it missed or was late."""
+        """Delays of a trigger at its default threshold [s]; None where it missed or was late."""
         name = "wrench" if trigger == "momentum" else trigger
         found = [one.delays[name] for one in self.hits(robot, trigger, speed)]
         return [x if x is not None and x <= IN_TIME else None for x in found]
@@ -385,7 +386,7 @@ class DetectionResults:
     def characterisation_error(
         self, robot: str | None = None, speed: float | None = None
     ) -> list[CharacterisationError]:
-        """Collisions that were made out, of all or of some."""
+        """Errors of all characterised collisions, or of those of a robot or speed."""
         return [
             one.characterisation_error for one in self.collisions
             if one.characterisation_error is not None and robot in (None, one.approach.robot)
@@ -404,16 +405,16 @@ def detection_study(
     free: float = FREE,
     seed: int = 0,
     askew: Sequence[tuple[int, int]] = ASKEW,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> DetectionResults:
     """Fly the study.
 
     Args:
         flights: Trials of each approach.
         free: Free flight of each robot [s], in pieces of `PIECE`.
-        seed: Of all luck.
-        askew: How wall and robot stand [deg].
-        progress: Called with the share done.
+        seed: Of all random draws.
+        askew: Yaws of wall and robot [deg].
+        progress: Called with the fraction done.
     """
     results = DetectionResults(flights, seed)
     hits, straight = list(_approaches(flights, askew)), list(_approaches(flights, askew[:1]))
@@ -424,8 +425,7 @@ def detection_study(
     def step() -> None:
         nonlocal done
         done += 1.0
-        if progress is not None:
-            progress(done / total)
+        progress(done / total)
 
     for approach in hits:
         results.collisions.append(fly_collision(approach, seed))

@@ -1,4 +1,4 @@
-"""What the study of detection found, as rows of tables and as sentences."""
+"""Results of the study of detection, as rows of tables and as sentences."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PERSISTENCES = (1, 3)
 
 
 def default_threshold(trigger: str) -> float:
-    """Of a trigger, in its unit."""
+    """Default threshold of a trigger, in its unit."""
     name = "wrench" if trigger == "momentum" else trigger
     return float(getattr(Detecting(), name).threshold)
 
@@ -73,7 +73,7 @@ def _degrees(angle: float | None) -> float | None:
 
 
 def characterisation_rows(results: DetectionResults) -> Rows:
-    """Every collision that was made out; angles are signed, in degrees."""
+    """Every characterised collision; angles are signed, in degrees."""
     rows = []
     for one in results.characterisation_error():
         errors = {
@@ -88,6 +88,14 @@ def characterisation_rows(results: DetectionResults) -> Rows:
             "looked_s": one.looked,
         })  # fmt: skip
     return rows
+
+
+def detection_rows(results: DetectionResults) -> dict[str, Rows]:
+    """All tables of the study by name."""
+    return {
+        "roc": roc_rows(results), "delays": delay_rows(results),
+        "characterisation": characterisation_rows(results),
+    }  # fmt: skip
 
 
 def sizes(found: list[CharacterisationError], source: str, to: str) -> list[float]:
@@ -173,7 +181,7 @@ def false_alarm_sentences(results: DetectionResults) -> list[str]:
 
 
 def sentences(results: DetectionResults) -> list[str]:
-    """What the study says, a line each."""
+    """Results of the study, a line each."""
     late = f"an alarm later than {1e3 * IN_TIME:g} ms counts as missed"
     return [
         *delay_table(results), f"  ({late})", *false_alarm_sentences(results),
@@ -182,7 +190,7 @@ def sentences(results: DetectionResults) -> list[str]:
 
 
 def detection_data(results: DetectionResults) -> dict[str, Any]:
-    """Everything that is not in the CSV files, as plain data."""
+    """Results that are not in the CSV files, as plain data."""
     return {
         "flights": results.flights,
         "seed": results.seed,

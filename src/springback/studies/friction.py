@@ -1,30 +1,31 @@
-"""What friction does to the springs: stroke and peak over its axes, its coefficient and the yaw.
+"""Effect of friction on the springs: stroke and peak over its axes, coefficient and the yaw.
 
 An arm slides along its own direction.  At 45 degrees to a wall it can give way only if its cage
 slides along the wall, so that of a normal force f the arm feels f (1 - mu)/sqrt(2) where friction
 opposes that slip, and f/sqrt(2) where it acts along the vertical only.  An arm straight ahead needs
-no slip.  This study flies hovering robots into the paper's wall, and prints what is left.
+no slip.  This study flies hovering robots into the paper's wall.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.batch.scenarios import fly_scenarios
+from springback.progress import Progress, silent, stage
 from springback.studies.run_ups import WALL_DISTANCE
-from springback.studies.trials import Condition, Trial, fly_trials
+from springback.studies.trials import Condition, fly_trials, tally
 from springback.vehicle.library import VEHICLES
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 ROBOTS = ("arq", "quad")
 AXES = ("vertical", "both")
-"""Of `SurfaceSettings.friction_axes`."""
+"""Values of `SurfaceSettings.friction_axes`."""
 FRICTIONS = tuple(round(0.1 * k, 1) for k in range(11))
 """Coefficients; Table II prints 0.8."""
 YAWS = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 7.5, *(5.0 * k for k in range(2, 10)))
@@ -144,7 +145,7 @@ def friction_study(
     yaws: Sequence[float] = YAWS,
     speed: float = SPEED,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> FrictionResults:
     """Fly the grid of collisions, and the paper's straight tests with either friction.
 
@@ -153,8 +154,8 @@ def friction_study(
         frictions: Coefficients.
         yaws: [deg].
         speed: Of the grid [m/s].
-        seed: Of the luck of the trials.
-        progress: Called with the share done.
+        seed: Of the random draws of the trials.
+        progress: Called with the fraction done.
     """
     asked = [
         (robot, axes, friction, yaw)
@@ -163,8 +164,8 @@ def friction_study(
         for friction in frictions
         for yaw in yaws
     ]
-    half = None if progress is None else lambda share: progress(0.5 * share)
-    rows = fly_scenarios([impact_tables(*one, speed) for one in asked], progress=half)
+    tables = [impact_tables(*one, speed) for one in asked]
+    rows = fly_scenarios(tables, progress=stage(progress, 0.0, 0.5))
     names = "impact_arm_stroke", "impact_peak_acceleration", "restitution_at_separation"
     columns = [rows.measures[name] for name in names]
     arms = rows.measures["loss_arm"]
@@ -184,27 +185,22 @@ def friction_study(
             for robot in ROBOTS
             for speed in SPEEDS
         ]
-        flown = fly_trials(tests, trials, seed=seed)
-        for n, test in enumerate(tests):
-            mine = flown[n * trials : (n + 1) * trials]
-            results.flown.append(_fly_piloted(test, axes, mine))
-        if progress is not None:
-            progress(0.5 + 0.5 * (k + 1) / len(AXES))
+        part = stage(progress, 0.5 + 0.5 * k / len(AXES), 0.5 / len(AXES))
+        for found in map(tally, fly_trials(tests, trials, seed=seed, progress=part)):
+            stroke, peak = (
+                found.medians[name] or 0.0
+                for name in ("impact_arm_stroke", "impact_peak_acceleration")
+            )
+            results.flown.append(
+                PilotedImpacts(
+                    found.robot, axes, found.speed, trials, found.successes, stroke, peak
+                )
+            )
     return results
 
 
-def _fly_piloted(test: Condition, axes: str, trials: Sequence[Trial]) -> PilotedImpacts:
-    def median(name: str) -> float:
-        return float(np.median([trial.measures[name] or 0.0 for trial in trials]))
-
-    return PilotedImpacts(
-        test.robot, axes, test.speed, len(trials), sum(t.success for t in trials),
-        median("impact_arm_stroke"), median("impact_peak_acceleration"),
-    )  # fmt: skip
-
-
 def friction_sentences(results: FrictionResults) -> list[str]:
-    """What the study says, a line each."""
+    """Results of the study, a line each."""
     said = []
     words = {"vertical": "along e_Z, the paper's", "both": "along both tangents"}
     held = [results.at("arq", axes, PRINTED_FRICTION, 0.0) for axes in AXES]

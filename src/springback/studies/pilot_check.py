@@ -1,4 +1,4 @@
-"""What every pilot should keep to, tried on a user's own: short flights, and its own words again.
+"""Checks of a user's own pilot: short flights, and its calls repeated.
 
 All is done with the plain-Python form of a pilot; one that is compiled must then fly the same.
 """
@@ -16,6 +16,7 @@ import numpy as np
 
 from springback.errors import CommandWarning, InputError
 from springback.kernels.trees import leaves, rebuilt
+from springback.progress import Progress, silent
 from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.arguments import chosen_pilot
 from springback.scenario.avionics import CompiledPilot, propulsion_of
@@ -36,7 +37,7 @@ COMPILED = 1e-9  # difference of positions between compiled and plain flights [m
 
 
 class Finding(NamedTuple):
-    """What came out of one property."""
+    """The result for one property."""
 
     name: str
     passed: bool
@@ -44,7 +45,7 @@ class Finding(NamedTuple):
 
 
 class Call(NamedTuple):
-    """A pilot was asked, and said."""
+    """One call of a pilot, and its answer."""
 
     time: float  # [s]
     measurement: Measurement
@@ -58,15 +59,15 @@ def check_pilot(
     pilot: PlainPilot | CompiledPilot | str,
     scenario: Scenario | Mapping[str, Any] | str | Path | None = None,
     *,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress = silent,
 ) -> Findings:
-    """Try a pilot on what every pilot should keep to.
+    """Check the properties that every pilot should have.
 
     Args:
         pilot: As for `springback.fly`: a function, an `CompiledPilot`, or ``"file.py:name"``.
         scenario: Whose vehicle, sensors and start are used; at rest at its start the pilot must
             hover.  By default `quad` at [0, 0, 1] m.
-        progress: Called with the share of properties done.
+        progress: Called with the fraction of the properties done.
 
     Raises:
         InputError: If the scenario, or the file of the pilot, cannot be used.
@@ -94,13 +95,12 @@ def check_pilot(
         with warnings.catch_warnings():  # what it commands is a finding of its own
             warnings.simplefilter("ignore", CommandWarning)
             findings.append(tried())
-        if progress is not None:
-            progress(k / len(properties))
+        progress(k / len(properties))
     return findings
 
 
 def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
-    """Any pilot as a plain function whose memory is None at first."""
+    """A pilot as a plain function whose memory is None at first."""
     if not isinstance(pilot, CompiledPilot):
         return pilot
     law, settings, first = pilot_step.dispatch(type(pilot.settings)), pilot.settings, pilot.memory
@@ -114,7 +114,7 @@ def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
 
 
 def _at_rest(scenario: Scenario) -> Scenario:
-    """The scenario as the properties are tried in it."""
+    """The scenario in which the properties are checked."""
     start = scenario.start.with_checked(velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
     simulation = scenario.simulation.with_checked(duration=DURATION)
     changes = {"reference": None, "thrust": "hover", "start": start, "simulation": simulation}
@@ -139,7 +139,7 @@ def _tilt(flight: Flight, since: float) -> float:
 
 
 def _flight_finding(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding:
-    """A finding of a flight, or of why it could not be flown."""
+    """A finding from a flight, or the reason why it could not be flown."""
     try:
         return Finding(name, *judge())
     except InputError as error:
@@ -165,7 +165,7 @@ def _hovers(pilot: PlainPilot, scenario: Scenario, calls: list[Call]) -> Finding
 
 
 def _with_location(function: Any, pilot: Any) -> Any:
-    """A function that stands for a pilot: its slips are told with the pilot's file and line."""
+    """A function in place of a pilot, whose errors name the pilot's file and line."""
     function.__wrapped__ = pilot
     return function
 
@@ -226,7 +226,7 @@ def _compiles(own: CompiledPilot, pilot: PlainPilot, scenario: Scenario) -> Find
     return _flight_finding("compiles to the same flight", judge)
 
 
-# -- the same questions again ---------------------------------------------------------------------
+# -- the same calls repeated ----------------------------------------------------------------------
 
 
 def _commands(scenario: Scenario, calls: list[Call]) -> Finding:
@@ -246,7 +246,7 @@ def _commands(scenario: Scenario, calls: list[Call]) -> Finding:
 def _again(
     pilot: PlainPilot, calls: list[Call], changed: Callable[[Call], Call]
 ) -> tuple[float, float]:
-    """Ask all questions of a flight again, changed: largest difference [N], and when first [s]."""
+    """Repeat all calls of a flight, changed: largest difference [N], and time of the first [s]."""
     memory, largest, first = None, 0.0, math.nan
     for call in calls:
         asked = changed(call)
@@ -266,7 +266,7 @@ def _repeat_finding(
     words: tuple[str, str],
     allowed: float = 0.0,
 ) -> Finding:
-    """A finding on questions asked again: the words for passed, and for failed."""
+    """A finding from repeated calls; the words are for passed, and for failed."""
     if not calls:
         return Finding(name, False, "it was never asked, for it did not take off")
     try:

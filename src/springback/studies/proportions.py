@@ -1,11 +1,11 @@
-"""Shares of trials, and how well few trials tell them."""
+"""Shares of trials, and their confidence intervals."""
 
 from __future__ import annotations
 
 import scipy  # its parts are loaded when first used
 
 CONFIDENCE = 0.95
-"""Of the intervals of success rates."""
+"""Confidence level of the intervals of success rates."""
 
 
 def wilson(successes: int, trials: int) -> tuple[float, float]:

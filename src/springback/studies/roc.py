@@ -1,6 +1,6 @@
-"""Alarms that a threshold would have raised on a signal that was kept: receiver operating curves.
+"""Alarms that a threshold would have raised on a recorded signal: receiver operating curves.
 
-The signals of all triggers stand in the telemetry of a flight, so any threshold and any
+The signals of all triggers are in the telemetry of a flight, so any threshold and any
 persistence can be judged afterwards, on the same flights.
 """
 
@@ -23,11 +23,11 @@ class TriggerSignal(NamedTuple):
 
     signal: Array  # tick by tick
     period: float  # of a tick [s]
-    every: int  # ticks between samples; between them the signal stands
+    every: int  # ticks between samples; in between, the signal is constant
 
 
 def persistent_level(trigger: TriggerSignal, persistence: int) -> Array:
-    """What the last samples have all reached, tick by tick, from the first tick on."""
+    """Least of the last samples, tick by tick, from the first tick on."""
     span = (persistence - 1) * trigger.every + 1
     if span == 1:
         return trigger.signal
@@ -46,7 +46,7 @@ def alarms(
         trigger: The signal.
         threshold: In its unit.
         persistence: Samples in a row above it.
-        refractory: After an alarm nothing is noticed for so long [s].
+        refractory: Time after an alarm without another [s].
     """
     above = persistent_level(trigger, persistence) > threshold
     begins = np.flatnonzero(above & ~np.concatenate([[False], above[:-1]]))
@@ -100,7 +100,7 @@ class RocPoint(NamedTuple):
 
     @property
     def bound(self) -> float:
-        """Where none was seen, what the rate is below with 95 % confidence; else the rate [1/h]."""
+        """Rate [1/h], or its upper bound at 95 % confidence if there was no false alarm."""
         return self.rate if self.false_alarms else NONE_SEEN / self.hours
 
     @property
@@ -110,7 +110,7 @@ class RocPoint(NamedTuple):
 
 
 class FalseAlarms(NamedTuple):
-    """What free flight says of every threshold."""
+    """False alarms of every threshold in free flight."""
 
     false_alarms: tuple[int, ...]
     hours: float
@@ -129,7 +129,7 @@ def false_alarms(
         free: Signals of free flights.
         thresholds: In the unit of the signal.
         persistence: Samples in a row above it.
-        refractory: After an alarm nothing is noticed for so long [s].
+        refractory: Time after an alarm without another [s].
     """
     hours = sum(len(one.signal) * one.period for one in free) / HOUR
     most = [float(one.signal.max()) for one in free]
@@ -155,7 +155,7 @@ def curve(
     """A receiver operating curve over thresholds.
 
     Args:
-        free: What free flight says of the same thresholds.
+        free: False alarms of the same thresholds in free flight.
         hits: Signals of collisions, each with the time of first touch [s].
         thresholds: In the unit of the signal.
         persistence: Samples in a row above it.

@@ -1,4 +1,4 @@
-"""How well a robot arrives: speed and pitch at the wall, against what its run-up asked for."""
+"""Accuracy of run-ups: speed and pitch at the wall, against those asked for."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DURATION = 4.0
 
 
 class Arrival(NamedTuple):
-    """Motion at first touch, and what is left between it and what was asked for."""
+    """Motion at first touch, and its errors."""
 
     speed: float  # of the main body into the wall [m/s]
     pitch: float  # positive nose down [rad]
@@ -59,7 +59,7 @@ def run_up_scenario(vehicle: str, pitch: float, speed: float, **tables: Any) -> 
 
 
 def run_up_errors(flight: Flight) -> Arrival:
-    """Speed and pitch with which a run-up arrived, against what was asked for.
+    """Speed and pitch with which a run-up arrived, and their errors.
 
     Args:
         flight: Of a scenario with a run-up, its trajectory kept.
@@ -91,7 +91,7 @@ def arrivals_table(rows: Sequence[tuple[str, Arrival]]) -> str:
     """Arrivals as a Markdown table.
 
     Args:
-        rows: What flew, and how it arrived.
+        rows: Name and arrival of each flight.
     """
     lines = [
         "| flight | speed [m/s] | error | pitch [deg] | error | rate [deg/s] | height error [m] |",

@@ -1,18 +1,23 @@
-"""Trials of a recovery: the same test again and again, but for luck, many abreast."""
+"""Trials of a recovery: one test repeated with scattered conditions, many side by side."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
+from springback.progress import Progress, silent
 from springback.scenario.scenario import Scenario, merge, scenario_from
 from springback.simulation.measures import Outcome, scalars_of
 from springback.simulation.noise import Purpose, stream
+from springback.studies.proportions import wilson
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 
 #: The paper's start and return point, section Impact Resilience [m].
@@ -24,8 +29,8 @@ DURATION = 11.0
 class Scatter(NamedTuple):
     """Standard deviations of what differs from trial to trial; normal laws, all chosen.
 
-    The approach: where and how the robot hovers when it sets out, and how the wall stands to it.
-    The rest: how well its makers know it, and what a pack of gains is worth on this day.
+    The first five are of the approach: the hover before it, and the pose of the wall.  The others
+    are of the robot: how well its mass and inertia are known, and its gains.
     """
 
     position: float = 0.03  # of the start, each axis [m]
@@ -38,9 +43,9 @@ class Scatter(NamedTuple):
     gains: float = 0.05  # each of stiffness, damping ratio, time constant, rate gain
 
     def draw(self, robot: str, pitch: float, speed: float, trial: int, seed: int) -> TrialNoise:
-        """What one trial is dealt.  It depends on these words alone, in whatever order they fly.
+        """Random numbers of one trial, which depend on these arguments alone.
 
-        Both robots are dealt the same (common random numbers): ``robot`` only names the trial.
+        Both robots get the same (common random numbers): ``robot`` only names the trial.
         """
         key = (round(1e3 * pitch) % 2**32, round(1e3 * speed) % 2**32, trial)
         noise_stream = stream(seed, Purpose.TRIAL, *key)
@@ -59,7 +64,7 @@ class Scatter(NamedTuple):
 
 
 class TrialNoise(NamedTuple):
-    """What one trial is dealt."""
+    """Random numbers of one trial."""
 
     position: tuple[float, ...]
     velocity: tuple[float, ...]
@@ -84,14 +89,14 @@ def trial_tables(
 ) -> dict[str, Any]:
     """The scenario of one trial, as plain tables: run-up, wall, ground, recovery.
 
-    The robot knows nothing of its luck: it flies the run-up that was made for the paper's wall.
+    The robot does not know the scatter: it flies the run-up that was planned for the paper's wall.
 
     Args:
         robot: Preset.
         pitch: At contact, positive nose down [deg].
         speed: At contact [m/s].
         noise_stream: Of the trial.
-        changes: Tables laid over those of the test, the same in every trial.
+        changes: Tables merged over those of the test, the same in every trial.
     """
     base = merge(run_up_scenario(robot, pitch, speed), changes or {})
     control = dict(base.get("control", {}))
@@ -143,8 +148,13 @@ class Trial:
     measures: dict[str, float | None]
 
     @property
+    def condition(self) -> tuple[str, float, float]:
+        """Robot, pitch [deg] and speed [m/s]."""
+        return self.robot, self.pitch, self.speed
+
+    @property
     def success(self) -> bool:
-        """Noticed every collision, touched no ground, came to rest where it should."""
+        """True if it noticed every collision, touched no ground, and came to rest at home."""
         return self.outcome is Outcome.RECOVERED
 
     def as_dict(self) -> dict[str, Any]:
@@ -163,41 +173,89 @@ class Condition(NamedTuple):
     changes: Mapping[str, Any] = {}
 
 
+@dataclass(frozen=True)
+class Tally:
+    """Trials of one condition, counted."""
+
+    robot: str
+    pitch: float
+    """[deg]"""
+    speed: float
+    """[m/s]"""
+    trials: int
+    successes: int
+    outcomes: dict[str, int]
+    """Number of trials by the word of their outcome."""
+    medians: dict[str, float | None]
+    """Median of each measure over the trials that have it, SI."""
+
+    @property
+    def condition(self) -> tuple[str, float, float]:
+        """Robot, pitch [deg] and speed [m/s]."""
+        return self.robot, self.pitch, self.speed
+
+    @property
+    def share(self) -> float:
+        """Fraction of the trials that succeeded."""
+        return self.successes / self.trials
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Wilson's interval of the same."""
+        return wilson(self.successes, self.trials)
+
+
+def tally(trials: Sequence[Trial]) -> Tally:
+    """Counts and medians of the trials of one condition, at least one."""
+    first, medians = trials[0], {}
+    for name in first.measures:
+        known = [value for trial in trials if (value := trial.measures[name]) is not None]
+        medians[name] = float(np.median(known)) if known else None
+    return Tally(
+        *first.condition, len(trials), sum(trial.success for trial in trials),
+        dict(Counter(trial.outcome.word for trial in trials)), medians,
+    )  # fmt: skip
+
+
 def fly_trials(
     conditions: Sequence[Condition],
     trials: int,
     *,
     scatter: Scatter | None = None,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
-) -> list[Trial]:
+    progress: Progress = silent,
+) -> list[list[Trial]]:
     """Fly every condition several times.
-
-    Conditions that ask for a run-up which the vehicle cannot fly have no trials.
 
     Args:
         conditions: To be flown.
-        trials: Of each.
-        scatter: What differs; by default the distributions of `Scatter`.
-        seed: Of all luck.
-        progress: Called with the share done.
+        trials: Number for each.
+        scatter: Standard deviations; by default those of `Scatter`.
+        seed: Of all random draws.
+        progress: Called with the fraction done.
+
+    Returns:
+        Trials of each condition; none if it asks for a run-up that the vehicle cannot fly.
+
+    Raises:
+        InputError: If a trial cannot be flown for any other reason.
     """
-    dealt = scatter or Scatter()
+    scatter = scatter or Scatter()
     asked = [(condition, number) for condition in conditions for number in range(trials)]
-    tables = [_tables(condition, dealt, number, seed) for condition, number in asked]
+    tables = [_tables(condition, scatter, number, seed) for condition, number in asked]
     ended = fly_scenarios(tables, threads=os.cpu_count() or 1, progress=progress)
-    found = []
+    found: list[list[Trial]] = [[] for _ in conditions]
     for k, (condition, number) in enumerate(asked):
         if not number:
             is_flown = ended.outcomes[k] != REFUSED or not _too_hard(condition)
         if not is_flown:
             continue
         if ended.outcomes[k] == REFUSED:
-            scenario_from(tables[k])  # says more of it
+            scenario_from(tables[k])  # for its longer message
             raise InputError(ended.problems[k])
         outcome = Outcome[ended.outcomes[k].upper()]
         measures = scalars_of({name: column[k : k + 1] for name, column in ended.measures.items()})
-        found.append(Trial(*condition[:3], number, outcome, measures))
+        found[k // trials].append(Trial(*condition[:3], number, outcome, measures))
     return found
 
 
@@ -209,7 +267,7 @@ def _tables(condition: Condition, scatter: Scatter, number: int, seed: int) -> d
 
 
 def _too_hard(condition: Condition) -> bool:
-    """Whether a condition cannot be flown even without scatter: the run-up asks for too much."""
+    """True if a condition cannot be flown even without scatter: the run-up asks for too much."""
     try:
         scenario_from(_tables(condition, NO_SCATTER, 0, 0))
     except InputError as error:

@@ -187,7 +187,7 @@ def test_ctrl_c_leaves_a_campaign_to_go_on_with(place: Path) -> None:
     assert process.returncode == 130, said
     assert said.splitlines()[-1] == (
         "interrupted; what was flown is kept; go on by: springback campaign plan.toml "
-        "--out 'broken off' --resume"
+        "--out 'broken off' --chunk 6 --workers 2 --quiet --resume"
     )
     assert "Traceback" not in said
     kept = Campaign(place / "broken off").done

@@ -52,9 +52,7 @@ def why_results() -> WhyResults:
     def cell(
         cause: str, name: str, robot: str, pitch: float, speed: float, k: int
     ) -> AblationOutcome:
-        return AblationOutcome(
-            cause, name, robot, pitch, speed, k % 11, 10, {}, 0.5, 0.1, -0.1, 1.0
-        )
+        return AblationOutcome(robot, pitch, speed, 10, k % 11, {}, {}, cause, name)
 
     cells = [
         cell(v.cause, v.name, robot, *test, i + j)

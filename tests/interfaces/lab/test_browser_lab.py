@@ -60,7 +60,7 @@ def shown(browser: Any) -> dict[str, Any]:
         const S = window.springback;
         return {
           query: S.answer.query, settings: S.answer.settings,
-          fields: Object.fromEntries([...document.querySelectorAll(".knob input[type=text]")].map((f) => [f.id, f.value])),
+          fields: Object.fromEntries([...document.querySelectorAll(".slider-control input[type=text]")].map((f) => [f.id, f.value])),
           outcomes: document.querySelector(".outcomes").innerText,
           table: document.querySelector(".measures").innerText,
           peaks: S.plots.curve("Acceleration"), energy: S.plots.curve("Energy, ARQ"),

@@ -42,7 +42,7 @@ from springback.results.flight import fly
 from springback.scenario.files import read_scenario
 from springback.vehicle.library import ARQ
 
-KNOBS = {name: knob for name in FIELDS if isinstance(knob := control_of(name), SliderControl)}
+SLIDERS = {name: slider for name in FIELDS if isinstance(slider := control_of(name), SliderControl)}
 
 
 def setting(**words: Any) -> LabSettings:
@@ -82,13 +82,17 @@ def test_a_link_says_what_differs_and_nothing_else() -> None:
     assert setting(stiffness="2600 N/m").stiffness == 2.6
 
 
-@pytest.mark.parametrize("name", KNOBS)
+@pytest.mark.parametrize("name", SLIDERS)
 def test_defaults_and_the_papers_values_are_in_range(name: str) -> None:
-    knob = KNOBS[name]
-    assert knob.least <= getattr(DEFAULTS, name) <= knob.most
-    assert all(knob.least <= mark.value <= knob.most for mark in knob.marks)
+    slider = SLIDERS[name]
+    assert slider.least <= getattr(DEFAULTS, name) <= slider.most
+    assert all(slider.least <= mark.value <= slider.most for mark in slider.marks)
     assert setting(
-        **{name: f"{knob.most} {knob.unit}" if knob.unit in ("m/s", "deg", "g") else knob.most}
+        **{
+            name: f"{slider.most} {slider.unit}"
+            if slider.unit in ("m/s", "deg", "g")
+            else slider.most
+        }
     )
 
 
@@ -100,9 +104,9 @@ def test_marks_are_the_numbers_of_the_package() -> None:
         "arm_mass": 1e3 * arms.mass,
     }  # type: ignore[operator]
     for name, value in table.items():
-        assert [mark.value for mark in KNOBS[name].marks] == [pytest.approx(value)], name
+        assert [mark.value for mark in SLIDERS[name].marks] == [pytest.approx(value)], name
         assert getattr(DEFAULTS, name) == pytest.approx(value), name
-    wall = [m.value for m in KNOBS["dissipation"].marks if m.words.startswith("wall")]
+    wall = [m.value for m in SLIDERS["dissipation"].marks if m.words.startswith("wall")]
     assert wall == [pytest.approx(SURFACES["wall"].dissipation_value(), abs=5e-4)]
 
 

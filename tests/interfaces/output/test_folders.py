@@ -232,7 +232,7 @@ def test_a_file_that_ends_early_is_not_ctrl_c() -> None:
         ("raise OSError(errno.ENOSPC, 'No space left on device', 'x.csv')", "error: x.csv: No space left on device\n"),
         ("raise OSError(errno.EROFS, 'Read-only file system')", "error: Read-only file system\n"),
         ("raise MemoryError('Unable to allocate 8 TiB')", "error: out of memory (Unable to allocate 8 TiB)\n"),
-        ("cli.note('error: \\x1b[2Jgone \\udcff\\u202e', False); sys.exit(1)", "error: \ufffd[2Jgone \ufffd\ufffd\n"),
+        ("cli.say('error: \\x1b[2Jgone \\udcff\\u202e'); sys.exit(1)", "error: \ufffd[2Jgone \ufffd\ufffd\n"),
     ],
 )  # fmt: skip
 def test_the_systems_troubles_are_one_line(body: str, said: str) -> None:

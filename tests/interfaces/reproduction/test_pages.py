@@ -18,6 +18,7 @@ from interfaces.browsing import needs_browser, resized
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import summary
 from springback.interfaces.figures import flight, style
+from springback.interfaces.figures.envelope import map_figure
 from springback.interfaces.reports.campaign import write_summary
 from springback.interfaces.reports.envelope import map_page
 from springback.interfaces.reports.page import page
@@ -47,7 +48,8 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     (place / "report.html").write_text(text, encoding="utf-8")
     filled(place / "campaign")
     write_summary(summary(Campaign(place / "campaign")), place)
-    (place / "map.html").write_text(map_page(plane_map(), printed_success), encoding="utf-8")
+    drawn = map_page(plane_map(), map_figure(plane_map(), printed_success))
+    (place / "map.html").write_text(drawn, encoding="utf-8")
     return {name: place / f"{name}.html" for name in ("report", "summary", "map")}
 
 

@@ -137,6 +137,11 @@ class Envelope:
         found = [[self.cells[Place(robot, i, j)].share for i in columns] for j in rows]
         return np.array(found, float)
 
+    @property
+    def rows_from_top(self) -> list[int]:
+        """Numbers of the rows, that of the largest y first."""
+        return sorted(range(len(self.y.values)), key=lambda row: -self.y.values[row])
+
     def along_x(self, robot: str, row: int) -> list[Stretch]:
         """Where along x, in shown units, the level is reached in a row of cells."""
         return stretches(self.x.values, self.shares(robot)[row])
@@ -167,7 +172,7 @@ class Envelope:
         """Successes of a robot as text, a row for each value of y, the largest on top."""
         head = [f"{v:g}" for v in self.x.values]
         lines = []
-        for row in sorted(range(len(self.y.values)), key=lambda j: -self.y.values[j]):
+        for row in self.rows_from_top:
             cells = [self.cells[Place(robot, i, row)] for i in range(len(head))]
             entries = [str(cell.successes) if cell.trials else "-" for cell in cells]
             lines.append([f"{self.y.values[row]:g}", *entries])

@@ -24,7 +24,7 @@ SUFFIXES = (".gif", ".webp", ".mp4")
 SIZES = {1: (600, 540), 2: (760, 540)}
 """Chosen: width and height for one flight and for two [px]."""
 LEAST, MOST = 160, 2160
-"""Of a side [px], chosen."""
+"""Chosen: smallest and largest width or height [px]."""
 FASTEST = 50.0
 """Frames per second; browsers slow a GIF down above this."""
 COLOURS, SAMPLED = 64, 12
@@ -34,7 +34,7 @@ HOLD = 1.0
 INKS = (BLUE, RED, GREEN, ORANGE)
 """Colours of thin lines, which the palette would otherwise lack."""
 QUALITY = 80
-"""Of WebP, chosen; of MP4 the constant rate factor is `CRF`."""
+"""Chosen: quality of WebP; MP4 uses the constant rate factor `CRF`."""
 CRF = "20"
 
 

@@ -8,19 +8,11 @@ from pathlib import Path
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli.common import (
-    OUT,
-    force_option,
-    note,
-    progress_bar,
-    quiet_option,
-    spinner,
-)
+from springback.interfaces.cli.common import PATH, Output, output_options
 
 
 @click.command()
-@click.argument("results", nargs=-1, type=click.Path(path_type=Path), metavar="RESULT [RESULT2]")
-@click.option("--out", type=OUT, required=True, help="The film: .gif, .webp or .mp4.")
+@click.argument("results", nargs=-1, type=PATH, metavar="RESULT [RESULT2]")
 @click.option(
     "--slow", type=click.FloatRange(1.0, 1000.0), default=20.0, show_default=True,
     help="How many times slower than life impacts are shown.",
@@ -29,18 +21,15 @@ from springback.interfaces.cli.common import (
 @click.option("--to", "end", type=float, help="Last instant, from first touch [s].")
 @click.option("--fps", type=float, default=25.0, show_default=True, help="Frames a second.")
 @click.option("--size", metavar="WxH", help="Width and height [px], such as 760x540.")
-@force_option
-@quiet_option
+@output_options("The film: .gif, .webp or .mp4.", "force", "quiet")
 def animate(
     results: tuple[Path, ...],
-    out: Path,
     slow: float,
     begin: float | None,
     end: float | None,
     fps: float,
     size: str | None,
-    force: bool,
-    quiet: bool,
+    output: Output,
 ) -> None:
     """Make a film of a RESULT, a folder that springback fly wrote, or of two side by side.
 
@@ -61,7 +50,9 @@ def animate(
             raise InputError(f"{name} {value:g}: must be a finite number")
     if begin is not None and end is not None and begin >= end:
         raise InputError(f"--from {begin:g} s must be before --to {end:g} s")
-    if out.exists() and (out.is_dir() or not force):
+    out = output.out
+    assert out is not None  # it is required
+    if out.exists() and (out.is_dir() or not output.force):
         ending = "is a folder" if out.is_dir() else "already exists; give another, or --force"
         raise InputError(f"--out {out}: {ending}")
     wanted = _size(size)
@@ -70,22 +61,25 @@ def animate(
     from springback.results.saved import read_result
 
     check(out, wanted, fps)
-    with spinner("reading", quiet):
+    with output.spinner("reading"):
         scenes = scenes_of([read_result(folder) for folder in results], results)
     for scene in scenes:
         for doubt in scene.notes:
-            note(f"{scene.label}: {doubt}", quiet)
+            output.note(f"{scene.label}: {doubt}")
     from springback.files import atomic_file
 
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_file(out, suffix=out.suffix) as draft, progress_bar("drawing", quiet) as show:
+        with (
+            atomic_file(out, suffix=out.suffix) as draft,
+            output.progress_bar("drawing") as show,
+        ):
             count = write_film(
                 scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
             )
     except OSError as error:
         raise InputError(f"--out {out}: cannot be written ({error.strerror})") from None
-    note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB", quiet)
+    output.note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB")
 
 
 def _size(text: str | None) -> tuple[int, int] | None:

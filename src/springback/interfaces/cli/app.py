@@ -16,7 +16,7 @@ import click
 from springback.errors import InputError, warn_in_one_line
 from springback.interfaces.cli.animate import animate
 from springback.interfaces.cli.campaign import campaign, query, refly, summary
-from springback.interfaces.cli.common import note
+from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples
 from springback.interfaces.cli.fly import check, fly
@@ -54,7 +54,7 @@ def main() -> None:
         cli.main(standalone_mode=False)
     except InputError as error:
         for line in error.problems:
-            note(f"error: {line}", False)
+            say(f"error: {line}")
         sys.exit(2)
     except click.Abort as error:
         # So says click of Ctrl-C, and of a file that ends too early, too.
@@ -72,13 +72,13 @@ def main() -> None:
         said = environment(error)
         if said is None:
             raise
-        note(f"error: {said}", False)
+        say(f"error: {said}")
         sys.exit(1)
 
 
 def _interrupted() -> NoReturn:
     interrupts.ignore()
-    note(interrupts.message(), False)
+    say(interrupts.message())
     sys.exit(130)
 
 

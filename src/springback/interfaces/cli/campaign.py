@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import shlex
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -14,14 +15,10 @@ import click
 from springback.errors import InputError
 from springback.interfaces.cli.common import (
     FIRST,
-    OUT,
-    force_option,
-    have_figures,
-    json_option,
-    note,
-    print_result,
-    quiet_option,
-    spinner,
+    PATH,
+    Output,
+    output_options,
+    say,
 )
 from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
@@ -29,16 +26,14 @@ from springback.interfaces.output.plain_text import plain_text
 if TYPE_CHECKING:
     from springback.campaign.running import CampaignProgress
 
-FOLDER = click.Path(path_type=Path, exists=False)
 WAIT = "; a kind of flight that is new is compiled first, for a minute"
 BETWEEN_LINES = 10.0
 """Seconds between two lines about progress where there is no terminal to draw a bar on."""
 
 
 @click.command()
-@click.argument("plan", type=click.Path(path_type=Path), required=False)
+@click.argument("plan", type=PATH, required=False)
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
-@click.option("--out", type=OUT, help="Folder for the rows: one campaign each.")
 @click.option("--resume", is_flag=True, help="Go on with what is in the folder.")
 @click.option("--dry-run", is_flag=True, help="Fly a few, and say what all would take.")
 @click.option("--workers", type=int, help="Processes; by default as many as there are cores.")
@@ -46,19 +41,17 @@ BETWEEN_LINES = 10.0
 @click.option(
     "--scheduler", metavar="ADDRESS", help="Fly on Dask: tls://HOST:8786 of its scheduler."
 )
-@click.option("--tls-ca", type=click.Path(path_type=Path), help="Of the cluster: its authority.")
-@click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate to show there.")
-@click.option("--tls-key", type=click.Path(path_type=Path), help="Its private key.")
+@click.option("--tls-ca", type=PATH, help="Of the cluster: its authority.")
+@click.option("--tls-cert", type=PATH, help="Certificate to show there.")
+@click.option("--tls-key", type=PATH, help="Its private key.")
 @click.option(
     "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
     help="Where flights fly; gpu is an NVIDIA GPU of this machine.",
 )  # fmt: skip
-@json_option
-@quiet_option
+@output_options("Folder for the rows: one campaign each.", "as_json", "quiet", required=False)
 def campaign(
     plan: Path | None,
     overrides: tuple[str, ...],
-    out: Path | None,
     resume: bool,
     dry_run: bool,
     workers: int | None,
@@ -68,8 +61,7 @@ def campaign(
     tls_cert: Path | None,
     tls_key: Path | None,
     device: Any,
-    as_json: bool,
-    quiet: bool,
+    output: Output,
 ) -> None:
     """Fly a campaign: all flights of a PLAN file, on all cores or on a cluster.
 
@@ -87,29 +79,30 @@ def campaign(
     from springback.campaign.errors import CampaignError
     from springback.campaign.running import run_campaign
 
+    out = output.out
     if plan is None and not (resume and out):
         raise InputError("PLAN is missing: a file such as plan.toml (or --resume with --out)")
     tls = _tls(scheduler, tls_ca, tls_cert, tls_key)
-    with spinner("reading the plan", quiet):
+    with output.spinner("reading the plan"):
         design = _design(plan, overrides, out)
     if dry_run:
-        _foretold(design, workers, as_json, quiet)
+        _foretold(design, workers, output)
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
-    again = _again(plan, overrides, out, scheduler, tls)
+    again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
     interrupts.say(f"interrupted; what was flown is kept; go on by: {again}")
     try:
-        with _told(quiet) as (tell, remark):
+        with _told(output) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
                 tls=tls, device=device, progress=tell, remark=remark,
             )  # fmt: skip
     except CampaignError as error:
-        note(f"error: {error}", False)
-        note(f"what was flown is kept; go on by: {again}", False)
+        say(f"error: {error}")
+        say(f"what was flown is kept; go on by: {again}")
         sys.exit(1)
-    _finished(flown, out, as_json, quiet)
+    _finished(flown, output)
 
 
 def _tls(
@@ -140,42 +133,25 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     return lay_out(stored_plan(out), tried=False)
 
 
-def _again(
-    plan: Path | None, overrides: tuple[str, ...], out: Path, scheduler: str | None, tls: Any
-) -> str:
-    import shlex
+def _finished(flown: Any, output: Output) -> None:
+    from springback.interfaces.output.tables import as_text
 
-    words = ["springback", "campaign", *([str(plan)] if plan else []), *overrides]
-    words += ["--out", str(out), "--resume"]
-    words += ["--scheduler", scheduler] if scheduler else []
-    if tls is not None:
-        given = {"ca": tls.authority, "cert": tls.certificate, "key": tls.key}
-        words += [word for name, path in given.items() for word in (f"--tls-{name}", str(path))]
-    return shlex.join(words)
-
-
-def _finished(flown: Any, out: Path, as_json: bool, quiet: bool) -> None:
     sql = "SELECT robot, outcome, count(*) AS flights FROM flights GROUP BY ALL ORDER BY ALL"
     answer = flown.query(sql)
-    if as_json:
-        data = {"folder": str(out), "flights": flown.done, "outcomes": answer.as_dicts()}
-        print_result(data, as_json)
-    else:
-        from springback.interfaces.output.tables import as_text
-
-        print_result(as_text(answer.columns, answer.rows), as_json)
-    note(f"{flown.done} flights in {out}; see springback summary {out}", quiet)
+    data = {"folder": str(output.out), "flights": flown.done, "outcomes": answer.as_dicts()}
+    output.print(data, as_text(answer.columns, answer.rows))
+    output.note(f"{flown.done} flights in {output.out}; see springback summary {output.out}")
 
 
 @contextlib.contextmanager
 def _told(
-    quiet: bool,
+    output: Output,
 ) -> Iterator[tuple[Callable[[CampaignProgress], None], Callable[[str], None]]]:
     """Progress as a bar on a terminal, else as a line now and then; remarks as lines of stderr."""
     from rich.console import Console
 
     console = Console(stderr=True)
-    if console.is_terminal and not quiet:
+    if console.is_terminal and not output.quiet:
         with _bar(console) as told:
             yield told
         return
@@ -184,9 +160,9 @@ def _told(
     def tell(now: CampaignProgress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
-            note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT), quiet)
+            output.note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT))
 
-    yield tell, lambda text: note(text, False)
+    yield tell, say
 
 
 @contextlib.contextmanager
@@ -210,26 +186,25 @@ def _bar(
         yield tell, remark
 
 
-def _foretold(design: Any, workers: int | None, as_json: bool, quiet: bool) -> None:
+def _foretold(design: Any, workers: int | None, output: Output) -> None:
     """Say what a campaign would take."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    note("flying a few of its flights; kinds that are new are compiled first", quiet)
-    with spinner("flying a few", quiet):
+    output.note("flying a few of its flights; kinds that are new are compiled first")
+    with output.spinner("flying a few"):
         coming = cost_estimate(design, workers)
-    print_result(coming.as_dict() if as_json else coming.sentence(), as_json)
+    output.print(coming.as_dict(), coming.sentence())
 
 
 @click.command()
-@click.argument("folder", type=FOLDER)
+@click.argument("folder", type=PATH)
 @click.argument("sql", required=False)
 @click.option(
     "--format", "form", type=click.Choice(["table", "csv", "json", "markdown"]), default="table",
     show_default=True, help="Of what is printed.",
 )  # fmt: skip
-@click.option("--out", type=OUT, help="File instead: .parquet, .csv, .json or .md.")
-@force_option
-def query(folder: Path, sql: str | None, form: str, out: Path | None, force: bool) -> None:
+@output_options("File instead: .parquet, .csv, .json or .md.", "force", required=False)
+def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
     """Ask the campaign in FOLDER a question in SQL; the table is called flights.
 
     Without SQL all columns are listed, with units and meanings. Names with dots stand in double
@@ -244,13 +219,13 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     from springback.campaign.access import Campaign
     from springback.interfaces.output.tables import SUFFIXES, lines_of, write_answer
 
-    known = Campaign(folder)
+    known, out = Campaign(folder), output.out
     if out is not None and out.suffix not in SUFFIXES and (out.suffix != ".parquet" or not sql):
         raise InputError(f"--out {out}: must end in .parquet, {', '.join(SUFFIXES)}")
-    if out is not None and out.exists() and not force:
+    if out is not None and out.exists() and not output.force:
         raise InputError(f"--out {out}: already exists; give another, or --force")
     if out is not None and sql is not None and out.suffix == ".parquet":
-        note(f"{known.save(sql, out)} rows written to {out}", False)
+        say(f"{known.save(sql, out)} rows written to {out}")
         return
 
     def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
@@ -267,7 +242,7 @@ def query(folder: Path, sql: str | None, form: str, out: Path | None, force: boo
     else:
         count = known.stream(sql, taken)
     if out is not None:
-        note(f"{count} rows written to {out}", False)
+        say(f"{count} rows written to {out}")
 
 
 def _is_terminal() -> bool:
@@ -288,22 +263,10 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 
 
 @click.command()
-@click.argument("folder", type=FOLDER)
+@click.argument("folder", type=PATH)
 @click.argument("row", type=int)
-@click.option("--out", type=OUT, help="Folder for summary.json, trajectory.parquet, figures.")
-@click.option("--no-figures", is_flag=True, help="Write no figures.")
-@force_option
-@json_option
-@quiet_option
-def refly(
-    folder: Path,
-    row: int,
-    out: Path | None,
-    no_figures: bool,
-    force: bool,
-    as_json: bool,
-    quiet: bool,
-) -> None:
+@output_options("Folder for summary.json, trajectory.parquet, figures.", required=False)
+def refly(folder: Path, row: int, output: Output) -> None:
     """Fly flight ROW of the campaign in FOLDER again, alone, with its whole trajectory.
 
     Every number is compared with the row, to the last bit; exit code 1 if any differs.
@@ -313,59 +276,38 @@ def refly(
     springback refly results 1711 --out flight-1711
     """
     from springback.campaign.access import Campaign
-    from springback.interfaces.output.folders import output_folder
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
 
     known = Campaign(folder)
-    with spinner(FIRST, quiet):
+    with output.spinner(FIRST):
         again = known.refly(row)
-    if out is not None:
-        with (
-            output_folder(out, force=force, replaces=FLIGHT_FILES) as place,
-            spinner("writing", quiet),
-        ):
-            figures = not no_figures and have_figures(quiet)
-            names = [path.name for path in write_flight(again.flight, place, figures=figures)]
-        note(f"written to {out}: {', '.join(names)}", quiet)
-    if as_json:
-        data = {"flight": row, "identical": not again.differences}
-        found = {"differences": list(again.differences), **again.flight.summary()}
-        print_result(data | found, as_json)
-    else:
-        print_result(repr(again.flight), as_json)
+    if output.out is not None:
+        with output.folder(FLIGHT_FILES) as place, output.spinner("writing"):
+            files = write_flight(again.flight, place, figures=output.wants_figures())
+        output.note_written(files)
+    data = {"flight": row, "identical": not again.differences}
+    found = {"differences": list(again.differences), **again.flight.summary()}
+    output.print(data | found, repr(again.flight))
     if not again.differences:
-        note(f"identical to row {row}: every number, to the last bit", quiet)
+        output.note(f"identical to row {row}: every number, to the last bit")
         return
     for line in again.differences:
-        note(f"not as in row {row}: {line}", False)
+        say(f"not as in row {row}: {line}")
     sys.exit(1)
 
 
 @click.command()
-@click.argument("folder", type=FOLDER)
-@click.option("--out", type=OUT, help="Folder for summary.html, summary.json and figures.")
+@click.argument("folder", type=PATH)
 @click.option(
     "--map", "pairs", multiple=True, metavar="X,Y",
     help="Fields to draw success over; by default all pairs of the first four.",
 )  # fmt: skip
-@click.option("--scatter", is_flag=True, help="Success along what luck deals out, too.")
-@click.option("--no-figures", is_flag=True, help="Write no figures and no page.")
-@force_option
-@json_option
-@quiet_option
-def summary(
-    folder: Path,
-    out: Path | None,
-    pairs: tuple[str, ...],
-    scatter: bool,
-    no_figures: bool,
-    force: bool,
-    as_json: bool,
-    quiet: bool,
-) -> None:
+@click.option("--scatter", is_flag=True, help="Success along the scattered parameters, too.")
+@output_options("Folder for summary.html, summary.json and figures.", required=False)
+def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output) -> None:
     """Sum up the campaign in FOLDER: success, outcomes, quantiles, robot against robot.
 
-    Shares have Wilson's intervals. Robots were dealt the same samples and luck, so they are
+    Shares have Wilson's intervals. Robots flew the same samples with the same noise, so they are
     compared pair by pair. A campaign that is still flying can be summed up, too.
 
     \b
@@ -375,7 +317,6 @@ def summary(
     from springback.campaign.access import Campaign
     from springback.campaign.analysis.marginals import scale
     from springback.campaign.analysis.statistics import summary as summed_up
-    from springback.interfaces.output.folders import output_folder
     from springback.interfaces.reports.campaign import summary_text, write_summary
 
     known = Campaign(folder)
@@ -385,15 +326,14 @@ def summary(
         if not sign or not y or x == y:
             raise InputError(f"--map {text}: give two fields, such as speed,pitch")
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
-    if pairs and out is None:
+    if pairs and output.out is None:
         raise InputError("--map needs --out: the folder for the figures")
-    with spinner("summing up", quiet):
+    with output.spinner("summing up"):
         found = summed_up(known)
-    if out is not None:
-        figures = not no_figures and have_figures(quiet)
-        with output_folder(out, force=force) as place, spinner("drawing", quiet):
+    if output.out is not None:
+        figures = output.wants_figures()
+        with output.folder() as place, output.spinner("drawing"):
             files = write_summary(found, place, pairs=asked, scatter=scatter, figures=figures)
-            names = [path.name for path in files]
-    print_result(found.as_dict() if as_json else summary_text(found), as_json)
-    if out is not None:
-        note(f"written to {out}: {', '.join(names)}", quiet)
+    output.print(found.as_dict(), summary_text(found))
+    if output.out is not None:
+        output.note_written(files)

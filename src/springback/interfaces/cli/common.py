@@ -1,14 +1,16 @@
-"""What commands share: options, progress, and what they print.
+"""Options, progress and printing that commands share.
 
 Results go to stdout, everything else to stderr.
 """
 
 from __future__ import annotations
 
+import functools
 import json
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -16,96 +18,123 @@ import click
 
 from springback.interfaces.output.plain_text import plain_text
 
-OUT = click.Path(file_okay=True, path_type=Path)
+Command = Callable[..., None]
 FIRST = "flying; the first of a kind is compiled: some 15 s, with a pilot a minute or two"
-"""Said while one waits for a flight."""
+"""Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
 
 
-@contextmanager
-def progress_bar(label: str, quiet: bool) -> Iterator[Callable[[float], None]]:
-    """A progress bar for shares from 0 to 1, on a terminal only, once a second has passed."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    console = Console(stderr=True)
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    bar = Progress(
-        *columns, console=console, transient=True, disable=quiet or not console.is_terminal
-    )
-    task = bar.add_task(label, total=1.0)
-    begun = time.monotonic()
-
-    def show(share: float) -> None:
-        bar.update(task, completed=share)
-        if not bar.live.is_started and time.monotonic() - begun > PATIENCE:
-            bar.start()
-
-    try:
-        yield show
-    finally:
-        bar.stop()
+def say(text: str) -> None:
+    """Print a line on stderr."""
+    click.echo(plain_text(text), err=True)
 
 
-@contextmanager
-def spinner(label: str, quiet: bool) -> Iterator[None]:
-    """A spinner for work that reports no progress, such as compiling."""
-    import threading
+@dataclass(frozen=True)
+class Terminal:
+    """A command's printing, as its options ``--quiet`` and ``--json`` want it."""
 
-    from rich.console import Console
+    quiet: bool = False
+    as_json: bool = False
 
-    console = Console(stderr=True)
-    if quiet or not console.is_terminal:
-        yield
-        return
-    status = console.status(label)
-    timer = threading.Timer(PATIENCE, status.start)
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
-        timer.join()
-        status.stop()
+    def note(self, text: str) -> None:
+        """Print a remark on stderr, unless none are wanted."""
+        if not self.quiet:
+            say(text)
+
+    def print(self, data: Any, text: str | None = None) -> None:
+        """Print a result on stdout: plain data as JSON, or else a text, which may be the data."""
+        if self.as_json:
+            click.echo(json.dumps(data, indent=2, allow_nan=False, default=str))
+        else:
+            click.echo(plain_text(data if text is None else text))
+
+    @contextmanager
+    def progress_bar(self, label: str) -> Iterator[Callable[[float], None]]:
+        """A progress bar for fractions from 0 to 1, on a terminal only, after a second."""
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        console = Console(stderr=True)
+        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+        bar = Progress(
+            *columns, console=console, transient=True,
+            disable=self.quiet or not console.is_terminal,
+        )  # fmt: skip
+        task = bar.add_task(label, total=1.0)
+        begun = time.monotonic()
+
+        def show(share: float) -> None:
+            bar.update(task, completed=share)
+            if not bar.live.is_started and time.monotonic() - begun > PATIENCE:
+                bar.start()
+
+        try:
+            yield show
+        finally:
+            bar.stop()
+
+    @contextmanager
+    def spinner(self, label: str) -> Iterator[None]:
+        """A spinner for work that reports no progress, such as compiling."""
+        import threading
+
+        from rich.console import Console
+
+        console = Console(stderr=True)
+        if self.quiet or not console.is_terminal:
+            yield
+            return
+        status = console.status(label)
+        timer = threading.Timer(PATIENCE, status.start)
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
+            timer.join()
+            status.stop()
 
 
-def note(text: str, quiet: bool) -> None:
-    """Print a remark on stderr, unless none are wanted."""
-    if not quiet:
-        click.echo(plain_text(text), err=True)
+@dataclass(frozen=True)
+class Output(Terminal):
+    """A command's printing, and the folder that ``--out`` names."""
 
+    out: Path | None = None
+    force: bool = False
+    no_figures: bool = False
 
-def have_figures(quiet: bool) -> bool:
-    """Whether figures can be drawn; if not, how to change that is said."""
-    from importlib.util import find_spec
+    def folder(self, replaces: Iterable[str] = ()) -> AbstractContextManager[Path]:
+        """The folder to write into; see `springback.interfaces.output.folders.output_folder`.
 
-    if find_spec("matplotlib") is not None:
-        return True
-    from springback.extras import install_line
+        Raises:
+            InputError: If none was given, or it cannot be written.
+        """
+        from springback.errors import InputError
+        from springback.interfaces.output.folders import output_folder
 
-    note(f"figures are left out, they need matplotlib: {install_line('plot')}", quiet)
-    return False
+        if self.out is None:
+            raise InputError("--out is missing: the folder to write to (or --dry-run)")
+        return output_folder(self.out, force=self.force, replaces=replaces)
 
+    def wants_figures(self) -> bool:
+        """True if figures are wanted and can be drawn; a note says how to install what is missing.
 
-def require_figures() -> None:
-    """Refuse to go on where figures and reports cannot be made.
+        Ask once: the note is printed each time.
+        """
+        from importlib.util import find_spec
 
-    Raises:
-        InputError: With the command that installs what is missing.
-    """
-    from springback.extras import needs
+        if self.no_figures or find_spec("matplotlib") is not None:
+            return not self.no_figures
+        from springback.extras import install_line
 
-    needs("matplotlib", "plot")
-    needs("jinja2", "plot")
+        self.note(f"figures are left out, they need matplotlib: {install_line('plot')}")
+        return False
 
-
-def print_result(data: Any, as_json: bool) -> None:
-    """Print a result on stdout: plain data as JSON, or a text."""
-    if as_json:
-        click.echo(json.dumps(data, indent=2, allow_nan=False, default=str))
-    else:
-        click.echo(plain_text(data))
+    def note_written(self, files: Iterable[Path] = ()) -> None:
+        """Print which files were written where."""
+        names = ", ".join(path.name for path in files)
+        self.note(f"written to {self.out}" + (f": {names}" if names else ""))
 
 
 def as_lines(data: dict[str, Any], indent: str = "") -> str:
@@ -119,6 +148,65 @@ def as_lines(data: dict[str, Any], indent: str = "") -> str:
     return "\n".join(lines)
 
 
-json_option = click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")
-quiet_option = click.option("--quiet", "-q", is_flag=True, help="No progress, no remarks.")
-force_option = click.option("--force", is_flag=True, help="Replace results in the output folder.")
+# -- options --------------------------------------------------------------------------------------
+
+PATH = click.Path(path_type=Path)
+FLAGS = {
+    "no_figures": click.option("--no-figures", is_flag=True, help="Write no figures."),
+    "force": click.option("--force", is_flag=True, help="Replace results that are there."),
+    "as_json": click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
+    "quiet": click.option("--quiet", "-q", is_flag=True, help="No progress, no remarks."),
+}
+"""Options that many commands have, in the order of their help, by the field that they fill."""
+seed_option = click.option(
+    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all random draws."
+)
+
+
+def trials_option(default: int, of: str = "Of each test.") -> Callable[[Command], Command]:
+    """The option ``--trials``."""
+    return click.option(
+        "--trials", type=click.IntRange(1, 1000), default=default, show_default=True, help=of
+    )
+
+
+def terminal_options(*flags: str) -> Callable[[Command], Command]:
+    """A decorator that adds some of `FLAGS`, and hands them over as ``terminal``."""
+    return _gathered(Terminal, "terminal", *(FLAGS[flag] for flag in flags))
+
+
+def output_options(
+    what: str, *flags: str, required: bool = True, default: Path | None = None
+) -> Callable[[Command], Command]:
+    """A decorator that adds ``--out`` and `FLAGS`, and hands them over as ``output``.
+
+    Args:
+        what: Help of ``--out``.
+        flags: Some of `FLAGS`; by default all.
+        required: Whether the command cannot do without ``--out``.
+        default: Of ``--out``.
+    """
+    out = click.option(
+        "--out", type=PATH, required=required and default is None, default=default,
+        show_default=default is not None, help=what,
+    )  # fmt: skip
+    return _gathered(Output, "output", out, *(FLAGS[flag] for flag in flags or FLAGS))
+
+
+def _gathered(
+    kind: type[Terminal], name: str, *options: Callable[[Command], Command]
+) -> Callable[[Command], Command]:
+    own = [field.name for field in fields(kind)]
+
+    def decorate(command: Command) -> Command:
+        @functools.wraps(command)
+        def run(**given: Any) -> None:
+            taken = {key: given.pop(key) for key in own if key in given}
+            command(**given, **{name: kind(**taken)})
+
+        decorated: Command = run
+        for option in reversed(options):
+            decorated = option(decorated)
+        return decorated
+
+    return decorate

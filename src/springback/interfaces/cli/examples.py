@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli.common import OUT, force_option, note, quiet_option
+from springback.interfaces.cli.common import Output, output_options
 
 #: The package, and the checkout that it may be installed from as it stands.
 PACKAGE = Path(__file__).parents[2]
@@ -15,12 +15,8 @@ PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
 
 
 @click.command()
-@click.option(
-    "--out", type=OUT, default=Path("examples"), show_default=True, help="Folder to write them to."
-)
-@force_option
-@quiet_option
-def examples(out: Path, force: bool, quiet: bool) -> None:
+@output_options("Folder to write them to.", "force", "quiet", default=Path("examples"))
+def examples(output: Output) -> None:
     """Write the examples that the documentation refers to into a folder.
 
     \b
@@ -28,13 +24,12 @@ def examples(out: Path, force: bool, quiet: bool) -> None:
     springback fly examples/collision.toml --out collision
     """
     from springback.errors import InputError
-    from springback.interfaces.output.folders import output_folder
 
     source = next((place for place in PLACES if place.is_dir()), None)
     if source is None:
         raise InputError(f"the examples are missing from this installation, in {PLACES[0]}")
     files = sorted(path for path in source.iterdir() if path.suffix in (".toml", ".py"))
-    with output_folder(out, force=force) as folder:
+    with output.folder() as folder:
         for path in files:
             shutil.copy(path, folder)
-    note(f"written to {out}: {', '.join(path.name for path in files)}", quiet)
+    output.note_written(files)

@@ -9,56 +9,38 @@ from typing import Any
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli.common import (
-    OUT,
-    force_option,
-    json_option,
-    note,
-    print_result,
-    progress_bar,
-    quiet_option,
-    require_figures,
-    spinner,
-)
+from springback.interfaces.cli.common import Output, output_options
 from springback.version import __version__
 
 
 @click.command()
 @click.argument("part", type=click.Choice(["all", "slider", "flight", "resilience"]), default="all")
 @click.option(
-    "--out", type=OUT, required=True, help="Folder for report.html, figures, JSON and CSV."
-)
-@click.option(
     "--reading", "readings", multiple=True, metavar="'NAME: KEY=VALUE ...'",
     help="One more reading of the printed parameters: reading B with changes.",
 )  # fmt: skip
-@force_option
-@json_option
-@quiet_option
-def reproduce(
-    part: str, out: Path, readings: tuple[str, ...], force: bool, as_json: bool, quiet: bool
-) -> None:
+@output_options("Folder for report.html, figures, JSON and CSV.", "force", "as_json", "quiet")
+def reproduce(part: str, readings: tuple[str, ...], output: Output) -> None:
     """Reproduce the paper: its numbers beside ours, in a report.
 
     `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
     I, sizes, payload and hover time, and Table IV, steps and circles; `resilience` is collisions in
     flight, seven kinds of ten trials for both robots, and ten collisions in a row.
     """
-    from springback.interfaces.output.folders import output_folder
+    from springback.extras import needs
 
     if readings and part not in ("all", "slider"):
         raise InputError("--reading is for the slider tests; leave it out, or reproduce all")
-    require_figures()
-    with output_folder(out, force=force) as folder:
-        rows = _reproduced(part, readings, folder, quiet)
-    if as_json:
-        print_result([row.as_dict() for row in rows], as_json)
-    elif not quiet:
-        print_result(_table(rows), as_json)
-    note(f"report: {out / 'report.html'}", quiet)
+    needs("matplotlib", "plot")
+    needs("jinja2", "plot")
+    with output.folder() as folder:
+        rows = _reproduced(part, readings, folder, output)
+    if output.as_json or not output.quiet:
+        output.print([row.as_dict() for row in rows], _table(rows))
+    output.note(f"report: {output.out}/report.html")
 
 
-def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool) -> list[Any]:
+def _reproduced(part: str, readings: tuple[str, ...], folder: Path, output: Output) -> list[Any]:
     """Reproduce a part, write the report into a folder, give the compared numbers."""
     from springback.interfaces.reproduction.report import Results, write_report
     from springback.paper.features import feature_rows
@@ -68,19 +50,19 @@ def _reproduced(part: str, readings: tuple[str, ...], folder: Path, quiet: bool)
 
     extra, results = [named_reading(text) for text in readings], Results()
     if part in ("all", "slider"):
-        note("slider tests: Table III and the sweep; the first run compiles for a minute", quiet)
-        with progress_bar("slider tests", quiet) as show:
+        output.note("slider tests: Table III and the sweep; the first run compiles for a minute")
+        with output.progress_bar("slider tests") as show:
             results = replace(results, slider=slider_experiments(extra, show))
     if part in ("all", "flight"):
-        note("free flight: Tables I and IV; the first run compiles for a minute", quiet)
-        with progress_bar("free flight", quiet) as show:
+        output.note("free flight: Tables I and IV; the first run compiles for a minute")
+        with output.progress_bar("free flight") as show:
             flown = flight_experiments(progress=show)
         results = replace(results, features=feature_rows(), flight=flown)
     if part in ("all", "resilience"):
-        note("collisions in flight; the first run compiles for a minute or two", quiet)
-        with progress_bar("collisions in flight", quiet) as show:
+        output.note("collisions in flight; the first run compiles for a minute or two")
+        with output.progress_bar("collisions in flight") as show:
             results = replace(results, resilience=resilience_experiments(progress=show))
-    with spinner("writing the report", quiet):
+    with output.spinner("writing the report"):
         write_report(results, folder, about=_about())
     return results.rows
 

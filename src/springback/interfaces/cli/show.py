@@ -7,20 +7,13 @@ from typing import Any
 
 import click
 
-from springback.interfaces.cli.common import (
-    as_lines,
-    json_option,
-    note,
-    print_result,
-    quiet_option,
-    spinner,
-)
+from springback.interfaces.cli.common import Terminal, as_lines, say, terminal_options
 
 
 @click.command()
 @click.argument("preset", required=False)
-@json_option
-def show(preset: str | None, as_json: bool) -> None:
+@terminal_options("as_json")
+def show(preset: str | None, terminal: Terminal) -> None:
     """Show a vehicle, surface or estimator PRESET, each number with its source; or all presets."""
     from springback.contact.library import SOURCES, SURFACES
     from springback.scenario.scenario import preset as known_preset
@@ -35,10 +28,7 @@ def show(preset: str | None, as_json: bool) -> None:
             for name, entry in SURFACES.items()
         }
         names |= {name: f"estimator, {entry.type}" for name, entry in ESTIMATORS.items()}
-        print_result(
-            names if as_json else "\n".join(f"{name:<12} {text}" for name, text in names.items()),
-            as_json,
-        )
+        terminal.print(names, "\n".join(f"{name:<12} {text}" for name, text in names.items()))
         return
     known = {**VEHICLES, **SURFACES, **ESTIMATORS}
     entry = known_preset("vehicle, surface or estimator", preset, known)
@@ -57,19 +47,18 @@ def show(preset: str | None, as_json: bool) -> None:
         "sources": sources,
         "derived": extra,
     }
-    print_result(data if as_json else as_lines(data), as_json)
+    terminal.print(data, as_lines(data))
 
 
 @click.command()
-@json_option
-@quiet_option
-def doctor(as_json: bool, quiet: bool) -> None:
+@terminal_options("as_json", "quiet")
+def doctor(terminal: Terminal) -> None:
     """Check this installation: versions, extras, compiler, agreement of the executors."""
     from springback.interfaces.cli.diagnosis import diagnosis
 
-    with spinner("compiling and checking", quiet):
+    with terminal.spinner("compiling and checking"):
         found = diagnosis()
-    print_result(found if as_json else as_lines(found), as_json)
+    terminal.print(found, as_lines(found))
     if not found["compiled_equals_python"]:
-        note("compiled flights differ from plain Python: please report this", False)
+        say("compiled flights differ from plain Python: please report this")
         sys.exit(1)

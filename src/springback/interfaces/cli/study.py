@@ -1,24 +1,17 @@
-"""The command `springback study`: questions that the paper leaves open, each a study of its own."""
+"""The commands `springback study why`, `choices`, `friction` and `detection`."""
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import click
 
-from springback.interfaces.cli.ablation import why
-from springback.interfaces.cli.choices import choices, friction
-from springback.interfaces.cli.common import (
-    OUT,
-    force_option,
-    have_figures,
-    json_option,
-    note,
-    print_result,
-    progress_bar,
-    quiet_option,
-)
+from springback.errors import InputError
+from springback.interfaces.cli.common import Output, output_options, seed_option, trials_option
+
+LEAST_DURATION, MOST_DURATION = 4.0, 60.0
+"""[s] of a trial: less than the longest run-up and an impact makes no sense."""
+Rows = list[dict[str, Any]]
 
 
 @click.group()
@@ -26,12 +19,144 @@ def study() -> None:
     """Studies of what the paper leaves open."""
 
 
-for command in (why, choices, friction):
-    study.add_command(command)
+def _durations(text: str) -> tuple[float, ...]:
+    """Durations of a trial, written with commas.
+
+    Raises:
+        InputError: If the text is no list of durations within their range.
+    """
+    found = []
+    for word in text.split(","):
+        try:
+            value = float(word)
+        except ValueError:
+            value = float("nan")
+        if not LEAST_DURATION <= value <= MOST_DURATION:
+            raise InputError(
+                f"--durations: must be numbers from {LEAST_DURATION:g} to {MOST_DURATION:g} s with "
+                f"commas between them, such as 9,11,14 (got {word.strip()!r})"
+            )
+        found.append(value)
+    return tuple(dict.fromkeys(found))
 
 
 @study.command()
-@click.option("--out", type=OUT, required=True, help="Folder for detection.json, CSV, figures.")
+@trials_option(10)
+@seed_option
+@click.option("--no-ranges", is_flag=True, help="Only the ablation and its pairs.")
+@output_options("Folder for why.json, why.csv, figures.")
+def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
+    """Switch one thing at a time, then two, and see which robot still survives which test.
+
+    Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; pairs of
+    changes at 3.5 m/s; then, along numbers that the paper does not print, over which range the
+    printed result holds.
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.studies.ablation import RANGES, why_sentences
+    from springback.studies.ablation import why as explained
+    from springback.studies.ablation_pairs import fly_pairs, pair_sentences
+
+    figures = output.wants_figures()
+    with output.folder() as folder:
+        output.note("some variants are of a kind of their own; the first run compiles for minutes")
+        with output.progress_bar("what if") as show:
+            ranges = () if no_ranges else RANGES
+            results = explained(trials, ranges=ranges, seed=seed, progress=show)
+        with output.progress_bar("two at a time") as show:
+            pairs = fly_pairs(trials, seed=seed, progress=show)
+        rows = [cell.as_dict() for cell in (*results.cells, *results.ranges)]
+        paired = [pair._asdict() for pair in pairs.pairs]
+        said = why_sentences(results, pair_sentences(pairs))
+        parts = ["ablation"] * len(results.cells) + ["range"] * len(results.ranges)
+        cells = [{**row, "part": part} for row, part in zip(rows, parts, strict=True)]
+        drawn = {}
+        if figures:
+            from springback.interfaces.figures import ablation as plots
+
+            drawn = {"pairs": plots.pairs_figure(pairs), "ablation": plots.ablation_figure(results)}
+            drawn |= {"ranges": plots.ranges_figure(results)} if results.ranges else {}
+        data = {"cells": cells, "pairs": paired, "sentences": said}
+        write_study(folder, "why", data, {"why": cells}, drawn)
+    output.print(rows + paired, "\n".join(said))
+    output.note_written()
+
+
+@study.command()
+@trials_option(100, "Of each condition.")
+@click.option(
+    "--durations", default="9,11,14", show_default=True, metavar="S,S,...",
+    help="How long a trial lasts [s].",
+)  # fmt: skip
+@seed_option
+@output_options("Folder for choices.json, CSV, figures.")
+def choices(trials: int, durations: str, seed: int, output: Output) -> None:
+    """The resilience table under each set of choices that the paper leaves open.
+
+    Friction along e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
+    assumes, and the time of a trial: which set gives most of the printed table?
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.paper.choices import choices_data, choices_sentences, fly_choices
+    from springback.studies.clipping import clipping_losses
+
+    times, figures = _durations(durations), output.wants_figures()
+    with output.folder() as folder:
+        output.note("thousands of flights; minutes, and more where kernels are to be compiled")
+        with output.progress_bar("sets of choices") as show:
+            results = fly_choices(trials, durations=times, seed=seed, progress=show)
+        with output.progress_bar("velocity hidden by clipping") as show:
+            hidden = clipping_losses(progress=show)
+        data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
+        said = choices_sentences(results)
+        drawn = {}
+        if figures:
+            from springback.interfaces.figures.friction import clipping_figure
+            from springback.interfaces.reproduction.figures.choices import choices_figure
+
+            drawn = {"choices": choices_figure(results), "hidden": clipping_figure(hidden)}
+        tables = {name: data[name] for name in ("agreement", "hidden")}
+        tables["choices"] = data["cells"]
+        write_study(folder, "choices", data | {"sentences": said}, tables, drawn)
+    output.print(data, "\n".join(said))
+    output.note_written()
+
+
+@study.command()
+@trials_option(40, "Of each straight test in flight.")
+@click.option(
+    "--speed", type=click.FloatRange(0.2, 10.0), default=2.0, show_default=True,
+    help="Of the impacts over yaw and coefficient [m/s].",
+)  # fmt: skip
+@seed_option
+@output_options("Folder for friction.json, CSV, figure.")
+def friction(trials: int, speed: float, seed: int, output: Output) -> None:
+    """Which friction: what it leaves of the springs, over its axes, coefficient and the yaw.
+
+    Friction along both tangents holds the two front cages, and arms at 45 degrees give way only
+    where their cages slide.
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.studies.friction import friction_sentences, friction_study
+
+    figures = output.wants_figures()
+    with output.folder() as folder:
+        with output.progress_bar("impacts and trials") as show:
+            results = friction_study(trials, speed=speed, seed=seed, progress=show)
+        impacts, flown = ([x.as_dict() for x in some] for some in (results.impacts, results.flown))
+        said = friction_sentences(results)
+        data = {"impacts": impacts, "flown": flown, "sentences": said}
+        drawn = {}
+        if figures:
+            from springback.interfaces.figures.friction import friction_figure
+
+            drawn = {"stroke": friction_figure(results)}
+        write_study(folder, "friction", data, {"friction": impacts, "flown": flown}, drawn)
+    output.print(data, "\n".join(said))
+    output.note_written()
+
+
+@study.command()
 @click.option(
     "--flights", type=click.IntRange(1, 1000), default=4, show_default=True, help="Of each test."
 )
@@ -39,53 +164,31 @@ for command in (why, choices, friction):
     "--free", type=click.FloatRange(50.0, 1e5), default=1000.0, show_default=True,
     help="Seconds of free flight of each robot.",
 )  # fmt: skip
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all noise.")
-@click.option("--no-figures", is_flag=True, help="Write no figures.")
-@force_option
-@json_option
-@quiet_option
-def detection(
-    out: Path,
-    flights: int,
-    free: float,
-    seed: int,
-    no_figures: bool,
-    force: bool,
-    as_json: bool,
-    quiet: bool,
-) -> None:
+@seed_option
+@output_options("Folder for detection.json, CSV, figures.")
+def detection(flights: int, free: float, seed: int, output: Output) -> None:
     """How soon and how surely a collision is noticed, and how well it is made out.
 
     Delays, misses and false alarms of every trigger, over thresholds and speeds; errors of
     direction, place and arms against the truth.
     """
-    from springback.interfaces.output.folders import output_folder
+    from springback.interfaces.reports.study_files import write_study
     from springback.studies.detection import detection_study
-    from springback.studies.detection_tables import detection_data
+    from springback.studies.detection_tables import detection_data, detection_rows
 
-    figures = not no_figures and have_figures(quiet)
-    with output_folder(out, force=force) as folder:
-        note("hundreds of flights; the first run compiles for minutes", quiet)
-        with progress_bar("collisions and free flight", quiet) as show:
+    figures = output.wants_figures()
+    with output.folder() as folder:
+        output.note("hundreds of flights; the first run compiles for minutes")
+        with output.progress_bar("collisions and free flight") as show:
             results = detection_study(flights, free=free, seed=seed, progress=show)
-        data = detection_data(results)
-        _written(results, data, folder, figures)
-    print_result(data if as_json else "\n".join(data["sentences"]), as_json)
-    note(f"written to {out}", quiet)
+        data, drawn = detection_data(results), {}
+        if figures:
+            from springback.interfaces.figures import detection as plots
 
-
-def _written(results: Any, data: dict[str, Any], folder: Path, figures: bool) -> None:
-    from springback.files import write_csv, write_json
-    from springback.studies import detection_tables as tables
-
-    write_json(folder / "detection.json", data)
-    write_csv(folder / "roc.csv", tables.roc_rows(results))
-    write_csv(folder / "delays.csv", tables.delay_rows(results))
-    write_csv(folder / "characterisation.csv", tables.characterisation_rows(results))
-    if figures:
-        from springback.interfaces.figures import detection as plots
-        from springback.interfaces.figures.style import save
-
-        save(plots.roc_figure(results), folder / "roc", numbers=False)
-        save(plots.delay_figure(results), folder / "delay")
-        save(plots.direction_figure(results), folder / "direction")
+            drawn = {
+                "roc": plots.roc_figure(results), "delay": plots.delay_figure(results),
+                "direction": plots.direction_figure(results),
+            }  # fmt: skip
+        write_study(folder, "detection", data, detection_rows(results), drawn)
+    output.print(data, "\n".join(data["sentences"]))
+    output.note_written()

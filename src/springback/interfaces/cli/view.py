@@ -6,16 +6,14 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli.common import note, quiet_option, spinner
+from springback.interfaces.cli.common import FIRST, PATH, Terminal, terminal_options
 
 
 @click.command()
-@click.argument(
-    "results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=click.Path(path_type=Path)
-)
+@click.argument("results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=PATH)
 @click.option("--twin", is_flag=True, help="Fly a SCENARIO's rigid or compliant twin beside it.")
 @click.option(
-    "--export", "export", metavar="FILE.html", type=click.Path(path_type=Path),
+    "--export", metavar="FILE.html", type=PATH,
     help="Write one page that needs no network, and serve nothing.",
 )  # fmt: skip
 @click.option("--port", type=int, default=0, show_default=True, help="0 takes a free one.")
@@ -25,7 +23,7 @@ from springback.interfaces.cli.common import note, quiet_option, spinner
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")
-@quiet_option
+@terminal_options("quiet")
 def view(
     results: tuple[Path, ...],
     twin: bool,
@@ -34,7 +32,7 @@ def view(
     host: str,
     no_browser: bool,
     force: bool,
-    quiet: bool,
+    terminal: Terminal,
 ) -> None:
     """Replay a flight in the browser, or two beside one another.
 
@@ -51,14 +49,12 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with spinner(
-        "reading; the first flight of a kind is compiled: some 15 s, with a pilot a minute or two",
-        quiet,
-    ):
+    with terminal.spinner(f"reading and {FIRST}"):
         page = replay_of(flights_of(results, twin=twin), results)
     if export is not None:
         export_page(page, export, force=force)
-        note(f"written: {export} ({len(page.text) / 1e6:.1f} MB); open it in any browser", quiet)
+        size = len(page.text) / 1e6
+        terminal.note(f"written: {export} ({size:.1f} MB); open it in any browser")
         return
     from springback.interfaces.web.server import serve
 

@@ -12,8 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
-from springback.interfaces.figures.chart import Chart
-from springback.interfaces.figures.envelope import SCALE
+from springback.interfaces.figures.chart import Chart, add_share_bar, draw_shares
 from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
@@ -157,25 +156,17 @@ def field_map_figure(found: FieldMap) -> Figure:
     axes = figure.subplots(1, len(robots), sharex=True, sharey=True, squeeze=False)[0]
     image: Any = None
     for panel, look in zip(axes, robot_styles(robots).items(), strict=True):
-        shares = np.ma.masked_invalid(found.shares(look[0]))
-        image = panel.pcolormesh(
-            _edges(found.x), _edges(found.y), shares, cmap=SCALE, vmin=0.0, vmax=1.0,
-            edgecolors="white", linewidth=0.4,
-        )  # fmt: skip
+        shares = found.shares(look[0])
+        image = draw_shares(panel, _edges(found.x), _edges(found.y), shares)
         panel.set_facecolor(SHADE)
-        panel.grid(visible=False)
         panel.set_xlabel(label(found.x))
         chart = Chart(panel, label(found.x), label(found.y), look[1].label)
         x, y = np.meshgrid(_middles(found.x), _middles(found.y))
-        chart.record(
-            "", {chart.x: x.ravel(), chart.y: y.ravel(), SHARE: shares.filled(np.nan).ravel()}
-        )
+        chart.record("", {chart.x: x.ravel(), chart.y: y.ravel(), SHARE: shares.ravel()})
         _map_ticks(panel.xaxis, found.x)
         _map_ticks(panel.yaxis, found.y)
     axes[0].set_ylabel(label(found.y))
-    bar = figure.colorbar(image, ax=axes, shrink=0.95, pad=0.02, aspect=26)
-    bar.set_label(SHARE)
-    bar.ax.grid(visible=False)
+    add_share_bar(figure, image, axes, SHARE, shrink=0.95, aspect=26)
     return figure
 
 

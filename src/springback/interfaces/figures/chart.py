@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+from matplotlib.figure import Figure
 
 from springback.interfaces.figures.style import StyledFigure, escape
 from springback.interfaces.output.robots import GREY, INK, SHADE
@@ -25,6 +26,37 @@ AREA: dict[str, Any] = {"color": SHADE, "lw": 0.0, "zorder": 0.1}
 SHADES = ListedColormap(np.linspace((0.55, 0.16, 0.05), (0.97, 0.97, 0.97), 11).tolist())
 Columns = Mapping[str, Any]
 """Values by column name: an array, or one value for all rows."""
+
+
+#: From failure to success, dark to light, so that the order is visible in black and white.
+SCALE = LinearSegmentedColormap.from_list("success", ["#3B1F4F", "#33638D", "#6FB7C4", "#F4F7E8"])
+
+
+def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
+    """Colour cells by shares from 0 to 1.
+
+    Args:
+        ax: To draw on.
+        x: Bounds of the cells.
+        y: The same.
+        shares: Rows by columns; NaN where there is none.
+
+    Returns:
+        The mesh, for `add_share_bar`.
+    """
+    ax.grid(visible=False)
+    return ax.pcolormesh(
+        x, y, np.ma.masked_invalid(shares), cmap=SCALE, vmin=0.0, vmax=1.0,
+        edgecolors="white", linewidth=0.4,
+    )  # fmt: skip
+
+
+def add_share_bar(figure: Figure, mesh: Any, axes: Any, label: str, **look: Any) -> Axes:
+    """Add the scale of `draw_shares` beside some axes; its axes."""
+    bar = figure.colorbar(mesh, ax=axes, pad=0.02, **look)
+    bar.set_label(label)
+    bar.ax.grid(visible=False)
+    return bar.ax
 
 
 class Chart:

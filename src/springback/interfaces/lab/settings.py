@@ -190,7 +190,7 @@ def controls() -> list[dict[str, Any]]:
     found = []
     for name, field in FIELDS.items():
         control = control_of(name)
-        kind = "knob" if isinstance(control, SliderControl) else "choice"
+        kind = "slider" if isinstance(control, SliderControl) else "choice"
         data = {"name": name, "kind": kind, "default": field.default} | vars(control)
         data["when"] = dict(control.when)
         if isinstance(control, SliderControl):

@@ -255,13 +255,13 @@ def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
 
 def plain(scene: Scene) -> dict[str, Any]:
     """Scene as plain data for JSON, in the format of the module's docstring."""
-    told = {field.name: _plain(getattr(scene, field.name)) for field in fields(scene)}
-    told["t"] = _pack(scene.t, "f8")
+    data = {field.name: _plain(getattr(scene, field.name)) for field in fields(scene)}
+    data["t"] = _pack(scene.t, "f8")
     at = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
     for name in ("force", "point"):
         rows = getattr(scene, name)[at]
-        told[name] = {"at": _pack(at, "i4"), "of": _pack(rows, "f4")}
-    return told
+        data[name] = {"at": _pack(at, "i4"), "of": _pack(rows, "f4")}
+    return data
 
 
 def _plain(value: Any) -> Any:

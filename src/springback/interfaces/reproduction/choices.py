@@ -70,5 +70,4 @@ def map_content(results: ResilienceResults) -> Content:
     if envelope is None:
         return {}
     figure = plots_map.map_figure(envelope, printed_success)
-    figure.table += envelope.rows()
     return {"theirs": EKF2, "trials": envelope.trials, "map": figure}

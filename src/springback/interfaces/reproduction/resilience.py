@@ -33,23 +33,22 @@ from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
 from springback.paper.resilience import (
-    CONFIDENCE,
     FAR,
     FASTEST,
     REPEATED,
     ROBOTS,
     SLOWEST,
     ResilienceResults,
-    Tally,
     command_extremes,
     motion,
     rate_mark,
-    wilson,
 )
 from springback.recovery.parameters import Settling
 from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark, Row
-from springback.studies.trials import Trial
+from springback.studies.proportions import CONFIDENCE, wilson
+from springback.studies.trials import Tally, Trial
 from springback.vehicle.library import VEHICLES
 
 WORDS = Wording.of("resilience")
@@ -152,7 +151,7 @@ def _answer(results: ResilienceResults) -> Content:
     gentle = [pitch for (_, pitch, _), word in SUCCESS_WORDS.items() if word == "fairly good"]
     ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
     return {
-        "conditions": len({t[1:3] for t in tallies}), "trials": results.trials,
+        "conditions": len({t.condition[1:] for t in tallies}), "trials": results.trials,
         "fast": FASTEST[1], "verdict": _verdict(tallies, results.ekf2_conditions()),
         "confidence": 100 * CONFIDENCE, "slow": SLOW[1], "steep": signed_angle(STEEPEST),
         "good": SUCCESS_WORDS["quad", *SLOW], "drops": SUCCESS_WORDS["quad", STEEPEST, SLOW[1]],
@@ -175,8 +174,8 @@ def _verdict(
         printed=_share(SUCCESS["arq", *FASTEST]),
     ) if arq else ""  # fmt: skip
     for tally in tallies:
-        if tally[:3] == ("quad", *FASTEST):
-            right = rate_mark(tally.rate, SUCCESS[tally[:3]]) is Mark.PREDICTED
+        if tally.condition == ("quad", *FASTEST):
+            right = rate_mark(tally.share, SUCCESS[tally.condition]) is Mark.PREDICTED
             words += " " + WORDS.say(
                 "verdict_quad_agrees" if right else "verdict_quad_against",
                 fast=FASTEST[1], successes=tally.successes, all=tally.trials,
@@ -192,7 +191,7 @@ def _verdict(
 
 
 def _success(tallies: Sequence[Tally]) -> list[Sequence[Entry]]:
-    found = {tally[:3]: tally for tally in tallies}
+    found = {tally.condition: tally for tally in tallies}
     lines: list[Sequence[Entry]] = []
     for test in ORDER:
         cells: list[Entry] = []
@@ -210,11 +209,11 @@ def _success(tallies: Sequence[Tally]) -> list[Sequence[Entry]]:
 def _tally(tally: Tally | None, printed: float | None) -> TableCell | None:
     if tally is None:
         return None
-    share = _share(tally.rate)
+    share, (low, high) = _share(tally.share), tally.interval
     text = WORDS.say("share", share=share, successes=tally.successes, trials=tally.trials)
-    interval = WORDS.say("interval", low=100 * tally.low, high=100 * tally.high)
-    mark = None if printed is None else rate_mark(tally.rate, printed)
-    return TableCell(text, tally.rate, interval, mark)
+    interval = WORDS.say("interval", low=100 * low, high=100 * high)
+    mark = None if printed is None else rate_mark(tally.share, printed)
+    return TableCell(text, tally.share, interval, mark)
 
 
 # -- the recovery ---------------------------------------------------------------------------------
@@ -370,10 +369,7 @@ def _scatter(results: ResilienceResults) -> list[Sequence[Entry]]:
 def resilience_data(results: ResilienceResults) -> dict[str, Any]:
     """Counts, every trial and the repeated tests, as plain data."""
     found: dict[str, Any] = {
-        "success": [
-            {**tally._asdict(), "rate": tally.rate, "printed": SUCCESS.get(tally[:3])}
-            for tally in results.tallies()
-        ],
+        "success": [_tally_data(tally) for tally in results.tallies()],
         "trials": [trial.as_dict() for trial in [*results.flown, *results.slower]],
         "units": {name: unit for name, (unit, _) in RECOVERY_MEASURES.items()},
         "repeated": [repeat.as_dict() for repeat in results.repeats],
@@ -384,6 +380,17 @@ def resilience_data(results: ResilienceResults) -> dict[str, Any]:
     if results.envelope is not None:
         found["map"] = results.envelope.as_dict()
     return {"resilience": found}
+
+
+def _tally_data(tally: Tally) -> dict[str, Any]:
+    low, high = tally.interval
+    ends = {Outcome[word.upper()]: count for word, count in tally.outcomes.items()}
+    return {
+        "robot": tally.robot, "pitch": tally.pitch, "speed": tally.speed,
+        "successes": tally.successes, "trials": tally.trials, "low": low, "high": high,
+        "failures": {e.value: n for e, n in ends.items() if e is not Outcome.RECOVERED},
+        "rate": tally.share, "printed": SUCCESS.get(tally.condition),
+    }  # fmt: skip
 
 
 def resilience_tables(results: ResilienceResults) -> dict[str, list[dict[str, Any]]]:

@@ -89,7 +89,7 @@ def success_figure(results: ResilienceResults) -> Figure:
     for robot, shift in zip(FLOWN, (-0.14, 0.14), strict=True):
         look = ROBOTS[robot]
         found = {ORDER.index((t.pitch, t.speed)): t for t in results.tallies() if t.robot == robot}
-        rates = 100.0 * np.array([(t.rate, t.low, t.high) for t in found.values()]).reshape(-1, 3).T
+        rates = 100.0 * np.array([(t.share, *t.interval) for t in found.values()]).reshape(-1, 3).T
         chart.errorbars(
             f"{look.label}, ours", np.array(list(found)) + shift, *rates, fmt=look.marker, ms=5,
             columns={chart.x: [names[k] for k in found]}, lw=1.3, capsize=2.5, color=look.colour,

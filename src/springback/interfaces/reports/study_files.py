@@ -1,0 +1,43 @@
+"""The files of a study: its numbers as JSON and CSV, and its figures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from springback.files import write_csv, write_json
+
+if TYPE_CHECKING:
+    from springback.interfaces.figures.style import StyledFigure
+
+
+def write_study(
+    folder: Path,
+    name: str,
+    data: Mapping[str, Any],
+    tables: Mapping[str, Sequence[Mapping[str, Any]]],
+    figures: Mapping[str, StyledFigure],
+) -> list[Path]:
+    """Write a JSON file, CSV files, and figures as PNG and PDF.
+
+    Args:
+        folder: To write into.
+        name: Of the JSON file, without suffix.
+        data: For it.
+        tables: Rows of each CSV file, by name.
+        figures: By name; a figure with no table of its name gets a CSV file of its numbers, too.
+
+    Returns:
+        The files written.
+    """
+    written = [folder / f"{stem}.{kind}" for stem, kind in
+               ((name, "json"), *((stem, "csv") for stem in tables))]  # fmt: skip
+    write_json(written[0], data)
+    for path, rows in zip(written[1:], tables.values(), strict=True):
+        write_csv(path, rows)
+    for stem, figure in figures.items():
+        from springback.interfaces.figures.style import save
+
+        written += save(figure, folder / stem, numbers=stem not in tables)
+    return written
