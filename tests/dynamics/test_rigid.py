@@ -134,8 +134,7 @@ def test_stiff_arms_approach_the_rigid_robot() -> None:
         r = flown.record
         end = np.array(flown.motion.state.velocity)
         hit, hardest = r.first_impact, r.peaks.acceleration
-
-    return np.array([hit.separation_speed, hardest / 100.0, hit.travel * 100.0, *end])
+        return np.array([hit.separation_speed, hardest / 100.0, hit.travel * 100.0, *end])
 
     rigid_measures = measures(models.compliant_craft(slides=False))
     errors = []

@@ -139,7 +139,7 @@ def test_steps_follow_every_rate(rate: str, share: float) -> None:
     slow = record_after(
         model, motion, view._replace(**{rate: 0.5 * share / model.timing.free_step}), m
     )
-    assert slow.step == model.timing.free_step
+    assert slow.stepping.step == model.timing.free_step
     endless = record_after(model, motion, view._replace(**{rate: 1e12}), m).stepping.step
     assert endless == pytest.approx(rules.SHORTEST * model.timing.impact_step)
 
