@@ -1,4 +1,4 @@
-"""Progress of long work: functions called with the fraction done, from 0 to 1."""
+"""Progress of long tasks: functions called with the fraction done, from 0 to 1."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ def silent(share: float) -> None:
 
 
 def stage(progress: Progress, begin: float, size: float) -> Progress:
-    """Progress of a part of the work.
+    """Progress function of a part of a task.
 
     Args:
-        progress: Of the whole.
+        progress: Progress function of the whole.
         begin: Fraction of the whole at which the part begins.
         size: Fraction of the whole that it is.
     """

@@ -183,7 +183,7 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         (("speed=1:2:2", "speed=1:2:2"), "speed: is varied by entry 1 already"),
         (("speed=1:2:2", "reference.speed=1:2:2"), "speed: is varied by entry 1 already"),
         (("recovery.runs=1:2:3",), "not whole"),
-        (("recovery.response.way=0:1:2",), "no single number"),
+        (("recovery.response.way=0:1:2",), "not a single number"),
         (("seed=0:1:2",), "--seed"),
         (("vehicle=0:1:2",), "--robot"),
         (("air.wind.3=0:1:2",), "no entry 3"),

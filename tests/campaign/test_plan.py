@@ -274,7 +274,7 @@ def test_a_plan_file_names_its_scenario_and_takes_overrides(tmp_path: Path) -> N
         ({"robots": ["arq", "arq"]}, "robots: names one twice"),
         ({"vary": [SPEED, PITCH, SPEED]}, r"vary\[2\].field: is varied by entry 1 already"),
         ({"vary": [SPEED, PITCH | {"name": "speed"}]}, r"vary\[1\].name: 'speed' .*entry 1"),
-        ({"vary": [SPEED | {"name": "Outcome"}]}, r"vary\[0\].name: 'Outcome' .*of its own"),
+        ({"vary": [SPEED | {"name": "Outcome"}]}, r"vary\[0\].name: 'Outcome' .*is reserved"),
         ({"vary": [SURFACE | {"values": ["wal"]}]}, r"vary\[0\].values: surface = wal: .*unknown"),
         ({"vary": [SURFACE | {"values": ["mat", "mat"]}]}, r"vary\[0\].values: has one twice"),
         ({"vary": [{"field": "seed", "values": [1, 2]}]}, "cannot be varied"),

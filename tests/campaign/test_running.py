@@ -200,7 +200,7 @@ def serve_another_source(*given: Any) -> None:
 
 def test_a_worker_of_another_source_stops_the_campaign(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "SERVED", serve_another_source)
-    with pytest.raises(CampaignError, match="source was changed while it was flying"):
+    with pytest.raises(CampaignError, match="source was changed during the flights"):
         list(fly_locally(plan().canonical(), [(0, 2)], 1, print))
 
 

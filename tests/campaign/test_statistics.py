@@ -173,7 +173,7 @@ def test_a_summary_says_why_flights_were_refused(campaign: Campaign) -> None:
 
 def test_captions_call_fields_by_words() -> None:
     said = words_of_map("wall_angle", "start.position[2]")
-    assert said == "Share of flights that succeed over wall angle and start.position[2]."
+    assert said == "Success rate over wall angle and start.position[2]."
 
 
 @pytest.mark.parametrize(

@@ -64,7 +64,7 @@ def test_a_torn_last_line_of_the_ledger_does_not_count(tmp_path: Path, cut: int)
     assert [part.first for part in manifest.read(path)] == [0, 10]
     with open_store(tmp_path, design, resume=True) as again:
         [said] = again.checked_parts()
-        assert "part-0000000020.parquet is not in the ledger" in said
+        assert "part-0000000020.parquet is not in the manifest" in said
         assert again.missing(100) == [(20, 60)]
         again.add(20, 40, rows(design, 20, 40))
     assert [(part.first, part.last) for part in manifest.read(path)] == [
@@ -177,7 +177,7 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=told), open_store(tmp_path, other, resume=resume):
             pass
 
-    refused(False, "holds a campaign with 30 flights; go on with it by --resume")
+    refused(False, "contains a campaign with 30 flights; continue it with --resume")
     refused(True, "its seed is 3, not 4", seed=4)
     refused(True, "its plan differs in repeats, samples", samples=31, repeats=2)
     rewrite(tmp_path, versions={"springback": "0.0.9"})
@@ -205,9 +205,9 @@ def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Pa
             pass
 
     rewrite(tmp_path, versions={"source": "0123456789abcdef"})
-    refused(r"source is another \([0-9a-f]{16}\) than it was begun with \(0123456789abcdef\)")
+    refused(r"source \([0-9a-f]{16}\) differs from that at its start \(0123456789abcdef\)")
     rewrite(tmp_path, versions={"source": store.source()}, scenarios_sha256="0")
-    refused("a preset or a default that its plan names has other numbers now")
+    refused("a preset or a default that its plan uses has changed")
 
 
 def test_every_part_says_which_source_and_numbers_flew(tmp_path: Path) -> None:
@@ -227,7 +227,7 @@ def test_a_folder_with_other_things_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     design = lay_out(plan())
     with (
-        pytest.raises(InputError, match="holds no campaign"),
+        pytest.raises(InputError, match="has no campaign"),
         open_store(tmp_path, design, resume=True),
     ):
         pass

@@ -167,7 +167,7 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
         lambda: Campaign(tmp_path / "d"),
         lambda: open_store(tmp_path / "d", design, resume=True).__enter__(),
     ):
-        with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a ledger"):
+        with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a manifest"):
             ask()
     assert (tmp_path / "thesis.txt").read_text() == "years of work"
 
@@ -182,7 +182,7 @@ def test_a_ledgers_numbers_are_numbers(tmp_path: Path, first: Any, last: Any) ->
     }
     with (tmp_path / manifest.NAME).open("a") as file:
         file.write(json.dumps(with_digest(data)) + "\n")
-    with pytest.raises(InputError, match=r":4: is not a line of a ledger"):
+    with pytest.raises(InputError, match=r":4: is not a line of a manifest"):
         Campaign(tmp_path)
 
 

@@ -1,1 +1,1 @@
-"""Campaigns: many flights by a plan, kept in a folder, resumed and queried."""
+"""Campaigns: many flights by a plan, stored in a folder, resumed and queried."""

@@ -1,4 +1,4 @@
-"""Asking a campaign: rows by SQL, and any of its flights flown again."""
+"""Access to a campaign: SQL queries, and repetition of single flights."""
 
 from __future__ import annotations
 
@@ -43,37 +43,37 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
-#: Rows of an answer that are taken at once (chosen).
+#: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
 
 class Answer(NamedTuple):
-    """What a query found."""
+    """Result of a query."""
 
     columns: list[str]
     rows: list[tuple[Any, ...]]
 
     def as_dicts(self) -> list[dict[str, Any]]:
-        """Rows by name of column."""
+        """Rows as dictionaries by column name."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
 
 class Reflown(NamedTuple):
-    """A flight of a campaign, flown again alone with its trajectory."""
+    """A flight of a campaign, repeated alone with its trajectory."""
 
     flight: Flight
     differences: tuple[str, ...]
-    """Columns that are not what the row says, bit for bit; none if it is the same flight."""
+    """Columns that differ from the row in any bit; empty if the flight is identical."""
 
 
 class Campaign:
-    """A campaign in a folder, finished or not."""
+    """A campaign in a folder, complete or not."""
 
     def __init__(self, folder: str | Path) -> None:
-        """Of a folder that a campaign was flown into; every byte of its parts is checked.
+        """Open the folder of a campaign and verify every byte of its parts.
 
         Raises:
-            InputError: If there is none, or parts of it are missing or damaged.
+            InputError: If there is no campaign, or parts of it are missing or damaged.
         """
         self.folder = Path(folder)
         self.about = about(self.folder)
@@ -87,28 +87,28 @@ class Campaign:
         for part in manifest.damaged_parts(self.parts, self.folder):
             path = self.folder / part.file
             raise InputError(
-                f"{path}: is {'damaged' if path.is_file() else 'missing'}; go on with the "
-                "campaign by --resume to fly it again"
+                f"{path}: is {'damaged' if path.is_file() else 'missing'}; "
+                "continue the campaign with --resume to fly it again"
             )
 
     @functools.cached_property
     def design(self) -> Design:
-        """What was flown."""
+        """Design of the campaign."""
         return lay_out(stored_plan(self.folder), tried=False)
 
     @property
     def done(self) -> int:
-        """Number of flights that are there."""
+        """Number of stored flights."""
         return manifest.flight_count(self.parts)
 
     @property
     def complete(self) -> bool:
-        """Whether all are."""
+        """True if all flights are stored."""
         return self.done == int(self.about["flights"])
 
     @property
     def units(self) -> dict[str, str]:
-        """Of all columns, SI."""
+        """SI units of all columns."""
         known = {name: unit for name, (unit, _) in known_columns().items()}
         return known | dict(self.about["units"])
 
@@ -119,7 +119,7 @@ class Campaign:
         found: Callable[[Any], T],
         writes: Sequence[Path] = (),
     ) -> T:
-        """What is found in the answer to a question to all rows, the view ``flights``."""
+        """Result of ``found`` for the answer to a query of all rows, the view ``flights``."""
         files = [(self.folder / part.file).absolute() for part in self.parts]
 
         def ask(connection: Any) -> T:
@@ -135,31 +135,31 @@ class Campaign:
         return in_database(ask, sandbox([*files, *writes]))
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
-        """Ask in SQL; the table is ``flights``.
+        """Result of an SQL query of the table ``flights``.
 
-        All rows of the answer are kept; `stream` keeps few.
+        All rows are held in memory; `stream` holds few.
 
         Args:
             sql: One SELECT.
-            parameters: For its question marks.
+            parameters: Values of its question marks.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it is not a valid SELECT.
         """
         return self._asked(one_select(sql), parameters, _answer)
 
     def stream(self, sql: str, taken: Callable[[list[str], Iterator[list[Any]]], T]) -> T:
-        """Ask in SQL, and take the answer in stretches, however long it is.
+        """Query in SQL, and process the answer in blocks of rows.
 
         Args:
             sql: One SELECT.
-            taken: Given names of columns, and stretches of rows, at most `STRETCH` long.
+            taken: Called with the column names and an iterator of blocks of at most `STRETCH` rows.
 
         Returns:
-            What ``taken`` returns.
+            The result of ``taken``.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it is not a valid SELECT.
         """
 
         def take(found: Any) -> T:
@@ -169,12 +169,12 @@ class Campaign:
         return self._asked(one_select(sql), (), take)
 
     def count(self, sql: str) -> int:
-        """Number of rows of an answer."""
+        """Number of rows of a result."""
         counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
         return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
-        """What a query finds, as arrays of floats by column; NaN for what is not there."""
+        """Result of a query as arrays of floats by column; NaN for missing values."""
         select = one_select(sql)
         found = self._asked(select, parameters, lambda found: found.fetchnumpy())
         return {
@@ -183,14 +183,14 @@ class Campaign:
         }
 
     def save(self, sql: str, path: Path) -> int:
-        """Write what a query finds as Parquet, whole or not at all; gives the number of rows.
+        """Write the result of a query as Parquet, completely or not at all; returns its row count.
 
         Args:
             sql: One SELECT.
-            path: Of the file.
+            path: Path of the file.
 
         Raises:
-            InputError: If it cannot be understood, or is something else.
+            InputError: If it is not a valid SELECT.
             OSError: If the file cannot be written.
         """
         select = one_select(sql)
@@ -213,28 +213,28 @@ class Campaign:
         return frame
 
     def row(self, number: int) -> dict[str, Any]:
-        """The row of a flight.
+        """Row of a flight.
 
         Raises:
-            InputError: If it is not there.
+            InputError: If the flight does not exist or has not been flown.
         """
         flights = self.about["flights"]
         if not 0 <= number < flights:
             raise InputError(f"flight {number}: must be from 0 to {flights - 1}")
         found = self.query("SELECT * FROM flights WHERE flight = ?", [number]).as_dicts()
         if not found:
-            raise InputError(f"flight {number}: is not flown yet; go on by --resume")
+            raise InputError(f"flight {number}: has not been flown yet; continue with --resume")
         return found[0]
 
     def refly(self, number: int, *, trajectory: bool = True) -> Reflown:
-        """Fly one flight again, alone, and compare it with its row.
+        """Repeat one flight alone, and compare it with its row.
 
         Args:
-            number: Of the flight.
+            number: Number of the flight.
             trajectory: Keep the trajectory.
 
         Raises:
-            InputError: If it is not there, or could not be flown in the first place.
+            InputError: If it has not been flown, or could not be flown.
         """
         row = self.row(number)
         if row["outcome"] == "refused":
@@ -252,7 +252,7 @@ class Campaign:
         return Reflown(flight, tuple(different))
 
     def keep(self, remark: Callable[[str], None]) -> None:
-        """Keep the trajectories that the plan asks for, the first so many it holds for."""
+        """Store the trajectories that the plan selects, of the first flights with its condition."""
         wanted = self.design.plan.keep
         if wanted is None:
             return
@@ -265,7 +265,7 @@ class Campaign:
                 summary.parent.mkdir(exist_ok=True)
                 again = self.refly(number)
                 for line in again.differences:
-                    remark(f"flight {number}, kept, is not the one of its row: {line}")
+                    remark(f"flight {number}, selected to be kept, differs from its row: {line}")
                 _write_kept(again.flight, stem)
                 data = {"flight": number, **again.flight.summary()}
                 write_atomically(summary, json_text(data), durable=True)
@@ -276,7 +276,7 @@ def _answer(found: Any) -> Answer:
 
 
 def _write_kept(flight: Flight, stem: Path) -> None:
-    """Trajectory and telemetry; each is there whole before the summary that names them is."""
+    """Write trajectory and telemetry, each completely, before the summary that names them."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
     for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
@@ -286,7 +286,7 @@ def _write_kept(flight: Flight, stem: Path) -> None:
 
 
 def _same(row: Any, now: Any) -> bool:
-    """Whether both are the same number to the last bit, or both are none."""
+    """True if both are the same number to the last bit, or both are None."""
     if isinstance(row, float) and isinstance(now, int | float):
         return float(row).hex() == float(now).hex()
     return bool(row == now)
@@ -294,7 +294,7 @@ def _same(row: Any, now: Any) -> bool:
 
 @contextmanager
 def in_words(whose: str = "SQL") -> Iterator[None]:
-    """Tell what DuckDB does not understand in one line."""
+    """Convert errors of DuckDB to problems of one line."""
     import duckdb
 
     try:
@@ -306,14 +306,14 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
 
 
 def check_conditions(design: Design, source: Source | None = None) -> None:
-    """Refuse conditions of a plan that SQL does not understand, before anything is flown.
+    """Reject conditions of a plan that are not valid SQL, before anything is flown.
 
     Args:
-        design: Of the plan.
-        source: Where the plan stands.
+        design: Design of the plan.
+        source: Origin of the plan.
 
     Raises:
-        InputError: That names the entry.
+        InputError: If a condition is invalid; it names the entry.
     """
     problem_line = (source or Source()).problem_line
     keep = design.plan.keep

@@ -1,7 +1,7 @@
-"""Flying on a Dask cluster: chunks go to its workers, rows come back to the one who writes.
+"""Flights on a Dask cluster, whose workers fly chunks and return rows to the writing process.
 
-Dask flies the chunk of a worker that dies again on another, three times; the rows are the same
-wherever they fly, given the same versions, which is checked.
+Dask repeats the chunk of a worker that dies on another one, up to three times; rows do not depend
+on the worker, given the same versions, which is checked.
 """
 
 from __future__ import annotations
@@ -24,34 +24,34 @@ from springback.campaign.workers import GivenUp, Remark
 from springback.errors import InputError
 from springback.extras import needs
 
-#: Seconds to wait for a scheduler to answer, and between looks at who is there (chosen).
+#: Time limit for a scheduler to answer, and interval of checks for lost workers [s] (chosen).
 PATIENCE, LOOK = 10.0, 1.0
-#: Chunks handed out ahead for each thread of the cluster (chosen): none waits for the next, and
+#: Chunks submitted in advance per thread of the cluster (chosen): no thread waits for the next, and
 #: few rows wait for the writer.
 AHEAD = 2
 _one_at_a_time = threading.Lock()
-#: Versions on this side.
+#: Versions of this process.
 here = versions
 
 
 def fly_remotely(text: str, chunk: Chunk) -> tuple[dict[str, str], ChunkRows]:
-    """Fly a stretch on a worker; with the versions there.  Threads of a worker take turns."""
+    """Fly a chunk on a worker, one thread at a time; returns the worker's versions, too."""
     with _one_at_a_time:
         return versions(), fly_chunk(text, chunk)
 
 
 @dataclass(frozen=True)
 class Tls:
-    """Certificates for a cluster that speaks TLS, as PEM files."""
+    """Certificates for a cluster with TLS, as PEM files."""
 
     authority: Path
-    """Whose signature all of the cluster carry."""
+    """Certificate of the authority that has signed those of the cluster."""
     certificate: Path
     key: Path
-    """Of the certificate, private."""
+    """Private key of the certificate."""
 
     def __post_init__(self) -> None:
-        """Refuse files that are not there."""
+        """Reject missing files."""
         for name, path in vars(self).items():
             if not path.is_file():
                 raise InputError(f"TLS {name} {path}: there is no such file")
@@ -61,15 +61,15 @@ class Tls:
 def cluster_client(
     address: str, tls: Tls | None = None, remark: Remark | None = None
 ) -> Iterator[Any]:
-    """A client of a cluster that can fly what we would.
+    """Client of a cluster whose workers give the same rows as this process.
 
-    Without TLS Dask neither asks who speaks to it nor hides what is said, and runs what it is sent:
-    whoever reaches its ports runs programs on its machines.
+    Without TLS Dask neither authenticates nor encrypts, and runs any code it receives: anyone who
+    can reach its ports can run programs on its machines.
 
     Args:
-        address: Of the scheduler.
-        tls: Certificates; None leaves it to Dask's own configuration, which usually has none.
-        remark: Told of a connection that others could use.
+        address: Address of the scheduler.
+        tls: Certificates; None uses Dask's own configuration, which usually has none.
+        remark: Called with a warning about an open connection.
 
     Raises:
         InputError: If there is no scheduler, or its workers have other versions.
@@ -79,8 +79,8 @@ def cluster_client(
         raise InputError(f"--scheduler {address}: certificates belong to tls://HOST:PORT")
     if remark is not None and is_open(address):
         remark(
-            f"{address} is neither encrypted nor asks who speaks: whoever reaches it runs programs "
-            "there; use tls:// with --tls-ca, --tls-cert and --tls-key, or a tunnel"
+            f"{address} is neither encrypted nor authenticated: anyone who can reach it can run "
+            "programs there; use tls:// with --tls-ca, --tls-cert and --tls-key, or a tunnel"
         )
     client = _client(distributed, address, tls)
     try:
@@ -93,13 +93,13 @@ def cluster_client(
 def fly_on_cluster(
     text: str, chunks: Iterable[Chunk], client: Any, remark: Remark
 ) -> Generator[ChunkRows | GivenUp]:
-    """Fly chunks on a cluster; results come in the order in which they are ready.
+    """Fly chunks on a cluster; yields results as they become ready.
 
     Args:
-        text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
-        chunks: To be flown.
-        client: From `cluster_client`.
-        remark: Told of workers that come and go.
+        text: The plan, from `springback.campaign.design.plan.Plan.canonical`.
+        chunks: Chunks to fly.
+        client: Client from `cluster_client`.
+        remark: Called with messages about workers that join or leave.
 
     Raises:
         CampaignError: If the scheduler is lost, or a worker that joins has other versions.
@@ -119,11 +119,11 @@ def fly_on_cluster(
             crew.look()
     finally:
         for future in flying:
-            future.release()  # nobody waits for it any more
+            future.release()  # it is no longer needed
 
 
 def is_open(address: str) -> bool:
-    """Whether others than this machine's own users can use what listens at an address."""
+    """True if users of other machines can connect to an address."""
     protocol, sign, rest = address.rpartition("://")
     if sign and protocol not in ("tcp", "ws"):
         return False
@@ -145,13 +145,13 @@ def _client(distributed: Any, address: str, tls: Tls | None) -> Any:
         return distributed.Client(
             address, timeout=PATIENCE, set_as_default=False, security=security
         )
-    except (OSError, TimeoutError, TypeError, ValueError) as error:  # also: no certificates
+    except (OSError, TimeoutError, TypeError, ValueError) as error:  # also without certificates
         said = str(error).partition("\n")[0] or type(error).__name__
         raise InputError(f"--scheduler {address}: cannot be reached ({said})") from None
 
 
 class _Crew:
-    """Who is there to fly."""
+    """Workers of a cluster."""
 
     def __init__(self, client: Any, remark: Remark) -> None:
         self.client, self.remark = client, remark
@@ -165,7 +165,7 @@ class _Crew:
         return sum(self.known.values())
 
     def look(self) -> None:
-        """See who left, now and then."""
+        """Report workers that have left, at intervals."""
         if time.monotonic() - self.looked < LOOK:
             return
         self.looked = time.monotonic()
@@ -174,14 +174,14 @@ class _Crew:
         except (OSError, TimeoutError):
             raise CampaignError("the connection to the scheduler is lost") from None
         for lost in self.known.keys() - now.keys():
-            self.remark(f"worker {lost} is gone; what it was flying is flown again by another")
+            self.remark(f"worker {lost} is gone; its chunk is flown again by another")
         if self.known and not now:
             self.remark("no worker is left; waiting for one")
         self.known = now
 
 
 def _completed(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
-    """Futures that have ended, perhaps none yet."""
+    """Futures that are done, possibly none."""
     if client.status not in ("running", "connecting"):
         raise CampaignError("the connection to the scheduler is lost")
     try:
@@ -195,39 +195,41 @@ def _completed(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
 
 
 def _answer(distributed: Any, future: Any, chunk: Chunk) -> ChunkRows | GivenUp:
-    """What came of a chunk."""
+    """Rows of a chunk, or the reason for giving it up."""
     if future.status == "finished":
         theirs, rows = future.result()
-        if told := version_difference(theirs):
-            raise CampaignError(f"a worker that joined has other versions: {told}")
+        if difference := version_difference(theirs):
+            raise CampaignError(f"a worker that joined has other versions: {difference}")
         return ChunkRows(*rows)
     if future.status != "error":
         raise CampaignError(f"the cluster dropped flights {chunk[0]} to {chunk[1] - 1}")
     error = future.exception()
     if isinstance(error, distributed.KilledWorker):
-        return GivenUp(chunk, "worker after worker was lost over them")
+        return GivenUp(chunk, "several workers in succession were lost while flying them")
     return GivenUp(chunk, f"{type(error).__name__}: {str(error).partition(chr(10))[0]}")
 
 
 def _check_versions(client: Any, address: str) -> None:
-    """Refuse workers whose rows could differ from ours."""
+    """Reject workers whose rows could differ from ours."""
     try:
         theirs: dict[str, Any] = client.run(versions)
-    except Exception as error:  # whatever a worker without springback raises
+    except Exception as error:  # any error of a worker without springback
         said = f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         raise InputError(f"--scheduler {address}: a worker cannot fly ({said})") from None
     for worker, found in theirs.items():
-        if told := version_difference(found):
-            raise InputError(f"--scheduler {address}: worker {worker} has other versions: {told}")
+        if difference := version_difference(found):
+            raise InputError(
+                f"--scheduler {address}: worker {worker} has other versions: {difference}"
+            )
 
 
 def version_difference(theirs: dict[str, str]) -> str:
-    """Versions there that are not those here, in words; of Python only major and minor count."""
+    """Differing versions, as text; of Python only major and minor count."""
     ours = here()
-    told = []
+    changes = []
     for name, this in ours.items():
         there = theirs.get(name, "none")
         length = 2 if name == "python" else None
         if there.split(".")[:length] != this.split(".")[:length]:
-            told.append(f"{name} {there} there, {this} here")
-    return ", ".join(told)
+            changes.append(f"{name} {there} there, {this} here")
+    return ", ".join(changes)

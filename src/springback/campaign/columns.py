@@ -1,17 +1,17 @@
-"""Columns of a campaign's rows: names, units, meanings."""
+"""Columns of a campaign's rows: names, units and meanings."""
 
 from __future__ import annotations
 
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import MEASURES
 
-#: Of every flight: unit and meaning.
+#: Unit and meaning of the columns of every flight.
 FLIGHT = {
     "flight": ("", "number of the flight, from 0"),
-    "sample": ("", "which point of the design"),
-    "repeat": ("", "which flight of the sample"),
+    "sample": ("", "number of the point of the design"),
+    "repeat": ("", "number of the flight within the sample"),
     "robot": ("", "preset of the vehicle"),
-    "seed": ("", "of the noise"),
+    "seed": ("", "seed of the noise"),
 }
 RESULT = {
     "outcome": ("", "how the flight ended; refused: it could not be flown"),
@@ -21,5 +21,5 @@ RESULT = {
 
 
 def known_columns() -> dict[str, tuple[str, str]]:
-    """Unit and meaning of all columns that every campaign has."""
+    """Unit and meaning of the columns of all campaigns."""
     return {**FLIGHT, **RESULT, **MEASURES, **RECOVERY_MEASURES}

@@ -1,4 +1,4 @@
-"""What a campaign will take, from a few of its flights."""
+"""Estimated cost of a campaign, from a few of its flights."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from springback.errors import InputError
 from springback.kernels.layout import structure
 from springback.scenario.scenario import scenario_from
 
-#: Flights that are flown to see how long they take (chosen).
+#: Flights flown to measure their time (chosen).
 TRIED = 64
 
 
 @dataclass(frozen=True)
 class CostEstimate:
-    """What a campaign will take."""
+    """Estimated cost of a campaign."""
 
     flights: int
     samples: int
@@ -35,27 +35,27 @@ class CostEstimate:
     robots: tuple[str, ...]
     dimensions: int
     tried: int
-    """Flights that were flown to find out."""
+    """Number of flights tried."""
     refused: int
-    """Of these, how many could not be flown."""
+    """Number of those that could not be flown."""
     problem: str
-    """Why the first of them could not."""
+    """Problem of the first of them."""
     kinds: int
-    """Of flight, among those tried; each is compiled once."""
+    """Number of kinds of flight among those tried; each is compiled once."""
     rate: float
     """Flights per second on one core, once compiled."""
     workers: int
     time: float
-    """Of the whole [s], if this machine had nothing else to do."""
+    """Time of the whole campaign on this machine, if otherwise idle [s]."""
     bytes: int
-    """Of the whole, on the disk."""
+    """Size of the whole campaign on the disk."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
         return asdict(self)
 
     def sentence(self) -> str:
-        """In words, line by line."""
+        """Text of several lines."""
         names = " and ".join(self.robots)
         lines = [
             f"{self.flights} flights: {self.samples} samples of {self.dimensions} dimensions, "
@@ -71,11 +71,11 @@ class CostEstimate:
 
 
 def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
-    """Fly a few flights, spread over the whole campaign, twice: once to compile, once to measure.
+    """Fly a few flights, spread over the campaign, twice: once to compile, once to measure.
 
     Args:
-        design: Of the campaign.
-        workers: Processes; by default as many as there are cores.
+        design: Design of the campaign.
+        workers: Number of processes; by default that of the cores.
     """
     crew = workers or os.cpu_count() or 1
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
@@ -97,7 +97,7 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
 
 
 def kinds_of(tables: Sequence[dict[str, Any]]) -> int:
-    """Number of kinds of flight: of equal types, duration and clock."""
+    """Number of kinds of flight, which differ in types, duration or clock."""
     kinds = set()
     for given in tables:
         with contextlib.suppress(InputError):
@@ -109,7 +109,7 @@ def kinds_of(tables: Sequence[dict[str, Any]]) -> int:
 
 
 def _bytes_each(rows: dict[str, Any], design: Design) -> float:
-    """Bytes of a row on the disk; what is there once for each part is left out."""
+    """Bytes of a row on the disk, without the fixed part of a file."""
     few, count = {name: values[:1] for name, values in rows.items()}, len(rows["flight"])
     with tempfile.TemporaryDirectory() as folder:
         sizes = list[int]()

@@ -1,7 +1,7 @@
-"""A campaign that came to a halt through no fault of its plan."""
+"""Error of a campaign that stops for reasons other than its plan."""
 
 from __future__ import annotations
 
 
 class CampaignError(RuntimeError):
-    """What halted a campaign, in one line; what was done by then is kept."""
+    """Reason why a campaign stopped, in one line; completed parts are stored."""

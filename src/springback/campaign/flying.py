@@ -1,4 +1,4 @@
-"""Flying a stretch of a campaign: from the plan and two numbers to rows, anywhere."""
+"""Flight of a chunk of a campaign, by its plan and two numbers, in any process."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from springback.batch.scenarios import Device, fly_scenarios, no_collection
 from springback.campaign.design.layout import Design, design_of
 
 Chunk = tuple[int, int]
-"""First flight, and the one after the last."""
+"""Numbers of the first flight, and of the one after the last."""
 
 
 class ChunkRows(NamedTuple):
-    """A stretch of flights, flown."""
+    """Rows of a chunk of flights."""
 
     chunk: Chunk
     columns: dict[str, Any]
 
 
 def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
-    """Fly a stretch; its rows depend on the plan alone, wherever and with whatever it flies.
+    """Fly a chunk; its rows depend on the plan alone, not on process, device or other chunks.
 
     Args:
-        text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
-        chunk: Which flights.
-        device: On which they fly.
+        text: The plan, from `springback.campaign.design.plan.Plan.canonical`.
+        chunk: Flights to fly.
+        device: Device on which they fly.
     """
     return ChunkRows(chunk, rows(design_of(text), chunk, device))
 
@@ -32,7 +32,7 @@ def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
 def rows(
     design: Design, chunk: Chunk, device: Device = "cpu", *, threads: int = 1
 ) -> dict[str, Any]:
-    """Rows of a stretch of flights, column by column."""
+    """Rows of a chunk of flights, by column."""
     with no_collection():
         drawn = design.slice(*chunk)
         ended = fly_scenarios(drawn.tables, threads=threads, device=device)

@@ -1,4 +1,4 @@
-"""The ledger: which parts of a campaign are there, one line of JSON for each."""
+"""Manifest of the parts of a campaign, ``ledger.jsonl``: one line of JSON for each."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ NAME, PARTS = "ledger.jsonl", "parts"
 
 @dataclass(frozen=True)
 class Part:
-    """A stretch of flights that is in a file of its own."""
+    """A range of flights stored in a file of its own."""
 
     first: int
     last: int
-    """Before this flight."""
+    """Flight after the last."""
     file: str
     bytes: int
     sha256: str
     refused: int = 0
-    """Flights that could not be flown."""
+    """Number of flights that could not be flown."""
     ledger_open: int = 0
-    """Flights whose energy ledger does not close to 1e-4."""
+    """Number of flights whose energy balance does not close to 1e-4."""
     withdrawn: bool = False
-    """Whether it was found damaged, and is to be flown again."""
+    """True if it was found damaged, and will be flown again."""
 
     def whole(self, folder: Path) -> bool:
-        """Whether the file is there as it was written, by its digest."""
+        """True if the file exists and agrees with its digest."""
         path = folder / self.file
         try:
             about = path.stat()
@@ -48,22 +48,22 @@ class Part:
 
 
 def file_of(first: int) -> str:
-    """Name of the part that begins with a flight."""
+    """File name of the part that begins with a flight."""
     return f"{PARTS}/part-{first:010d}.parquet"
 
 
 @functools.lru_cache(maxsize=65536)
 def _digest(path: Path, changed: int, size: int) -> str:
-    """Digest of a file as it was at a time: worked out once in a process."""
+    """Digest of a file in the state of a time and size, computed once per process."""
     return file_digest(path)
 
 
 def damaged_parts(parts: Iterable[Part], folder: Path) -> list[Part]:
-    """Parts that are not as they were written: all bytes are read, on as many cores as there are.
+    """Parts that differ from their digests; all bytes are read, on all cores.
 
     Args:
         parts: Any.
-        folder: Of the campaign.
+        folder: Folder of the campaign.
     """
     every = list(parts)
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
@@ -72,16 +72,16 @@ def damaged_parts(parts: Iterable[Part], folder: Path) -> list[Part]:
 
 
 def read(path: Path) -> list[Part]:
-    """Parts in the ledger, in the order of their flights; none if there is no ledger.
+    """Parts in the manifest, in order of their flights; empty if there is no manifest.
 
-    A last line that a crash tore does not count, nor does a part that was withdrawn.
+    An incomplete last line, left by a crash, is ignored, and so are withdrawn parts.
 
     Raises:
-        InputError: If a line that was written whole cannot be read, names another file than its
-            flights belong in, or holds flights that another one holds.
+        InputError: If a complete line cannot be read, names a wrong file, or has flights of another
+            part.
     """
     try:
-        *lines, torn = path.read_bytes().split(b"\n")  # a whole line ends with a newline
+        *lines, torn = path.read_bytes().split(b"\n")  # a complete line ends with a newline
     except FileNotFoundError:
         return []
     except OSError as error:
@@ -90,12 +90,12 @@ def read(path: Path) -> list[Part]:
     for number, line in enumerate(lines, 1):
         part = _part(line)
         if part is None:
-            raise InputError(f"{path}:{number}: is not a line of a ledger, or was damaged")
+            raise InputError(f"{path}:{number}: is not a line of a manifest, or was damaged")
         parts.pop(part.file, None)
         if not part.withdrawn:
             parts[part.file] = part
     if torn and not _could_be_torn(torn):
-        raise InputError(f"{path}:{len(lines) + 1}: is not a line of a ledger, or was damaged")
+        raise InputError(f"{path}:{len(lines) + 1}: is not a line of a manifest, or was damaged")
     found = sorted(parts.values(), key=lambda part: part.first)
     for one, other in pairwise(found):
         if other.first < one.last:
@@ -107,7 +107,7 @@ def read(path: Path) -> list[Part]:
 
 
 def _part(line: bytes) -> Part | None:
-    """A line of the ledger; None if it is none, or not as it was written."""
+    """Part of a line of the manifest; None if the line is invalid or altered."""
     try:
         given = json.loads(line)
     except (ValueError, RecursionError):
@@ -122,7 +122,7 @@ def _part(line: bytes) -> Part | None:
 
 
 def _is_sound(part: Part) -> bool:
-    """Whether types fit, and the file is the one where its flights belong: nothing elsewhere."""
+    """True if the types are right, and the file is the one that belongs to its flights."""
     kinds = {"str": str, "int": int, "bool": bool}
     for one in fields(part):
         if type(getattr(part, one.name)) is not kinds[str(one.type)]:
@@ -131,8 +131,8 @@ def _is_sound(part: Part) -> bool:
 
 
 def _could_be_torn(line: bytes) -> bool:
-    """Whether a line without an end may be the beginning of one that was written whole."""
-    if not line.isascii():  # which no line is
+    """True if an unterminated line may be the beginning of a valid one."""
+    if not line.isascii():  # longer than any line
         return False
     try:
         text = line.decode()
@@ -142,12 +142,12 @@ def _could_be_torn(line: bytes) -> bool:
     return end == len(text) and _part(line) is not None
 
 
-#: How every line begins.
+#: Beginning of every line.
 _BEGINNING = b'{"first": '
 
 
 def append(path: Path, part: Part) -> None:
-    """Add a line; it is on the disk when this returns, or is not there at all.
+    """Append a line, flushed to the disk; if that fails, the manifest is unchanged.
 
     Raises:
         OSError: If the disk is full.
@@ -165,7 +165,7 @@ def append(path: Path, part: Part) -> None:
 
 
 def mend(path: Path) -> None:
-    """Cut off a last line that a crash tore, so that the next line starts afresh."""
+    """Remove an incomplete last line, left by a crash."""
     if path.exists():
         data = path.read_bytes()
         whole = data.rfind(b"\n") + 1
@@ -174,12 +174,12 @@ def mend(path: Path) -> None:
 
 
 def missing(parts: Iterable[Part], flights: int, chunk: int) -> list[tuple[int, int]]:
-    """Stretches of flights that no part holds, cut into chunks.
+    """Ranges of flights that no part has, split into chunks.
 
     Args:
-        parts: In the order of their flights.
-        flights: Of the whole campaign.
-        chunk: Most flights of a stretch.
+        parts: Parts in order of their flights.
+        flights: Number of flights of the campaign.
+        chunk: Most flights of a chunk.
     """
     found: list[tuple[int, int]] = []
     at = 0

@@ -1,4 +1,4 @@
-"""Running a campaign: chunks out, parts in, and what happened told as it goes."""
+"""Execution of a campaign: distribution of chunks, storage of parts, and progress."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from springback.scenario.user_pilots import source_text
 if TYPE_CHECKING:
     from springback.campaign.cluster import Tls
 
-#: Flights of a chunk (chosen): seconds of work, and some 1.5 MB of rows.
+#: Flights of a chunk (chosen: seconds of work, and some 1.5 MB of rows).
 CHUNK = 2000
 #: The same on a GPU.
 GPU_CHUNK = GPU_BLOCK
-#: Fewest chunks for each worker, where there are not enough flights for full ones (chosen).
+#: Smallest number of chunks per worker, if there are too few flights for full ones (chosen).
 SHARES = 4
-#: The rate is that of so many last parts (chosen).
+#: Number of last parts from which the rate is computed (chosen).
 RECENT = 40
 
 
 @dataclass(frozen=True)
 class CampaignProgress:
-    """How far a campaign has come."""
+    """Progress of a campaign."""
 
     done: int
-    """Flights that are kept, from before as well."""
+    """Number of stored flights, including earlier runs."""
     flights: int
     parts: int
     refused: int
@@ -48,7 +48,7 @@ class CampaignProgress:
     """Flights whose energy ledger does not close to 1e-4."""
     given_up: int
     rate: float
-    """Flights per second, lately; 0 while unknown."""
+    """Recent flights per second; 0 while unknown."""
 
     @property
     def time_left(self) -> float | None:
@@ -56,7 +56,7 @@ class CampaignProgress:
         return (self.flights - self.done - self.given_up) / self.rate if self.rate > 0.0 else None
 
     def sentence(self) -> str:
-        """In one line."""
+        """Text of one line."""
         share = 100.0 * self.done / self.flights
         parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {self.parts} parts"]
         if self.rate > 0.0:
@@ -66,12 +66,12 @@ class CampaignProgress:
         if self.refused:
             parts.append(f"{self.refused} refused")
         if self.ledger_open:
-            parts.append(f"warning: {self.ledger_open} with an energy ledger that does not close")
+            parts.append(f"warning: {self.ledger_open} with an energy balance that does not close")
         return ", ".join(parts)
 
 
 def in_time(seconds: float) -> str:
-    """A time as one says it."""
+    """Time as text."""
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     if hours:
@@ -81,12 +81,12 @@ def in_time(seconds: float) -> str:
 
 @dataclass
 class _Watch:
-    """Counts what comes in."""
+    """Counter of stored flights."""
 
     store: Store
     given_up: int = 0
     warm: bool = False
-    """Whether the first part, which may have waited for a compiler, is left out of the rate."""
+    """False if the first part, which may include compilation, is excluded from the rate."""
     came: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
 
     def now(self) -> CampaignProgress:
@@ -118,32 +118,31 @@ def run_campaign(
     progress: Callable[[CampaignProgress], None] | None = None,
     remark: Remark | None = None,
 ) -> Campaign:
-    """Fly a campaign into a folder, or what is left of it.
+    """Fly a campaign, or the rest of it, into a folder.
 
-    The rows depend on the plan alone, bit for bit, and on none of the other arguments.  A script
-    that calls this must do so under ``if __name__ == "__main__"``, as its workers read it, too.
+    The rows depend on the plan alone, bit for bit, not on the other arguments.  A script must call
+    this under ``if __name__ == "__main__"``, as its workers import it, too.
 
     Args:
-        plan: What to fly.
-        folder: For plan, parts and ledger; is made if it is not there.
-        resume: Whether a campaign in the folder may be gone on with.
-        workers: Processes; by default as many as there are cores.
-        chunk: Flights that are flown together and kept together; by default 2000, or fewer so that
-            all workers have some.
-        scheduler: Address of a Dask scheduler to fly on, in place of processes.
-        tls: Certificates for it, if it speaks TLS.
-        device: Where the workers' flights fly: ``cpu``, or ``gpu`` for an NVIDIA GPU that they
-            share.
-        progress: Told how far it is, after each part.
-        remark: Told of what went wrong and was mended, in one line each.
+        plan: Plan of the campaign.
+        folder: Folder of plan, parts and manifest, created if it does not exist.
+        resume: Continue a campaign in the folder.
+        workers: Number of processes; by default that of the cores.
+        chunk: Flights flown and stored together; by default 2000, or fewer so that all workers have
+            some.
+        scheduler: Address of a Dask scheduler to use instead of processes.
+        tls: Certificates for it, if it uses TLS.
+        device: Device of the workers: ``cpu``, or ``gpu`` for an NVIDIA GPU that they share.
+        progress: Called with the progress after each part.
+        remark: Called with a message about each problem that was handled.
 
     Returns:
-        The campaign, to be asked questions of.
+        The campaign, to be queried.
 
     Raises:
         InputError: If the plan or the folder cannot be used.
-        CampaignError: If the disk is full, workers keep dying, the cluster is lost; all parts that
-            were kept stay, and ``resume`` goes on from them.
+        CampaignError: If the disk is full, workers keep dying, or the cluster is lost; stored parts
+            remain, and ``resume`` continues from them.
     """
     if not isinstance(plan, Plan | Design):
         raise InputError(f"plan must be a springback.Plan (got {source_text(plan)})")
@@ -186,14 +185,14 @@ def run_campaign(
 
 
 Fly = Callable[[str, list[Chunk], Remark], Generator[ChunkRows | GivenUp]]
-"""A plan and chunks of it to their rows, as they come."""
+"""Function from a plan and its chunks to their rows, as they become ready."""
 
 
 @contextlib.contextmanager
 def _team(
     scheduler: str | None, crew: int, device: Device, tls: Tls | None, remark: Remark
 ) -> Iterator[Fly]:
-    """Who flies: processes of this machine, or a cluster that answers."""
+    """Flying function: processes of this machine, or a cluster."""
     if scheduler is None:
         yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
         return
@@ -204,7 +203,7 @@ def _team(
 
 
 def _check_gpu(scheduler: str | None) -> None:
-    """Raises InputError where no GPU can be had: better now than in every worker."""
+    """Raise InputError if no GPU is available, before every worker does."""
     from springback.kernels.gpu.cuda import device
 
     if scheduler is not None:
@@ -219,11 +218,11 @@ def _at_least_one(name: str, given: int | None, default: int) -> int:
 
 
 def _silent(_: Any) -> None:
-    """Nobody wants to know."""
+    """Discard progress and messages."""
 
 
 def _note(folder: Path, one: GivenUp) -> None:
-    """Keep what Python said of a chunk that failed."""
+    """Store the traceback of a failed chunk."""
     if one.details:
         with (folder / "problems.log").open("a", encoding="utf-8") as file:
             file.write(f"flights {one.chunk[0]} to {one.chunk[1] - 1}\n{one.details}\n")

@@ -1,9 +1,9 @@
-"""The folder of a campaign: parts written whole or not at all, and one process at a time.
+"""Folder of a campaign: complete parts, locked by one process at a time.
 
-plan.json       the plan, its scenario read in
-campaign.json   when and where it was begun, with which versions
-ledger.jsonl    which parts there are
-parts/          rows, in Parquet
+plan.json       the plan with its scenario
+campaign.json   time, host and versions at its start
+ledger.jsonl    manifest of the parts
+parts/          rows as Parquet
 kept/           trajectories of selected flights
 """
 
@@ -45,21 +45,21 @@ Columns = Mapping[str, Any]
 PLAN, ABOUT, ASIDE, LOCK, HOLDER = (
     "plan.json", "campaign.json", "aside", ".lock", ".holder.json",
 )  # fmt: skip
-#: Packages whose versions can change the last digits of a result.
+#: Packages whose versions can affect the last digits of a result.
 NUMERICAL = ("numpy", "scipy", "numba")
-#: What may lie in a folder that no campaign has begun in: what one leaves that died at once.
+#: Files that may be in a folder without a campaign: those of one that died at its start.
 EARLY = {LOCK, HOLDER, PLAN, PARTS}
 
 
-#: Chapters of the package that no row depends on.
+#: Packages that rows do not depend on.
 SHOWING = "interfaces"
 
 
 @functools.cache
 def source() -> str:
-    """Digest of the package's source, as far as rows can depend on it, presets included.
+    """Digest of the package's source that rows can depend on, including presets.
 
-    The version stands still between releases; this does not.
+    Unlike the version it changes between releases.
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
@@ -71,7 +71,7 @@ def source() -> str:
 
 
 def versions() -> dict[str, str]:
-    """Of all that decides the bits of a result."""
+    """Versions of everything that determines the bits of a result."""
     return {
         "springback": __version__,
         "source": source(),
@@ -81,27 +81,27 @@ def versions() -> dict[str, str]:
 
 
 class Store:
-    """The folder of a campaign that is being flown, held by one process; see `open_store`."""
+    """Folder of a campaign that is being flown, locked by one process; see `open_store`."""
 
     def __init__(self, folder: Path, design: Design) -> None:
-        """Of a folder that is there."""
+        """Store in an existing folder."""
         self.folder, self.design = folder, design
         self.parts: list[manifest.Part] = manifest.read(folder / manifest.NAME)
 
     @property
     def done(self) -> int:
-        """Number of flights that are kept."""
+        """Number of stored flights."""
         return manifest.flight_count(self.parts)
 
     def missing(self, chunk: int) -> list[tuple[int, int]]:
-        """Stretches still to be flown."""
+        """Chunks still to be flown."""
         return manifest.missing(self.parts, self.design.flights, chunk)
 
     def add(self, first: int, last: int, columns: Columns) -> manifest.Part:
-        """Keep the rows of a stretch of flights.
+        """Store the rows of a chunk of flights.
 
         Raises:
-            CampaignError: If they cannot be written; nothing half-written is left.
+            CampaignError: If they cannot be written; no incomplete file remains.
         """
         name = file_of(first)
         path = self.folder / name
@@ -122,7 +122,7 @@ class Store:
         return part
 
     def checked_parts(self) -> list[str]:
-        """Move aside what is damaged or not in the ledger; say what was moved, line by line."""
+        """Rename damaged or unlisted files; returns a message for each."""
         said = []
         manifest.mend(self.folder / manifest.NAME)
         for part in manifest.damaged_parts(self.parts, self.folder):
@@ -140,7 +140,7 @@ class Store:
                 path.unlink()
             elif path.is_file() and f"{PARTS}/{path.name}" not in known:
                 there = self._set_aside(path)
-                said.append(f"{PARTS}/{path.name} is not in the ledger; it is now {there}")
+                said.append(f"{PARTS}/{path.name} is not in the manifest; it is now {there}")
         return said
 
     def _set_aside(self, path: Path) -> str:
@@ -155,7 +155,7 @@ class Store:
 
 
 def write_rows(path: Path, columns: Columns, design: Design) -> None:
-    """Rows as Parquet: numbers that do not exist are empty, success as the plan has it."""
+    """Write rows as Parquet, with NULL for missing numbers, and success as defined by the plan."""
     units = {name: unit for name, (unit, _) in known_columns().items()} | design.units
     about = {
         "springback": __version__, "source": source(), "plan": design.plan.digest(),
@@ -165,7 +165,7 @@ def write_rows(path: Path, columns: Columns, design: Design) -> None:
 
 
 def arrays(columns: Columns, design: Design) -> dict[str, Any]:
-    """Columns of rows as arrays of their types."""
+    """Columns as arrays of their types."""
     words = {d.column for d in design.dimensions if d.text} | {"robot", "outcome", "problem"}
     kinds = dict.fromkeys(("flight", "sample", "repeat", "seed"), np.int64)
     found = {}
@@ -176,7 +176,7 @@ def arrays(columns: Columns, design: Design) -> dict[str, Any]:
 
 
 def rows_of(design: Design) -> str:
-    """The rows of a campaign in SQL, from columns as they were flown."""
+    """SQL of the rows of a campaign, from the columns of its flights."""
     head = ", ".join(identifier(name) for name in (*HEAD, *design.units))
     measures = ", ".join(
         f"nullif({identifier(name)}, 'NaN'::DOUBLE) AS {identifier(name)}"
@@ -194,13 +194,13 @@ def rows_of(design: Design) -> str:
 
 
 def empty_rows(design: Design) -> dict[str, Any]:
-    """Columns as they are flown, without rows."""
+    """Columns of flights, without rows."""
     names = (*HEAD, *design.units, "outcome", "problem", *(MEASURES | RECOVERY_MEASURES))
     return arrays({name: [] for name in names}, design)
 
 
 def is_disk(error: BaseException) -> bool:
-    """Whether the disk is at fault, not the program; DuckDB has errors of its own."""
+    """True if an error, possibly one of DuckDB, is due to the disk and not to the program."""
     return isinstance(error, OSError) or type(error).__name__ in ("IOException", "FatalException")
 
 
@@ -216,15 +216,15 @@ def _reason(error: BaseException) -> str:
 
 @contextlib.contextmanager
 def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]:
-    """The folder of a campaign, new or begun before, held until the block ends.
+    """Folder of a new or resumed campaign, locked until the block ends.
 
     Args:
-        folder: Is made if it is not there.
-        design: Of the campaign.
-        resume: Whether a campaign that is in it may be gone on with.
+        folder: Folder, created if it does not exist.
+        design: Design of the campaign.
+        resume: Continue a campaign in it.
 
     Raises:
-        InputError: If it holds another campaign or other things, or another process holds it.
+        InputError: If it has another campaign or other files, or is locked by another process.
         CampaignError: If it cannot be written to.
     """
     if folder.exists() and not folder.is_dir():
@@ -233,7 +233,7 @@ def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]
     names = {path.name for path in folder.iterdir()} if folder.exists() else set[str]()
     others = {name for name in names - EARLY if not name.endswith(DRAFT)}
     if others and not begun:
-        raise InputError(f"--out {folder}: is not empty, and holds no campaign; give another")
+        raise InputError(f"--out {folder}: is not empty and has no campaign; give another")
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with _lock(folder):
@@ -252,7 +252,7 @@ def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]
 
 @contextlib.contextmanager
 def _lock(folder: Path) -> Iterator[None]:
-    """Hold a folder; the system lets go of it when this process ends, however that comes about."""
+    """Lock a folder; the system unlocks it when this process ends, however it ends."""
     lock, holder = FileLock(folder / LOCK, timeout=0), folder / HOLDER
     try:
         lock.acquire()
@@ -279,13 +279,13 @@ def _now() -> str:
 def _in_the_way(folder: Path, design: Design) -> str:
     done = manifest.flight_count(manifest.read(folder / manifest.NAME))
     return (
-        f"--out {folder}: holds a campaign with {done} flights; go on with it by --resume, or give "
-        "another folder"
+        f"--out {folder}: contains a campaign with {done} flights; continue it with --resume, or "
+        "give another folder"
     )
 
 
 def _begin(folder: Path, design: Design) -> None:
-    """Write down what is flown, where, and with what."""
+    """Write plan, host and versions."""
     plan = json_text(json.loads(design.plan.canonical()))
     write_atomically(folder / PLAN, plan, durable=True)
     about = {
@@ -308,7 +308,7 @@ def _cpu() -> str:
     return platform.processor() or platform.machine()
 
 
-#: What `campaign.json` must hold for the rows to be asked.
+#: Required entries of `campaign.json`.
 _NEEDED: dict[str, type] = {
     "name": str, "flights": int, "seed": int, "host": str, "plan_sha256": str,
     "plan_file_sha256": str, "versions": dict, "units": dict, "robots": list,
@@ -317,16 +317,16 @@ _NEEDED: dict[str, type] = {
 
 
 def about(folder: Path) -> dict[str, Any]:
-    """The contents of ``campaign.json``, checked.
+    """Validated content of ``campaign.json``.
 
     Raises:
-        InputError: If there is none, or it cannot be read, or is not as it was written.
+        InputError: If it is missing, cannot be read, or was altered.
     """
     path = folder / ABOUT
     try:
         found = read_object(path)
     except FileNotFoundError:
-        raise InputError(f"{folder}: holds no campaign ({ABOUT} is missing)") from None
+        raise InputError(f"{folder}: has no campaign ({ABOUT} is missing)") from None
     if not is_sealed(found):
         raise InputError(f"{path}: is damaged, or was written by another version or edited")
     for name, kind in _NEEDED.items():
@@ -336,10 +336,10 @@ def about(folder: Path) -> dict[str, Any]:
 
 
 def stored_plan(folder: Path) -> Plan:
-    """The plan of a campaign, as it was begun.
+    """Stored plan of a campaign.
 
     Raises:
-        InputError: If it cannot be read, or is not as it was written.
+        InputError: If it cannot be read, or was altered.
     """
     path, known = folder / PLAN, about(folder)
     try:
@@ -348,7 +348,7 @@ def stored_plan(folder: Path) -> Plan:
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from None
     if digest != known["plan_file_sha256"]:
-        raise InputError(f"{path}: is damaged or was edited; it is not the one that was begun")
+        raise InputError(f"{path}: is damaged or was edited; it is not the original plan")
     if not isinstance(given.get("scenario"), dict):
         raise InputError(f"{path}: scenario: must be a table")
     plan = plan_from(given)
@@ -358,29 +358,31 @@ def stored_plan(folder: Path) -> Plan:
 
 
 def _check_same(folder: Path, design: Design) -> None:
-    """Refuse to go on with another plan, seed, version, source or preset."""
+    """Reject another plan, seed, version, source or preset."""
     known = about(folder)
     pairs = {
         "seed": (known["seed"], design.plan.seed),
         "springback's version": (known["versions"].get("springback"), __version__),
     }
-    told = [f"its {name} is {old}, not {new}" for name, (old, new) in pairs.items() if old != new]
-    if not told and known["plan_sha256"] != design.plan.digest():
-        told = [_difference(folder, design)]
-    if not told and known["scenarios_sha256"] != design.digest:
-        told = ["a preset or a default that its plan names has other numbers now"]
-    if not told and known["versions"].get("source") != source():
-        told = [
-            f"springback's source is another ({source()}) than it was begun with "
+    changes = [
+        f"its {name} is {old}, not {new}" for name, (old, new) in pairs.items() if old != new
+    ]
+    if not changes and known["plan_sha256"] != design.plan.digest():
+        changes = [_difference(folder, design)]
+    if not changes and known["scenarios_sha256"] != design.digest:
+        changes = ["a preset or a default that its plan uses has changed"]
+    if not changes and known["versions"].get("source") != source():
+        changes = [
+            f"springback's source ({source()}) differs from that at its start "
             f"({known['versions'].get('source')}), though the version is the same; finish it with "
-            "that one, or begin anew"
+            "that one, or start a new campaign"
         ]
-    if told:
-        raise InputError(f"--out {folder}: holds another campaign: {'; '.join(told)}")
+    if changes:
+        raise InputError(f"--out {folder}: contains another campaign: {'; '.join(changes)}")
 
 
 def _difference(folder: Path, design: Design) -> str:
-    """Which entries of two plans differ."""
+    """Names of the entries in which two plans differ."""
     before = json.loads(stored_plan(folder).canonical())
     now = json.loads(design.plan.canonical())
     keys: Sequence[str] = [key for key in now if before.get(key) != now[key]]
@@ -388,7 +390,7 @@ def _difference(folder: Path, design: Design) -> str:
 
 
 def changed_versions(folder: Path) -> list[str]:
-    """What else has changed since the campaign was begun: versions and processor, in words."""
+    """Messages about versions and processor that have changed since the campaign was started."""
     known, now = about(folder), versions()
     before = known["versions"]
     said = [

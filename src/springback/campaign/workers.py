@@ -1,7 +1,7 @@
-"""Flying on the cores of this machine: processes that each fly a chunk at a time.
+"""Flights on the cores of this machine: processes that each fly one chunk at a time.
 
-The parent hands out chunks and knows which worker flies which, so that when one is killed it is
-clear whose chunk it was.  Workers are made anew by ``spawn`` and share nothing.
+The parent assigns chunks to workers, so that the chunk of a killed worker is known.  Workers are
+started by ``spawn`` and share nothing.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from springback.campaign.store import source
 from springback.errors import warn_in_one_line
 
 Remark = Callable[[str], None]
-#: A chunk that takes so many workers with it is given up (chosen).
+#: Number of lost workers after which a chunk is given up (chosen).
 STRIKES = 3
-#: One thread in each worker: linear algebra must not take the others' cores.
+#: One thread in each worker, so that linear algebra does not use the others' cores.
 SINGLE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 class GivenUp(NamedTuple):
-    """A stretch of flights that could not be flown, and why."""
+    """A chunk of flights that could not be flown, and the reason."""
 
     chunk: Chunk
     why: str
@@ -41,7 +41,7 @@ class GivenUp(NamedTuple):
 
 
 class _Worker:
-    """A process, and what it is flying."""
+    """A process, and the chunk that it is flying."""
 
     def __init__(self, text: str, device: Device) -> None:
         context = multiprocessing.get_context("spawn")
@@ -57,7 +57,7 @@ class _Worker:
 
     def fly(self, chunk: Chunk) -> None:
         self.chunk = chunk
-        with contextlib.suppress(OSError):  # it is dead, which is seen when its line is read
+        with contextlib.suppress(OSError):  # it is dead, as its closed pipe will show
             self.line.send(chunk)
 
     def end(self) -> None:
@@ -68,7 +68,7 @@ class _Worker:
 
 @contextlib.contextmanager
 def _single_threads() -> Iterator[None]:
-    """An environment for children in which libraries use one thread."""
+    """Environment for child processes in which libraries use one thread."""
     before = {name: os.environ.get(name) for name in SINGLE}
     os.environ.update(dict.fromkeys(SINGLE, "1"))
     try:
@@ -83,13 +83,13 @@ def _single_threads() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _deaf() -> Iterator[None]:
-    """Children hear no Ctrl-C from their first instant on; this process hears it afterwards."""
+    """Block Ctrl-C in child processes from their start; this process handles it afterwards."""
     if sys.platform == "win32":
         yield
         return
     from multiprocessing import resource_tracker
 
-    resource_tracker.ensure_running()  # it lets signals through again when it is first started
+    resource_tracker.ensure_running()  # it unblocks signals when it is first started
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -98,8 +98,8 @@ def _deaf() -> Iterator[None]:
 
 
 def serve(line: Connection, text: str, device: Device) -> None:
-    """A worker's life: fly chunks as they come, and leave when nobody listens any more."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer
+    """Worker loop: fly chunks from the pipe until the parent closes it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is handled by the parent
     warn_in_one_line()
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError):
@@ -115,7 +115,7 @@ def serve(line: Connection, text: str, device: Device) -> None:
             line.send(answer)
 
 
-#: What a worker runs.
+#: Program of a worker.
 SERVED = serve
 
 
@@ -129,17 +129,17 @@ def _leave_with_parent() -> None:
 def fly_locally(
     text: str, chunks: Iterable[Chunk], workers: int, remark: Remark, device: Device = "cpu"
 ) -> Generator[ChunkRows | GivenUp]:
-    """Fly chunks on this machine; results come in the order in which they are ready.
+    """Fly chunks on this machine; yields results as they become ready.
 
     Args:
-        text: The plan, as `springback.campaign.design.plan.Plan.canonical` has it.
-        chunks: To be flown.
-        workers: Processes.
-        remark: Told of workers that were lost.
-        device: On which they fly.
+        text: The plan, from `springback.campaign.design.plan.Plan.canonical`.
+        chunks: Chunks to fly.
+        workers: Number of processes.
+        remark: Called with messages about lost workers.
+        device: Device on which they fly.
 
     Raises:
-        CampaignError: If workers cannot even start.
+        CampaignError: If workers cannot start.
     """
     waiting, strikes = deque(chunks), Counter[Chunk]()
     crew = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
@@ -166,7 +166,7 @@ def fly_locally(
                 if isinstance(answer, str):
                     worker.ready = True
                     if answer != source():
-                        raise CampaignError("springback's source was changed while it was flying")
+                        raise CampaignError("springback's source was changed during the flights")
                     continue
                 if waiting:
                     worker.fly(waiting.popleft())
@@ -180,7 +180,7 @@ def fly_locally(
 
 
 def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp | None:
-    """Take note that a worker is dead; its chunk, if that is to be given up."""
+    """Record the loss of a worker; returns its chunk if that is given up."""
     worker.end()
     pid, how, chunk = worker.process.pid, _ending(worker.process.exitcode), worker.chunk
     if not worker.ready:
@@ -198,9 +198,9 @@ def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp |
 
 
 def _ending(code: int | None) -> str:
-    """How a process ended, in words."""
+    """Text about the end of a process."""
     if code is not None and code < 0:
         with contextlib.suppress(ValueError):
             name = signal.Signals(-code).name
-            return f"{name}, out of memory perhaps" if name == "SIGKILL" else name
+            return f"{name}, perhaps out of memory" if name == "SIGKILL" else name
     return f"exit code {code}"

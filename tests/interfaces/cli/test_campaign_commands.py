@@ -186,7 +186,7 @@ def test_ctrl_c_leaves_a_campaign_to_go_on_with(place: Path) -> None:
     assert time.monotonic() - begun < 20.0
     assert process.returncode == 130, said
     assert said.splitlines()[-1] == (
-        "interrupted; what was flown is kept; go on by: springback campaign plan.toml "
+        "interrupted; completed flights are saved; resume with: springback campaign plan.toml "
         "--out 'broken off' --chunk 6 --workers 2 --quiet --resume"
     )
     assert "Traceback" not in said
@@ -229,7 +229,7 @@ def test_questions_and_answers(place: Path, here: Here) -> None:
 def test_a_summary_with_its_page(place: Path, here: Here) -> None:
     done = here("summary", "whole", "--out", "page")
     assert done.returncode == 0, done.stderr
-    assert "arq less quad, over 150 pairs of the same luck" in done.stdout
+    assert "arq less quad, over 150 pairs with the same noise" in done.stdout
     names = {path.name for path in (place / "page").iterdir()}
     assert names == {
         "summary.json", "summary.html", "marginals.png", "marginals.pdf", "marginals.csv",
@@ -269,14 +269,14 @@ def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
     [
         (("campaign", "plan.toml"), "--out is missing"),
         (("campaign", "--out", "new"), "PLAN is missing"),
-        (("campaign", "--out", "new", "--resume"), "new: holds no campaign"),
+        (("campaign", "--out", "new", "--resume"), "new: has no campaign"),
         (("campaign", "paln.toml", "--out", "new"), "paln.toml: cannot be read"),
         (("campaign", "plan.toml", "sampels=3", "--out", "new"), "did you mean samples?"),
         (("campaign", "plan.toml", "samples=-3", "--out", "new"), "override samples=-3"),
         (("campaign", "plan.toml", "--out", "new", "--workers", "0"), "--workers"),
         (("campaign", "plan.toml", "--out", "whole", "seed=6", "--resume"), "its seed is 5, not 6"),
         (("campaign", "plan.toml", "success='touch_sped < 2'", "--out", "new"), "touch_sped"),
-        (("query", "new"), "new: holds no campaign"),
+        (("query", "new"), "new: has no campaign"),
         (("query", "whole", "SELECT speeed FROM flights"), 'SQL: Binder Error: .*"speeed"'),
         (("query", "whole", "SELECT 1", "--out", "x.xlsx"), "must end in"),
         (("refly", "whole", "300"), "from 0 to 299"),

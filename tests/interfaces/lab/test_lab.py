@@ -202,7 +202,7 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
             rows["impact_peak_acceleration"]["values"][robot],
             rel=1e-4,  # between instants
         )
-        pressed = series["Arm compression", "most pressed arm"].max()
+        pressed = series["Arm compression", "most compressed arm"].max()
         assert pressed == pytest.approx(rows["impact_arm_stroke"]["values"][robot], abs=0.02)
         energy = sum(values for (panel, _), values in series.items() if panel == "Energy")
         assert energy == pytest.approx(energy[0], rel=1e-3)  # nothing puts energy in on a slider

@@ -1,1 +1,1 @@
-"""What a campaign found: intervals, marginals and statistics."""
+"""Evaluation of a campaign: intervals, marginals and statistics."""

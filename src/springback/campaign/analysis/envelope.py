@@ -1,4 +1,4 @@
-"""Where robots recover: successes over two parameters, and the line at which 95 % do."""
+"""Resilience envelope: success over two parameters, and its 95 % contour."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from springback.studies.proportions import CONFIDENCE
 from springback.studies.trials import Scatter
 from springback.version import __version__
 
-#: The line of the envelope: least share of trials that succeed.
+#: Success rate at the boundary of the envelope.
 LEVEL = 0.95
 
 
 class Axis(NamedTuple):
-    """Values of a parameter, equally far apart."""
+    """Equally spaced values of a parameter."""
 
     name: str
     unit: str
-    """As people read it: deg for angles, - for plain numbers."""
+    """Unit for display: deg for angles, - for plain numbers."""
     values: tuple[float, ...]
 
     @property
@@ -32,13 +32,13 @@ class Axis(NamedTuple):
         return f"{self.name} [{self.unit}]"
 
     def at(self, *values: float) -> str:
-        """A value, or a stretch of values, in words."""
+        """Text of a value, or of an interval."""
         numbers = " to ".join(f"{value:.3g}" for value in values)
         return f"{self.name} {numbers}" + ("" if self.unit == "-" else f" {self.unit}")
 
 
 class Place(NamedTuple):
-    """Of a cell: its robot, and its place along both axes."""
+    """Robot of a cell, and its indices along both axes."""
 
     robot: str
     column: int
@@ -47,12 +47,12 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class EnvelopeCell:
-    """How the trials of a robot at a pair of values ended."""
+    """Outcomes of the trials of a robot at a pair of values."""
 
     outcomes: Mapping[str, int]
-    """Number of trials by outcome; none where the test cannot be flown."""
+    """Number of trials by outcome; empty if the test cannot be flown."""
     reason: str = ""
-    """Why the test cannot be flown."""
+    """Reason why the test cannot be flown."""
 
     @property
     def trials(self) -> int:
@@ -66,17 +66,17 @@ class EnvelopeCell:
 
     @property
     def share(self) -> float | None:
-        """Of trials that succeeded."""
+        """Success rate."""
         return self.interval.value
 
     @property
     def interval(self) -> IntervalEstimate:
-        """The same with Wilson's interval."""
+        """Success rate with its Wilson interval."""
         return share(self.successes, self.trials)
 
 
 class Stretch(NamedTuple):
-    """Part of a line of cells on which a level is reached.
+    """Interval of a line of cells on which a level is reached.
 
     It ends where the level is crossed, or at the last cell that was flown.
     """
@@ -88,12 +88,12 @@ class Stretch(NamedTuple):
 
 
 def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> list[Stretch]:
-    """Where shares along a line of cells reach a level, linear between neighbouring cell centres.
+    """Intervals in which shares, interpolated linearly between cell centres, reach a level.
 
     Args:
-        values: Of the cell centres, rising or falling.
-        shares: There; NaN where nothing was flown, towards which nothing is interpolated.
-        level: To be reached.
+        values: Cell centres, ascending or descending.
+        shares: Shares at the centres; NaN for cells not flown, which end an interval.
+        level: Level to be reached.
     """
     order = np.argsort(values)
     v, s = np.asarray(values, float)[order], np.asarray(shares, float)[order]
@@ -119,20 +119,20 @@ def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> 
 
 @dataclass(frozen=True)
 class Envelope:
-    """Successes over two parameters."""
+    """Success over two parameters."""
 
     x: Axis
     y: Axis
     robots: tuple[str, ...]
     trials: int
-    """Of each cell."""
+    """Number of trials of each cell."""
     seed: int
     settings: tuple[str, ...]
-    """What is the same in all trials, as it was given."""
+    """Common settings of all trials, as given."""
     cells: dict[Place, EnvelopeCell]
 
     def shares(self, robot: str) -> Values:
-        """Success share of every cell, shape (values of y, values of x); NaN where not flown."""
+        """Success rate of every cell, shape (values of y, values of x); NaN if not flown."""
         rows, columns = range(len(self.y.values)), range(len(self.x.values))
         found = [[self.cells[Place(robot, i, j)].share for i in columns] for j in rows]
         return np.array(found, float)
@@ -143,15 +143,15 @@ class Envelope:
         return sorted(range(len(self.y.values)), key=lambda row: -self.y.values[row])
 
     def along_x(self, robot: str, row: int) -> list[Stretch]:
-        """Where along x, in shown units, the level is reached in a row of cells."""
+        """Intervals along x, in displayed units, in which a row of cells reaches the level."""
         return stretches(self.x.values, self.shares(robot)[row])
 
     def along_y(self, robot: str, column: int) -> list[Stretch]:
-        """Where along y, in shown units, the level is reached in a column of cells."""
+        """Intervals along y, in displayed units, in which a column of cells reaches the level."""
         return stretches(self.y.values, self.shares(robot)[:, column])
 
     def sentence(self, robot: str) -> str:
-        """How far the envelope of a robot reaches, through the middle of the map."""
+        """Sentence on the extent of a robot's envelope through the centre of the map."""
         flown = [cell for place, cell in self.cells.items() if place.robot == robot]
         grounded = sum(not cell.trials for cell in flown)
         good = sum((cell.share or 0.0) >= LEVEL for cell in flown)
@@ -169,7 +169,7 @@ class Envelope:
         return "; ".join(parts)
 
     def table(self, robot: str) -> str:
-        """Successes of a robot as text, a row for each value of y, the largest on top."""
+        """Successes of a robot as a text table, a row for each value of y, the largest on top."""
         head = [f"{v:g}" for v in self.x.values]
         lines = []
         for row in self.rows_from_top:
@@ -187,7 +187,7 @@ class Envelope:
         return "\n".join([title, f"{top}  {self.x.label}", *body, *self.reasons(robot)])
 
     def reasons(self, robot: str) -> list[str]:
-        """Why cells of a robot were not flown: a line for each reason, with a cell it holds for."""
+        """Reasons why cells of a robot were not flown, one line each, with an example."""
         found: dict[str, list[Place]] = {}
         for place, cell in self.cells.items():
             if place.robot == robot and not cell.trials:
@@ -203,7 +203,7 @@ class Envelope:
         return lines
 
     def rows(self) -> list[dict[str, Any]]:
-        """One row of a table for each cell."""
+        """Rows of a table, one for each cell."""
         known = [outcome.word for outcome in Outcome]
         seen = [word for word in known if any(word in c.outcomes for c in self.cells.values())]
         found = []
@@ -261,7 +261,7 @@ def _percent(share: float) -> str:
 
 
 def _reach(line: list[Stretch], axis: Axis) -> str:
-    """Stretches in words."""
+    """Text of intervals."""
     if not line:
         return "nowhere"
     parts = []

@@ -1,8 +1,8 @@
-"""Intervals of shares, quantiles and differences, all at 95 %.
+"""95 % confidence intervals of shares, quantiles and differences.
 
-They take flights for independent draws.  Sobol' and Latin hypercube designs vary less than that,
-so that their intervals are too wide rather than too narrow; repeats of one sample are alike, so
-that with few samples and many repeats they hold for those samples only.
+They assume independent flights.  Sobol' and Latin hypercube designs have a smaller variance, so
+their intervals are too wide rather than too narrow; repeats of one sample are correlated, so with
+few samples and many repeats intervals are valid for those samples only.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.studies.proportions import CONFIDENCE, wilson
 
@@ -20,7 +20,7 @@ Values = npt.NDArray[np.float64]
 
 
 class IntervalEstimate(NamedTuple):
-    """A number and its interval; None where there are too few flights."""
+    """A number and its interval; None if there are too few flights."""
 
     value: float | None
     low: float | None
@@ -28,7 +28,7 @@ class IntervalEstimate(NamedTuple):
 
 
 def share(successes: int, flights: int) -> IntervalEstimate:
-    """Of successes, with Wilson's interval (1927)."""
+    """Share of successes, with its Wilson interval (1927)."""
     if not flights:
         return IntervalEstimate(None, None, None)
     return IntervalEstimate(successes / flights, *wilson(successes, flights))
@@ -37,12 +37,12 @@ def share(successes: int, flights: int) -> IntervalEstimate:
 def ranks(count: int, part: float) -> tuple[int, int]:
     """Ranks, from 1, of the ordered values that enclose a quantile.
 
-    Of any continuous law, with at least the confidence (Conover 1999, section 3.2).  Rank 0 and
-    ``count + 1`` stand for no bound.
+    They hold for any continuous distribution, with at least the confidence (Conover 1999, section
+    3.2).  Ranks 0 and ``count + 1`` mean that there is no bound.
 
     Args:
-        count: Of values.
-        part: Below the quantile.
+        count: Number of values.
+        part: Share of the distribution below the quantile.
     """
     tail = 0.5 * (1.0 - CONFIDENCE)
     law = scipy.stats.binom(count, part)
@@ -50,7 +50,7 @@ def ranks(count: int, part: float) -> tuple[int, int]:
 
 
 def quantile(ordered: Values, part: float) -> IntervalEstimate:
-    """A quantile of a law, from ordered values of it."""
+    """A quantile of a distribution, from ordered samples."""
     if not len(ordered):
         return IntervalEstimate(None, None, None)
     low, high = ranks(len(ordered), part)
@@ -62,14 +62,14 @@ def quantile(ordered: Values, part: float) -> IntervalEstimate:
 
 
 def paired_difference(first_only: int, second_only: int, pairs: int) -> IntervalEstimate:
-    """Difference of two shares over the same pairs, the first's less the second's.
+    """Difference of two shares over the same pairs, the first minus the second.
 
     Agresti and Min (2005): Wald's interval after half a pair is added to each of four cells.
 
     Args:
-        first_only: Pairs in which the first succeeds alone.
-        second_only: In which the second does.
-        pairs: All.
+        first_only: Number of pairs in which only the first succeeds.
+        second_only: Number of pairs in which only the second succeeds.
+        pairs: Number of all pairs.
     """
     if not pairs:
         return IntervalEstimate(None, None, None)

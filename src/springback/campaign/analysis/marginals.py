@@ -1,4 +1,4 @@
-"""Success along the fields of a campaign, one by one and two by two."""
+"""Success over single fields and pairs of fields of a campaign."""
 
 from __future__ import annotations
 
@@ -16,42 +16,42 @@ from springback.results.database import identifier
 
 
 class Scale(NamedTuple):
-    """How a field is cut into cells."""
+    """Division of a field into cells."""
 
     name: str
     unit: str
     labels: tuple[str, ...]
-    """Of its levels; none where it is cut evenly."""
+    """Labels of its levels; empty for equal intervals."""
     edges: tuple[float, ...]
-    """Between cells, SI, one more than there are cells."""
+    """Edges of cells, SI, one more than there are cells."""
     logarithmic: bool
     cell: str
-    """In SQL, the number of the cell of a row, from 0."""
+    """SQL expression of the number of a row's cell, from 0."""
 
     @property
     def cells(self) -> int:
-        """How many."""
+        """Number of cells."""
         return len(self.labels) or len(self.edges) - 1
 
 
 def fields_of(campaign: Campaign, *, scatter: bool = False) -> list[str]:
-    """Names of the fields that the plan varies; with ``scatter`` those of luck as well."""
+    """Names of the fields that the plan varies; with ``scatter`` also the scattered ones."""
     return [one.column for one in campaign.design.dimensions if scatter or not one.scatter]
 
 
-#: More levels than this are cut evenly, as if there were none (chosen).
+#: Most levels that have a cell each (chosen).
 MOST_LEVELS = 24
-#: Share of the flights beyond each end of a normal law's cells, which end cells hold (chosen).
+#: Share of flights in the outermost cell at each end of a normal distribution (chosen).
 TAIL = 0.005
 
 
 def scale(campaign: Campaign, name: str, cells: int) -> Scale:
-    """How to cut a field.
+    """Division of a field into cells.
 
     Args:
-        campaign: That varied it.
-        name: Of its column.
-        cells: Where it has no levels.
+        campaign: Campaign that varied it.
+        name: Name of its column.
+        cells: Number of cells if it has no levels.
 
     Raises:
         InputError: If it was not varied.
@@ -90,7 +90,7 @@ class MarginalCell(NamedTuple):
     """Flights of a robot in a cell."""
 
     place: float
-    """Their mean along the field; of levels with words, the number of the level."""
+    """Their mean along the field; for levels with words, the number of the level."""
     flights: int
     successes: int
     success: IntervalEstimate
@@ -98,11 +98,11 @@ class MarginalCell(NamedTuple):
 
 @dataclass(frozen=True)
 class Marginal:
-    """Success along one field, whatever the others are."""
+    """Success over one field, averaged over the others."""
 
     scale: Scale
     robots: dict[str, tuple[MarginalCell, ...]]
-    """Of each, cells that any flight is in."""
+    """Non-empty cells of each robot."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -115,12 +115,12 @@ class Marginal:
 
 
 def marginal(campaign: Campaign, name: str, cells: int = 12) -> Marginal:
-    """Success along a field.
+    """Success over a field.
 
     Args:
-        campaign: That varied it.
-        name: Of its column.
-        cells: Where it has no levels.
+        campaign: Campaign that varied it.
+        name: Name of its column.
+        cells: Number of cells if it has no levels.
     """
     cut = scale(campaign, name, cells)
     text = bool(cut.labels) and not cut.edges
@@ -142,11 +142,11 @@ class FieldMap:
     x: Scale
     y: Scale
     flights: dict[str, Values]
-    """Of each robot, by row and column of cells."""
+    """Number of flights of each robot, by row and column of cells."""
     successes: dict[str, Values]
 
     def shares(self, robot: str) -> Values:
-        """Of successes; NaN where no flight is."""
+        """Success rates of each robot; NaN for empty cells."""
         with np.errstate(invalid="ignore", divide="ignore"):
             return np.asarray(self.successes[robot] / self.flights[robot], np.float64)
 
@@ -155,10 +155,10 @@ def field_map(campaign: Campaign, x: str, y: str, cells: int = 12) -> FieldMap:
     """Success over two fields.
 
     Args:
-        campaign: That varied them.
+        campaign: Campaign that varied them.
         x: Name of a column.
-        y: Another's.
-        cells: Along each, where it has no levels.
+        y: Name of another.
+        cells: Number of cells along each if it has no levels.
     """
     across, up = scale(campaign, x, cells), scale(campaign, y, cells)
     sql = f"""SELECT robot, {across.cell} AS i, {up.cell} AS j, count(success), sum(success)

@@ -1,4 +1,4 @@
-"""What a campaign says: shares of success, quantiles of measures, robots in pairs."""
+"""Statistics of a campaign: success rates, quantiles of measures, paired robots."""
 
 from __future__ import annotations
 
@@ -18,32 +18,32 @@ from springback.campaign.columns import known_columns
 from springback.errors import InputError
 from springback.studies.proportions import CONFIDENCE
 
-#: Measures that a summary shows, where any flight has them.
+#: Measures of a summary, if any flight has them.
 MAIN = (
     "touch_speed", "impact_peak_acceleration", "impact_arm_stroke", "contact_time",
     "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down",
     "direction_error",
 )  # fmt: skip
 PARTS = (0.1, 0.5, 0.9)
-"""Of flights below the quantiles that are shown."""
+"""Shares of flights below the quantiles shown."""
 
 
 @dataclass(frozen=True)
 class RobotSummary:
-    """Of one robot."""
+    """Summary of one robot."""
 
     robot: str
     flights: int
-    """That are there."""
+    """Number of stored flights."""
     refused: int
-    """That could not be flown; they count nowhere else."""
+    """Number of flights that could not be flown, which are not counted elsewhere."""
     ledger_open: int
-    """Whose energy ledger does not close to 1e-4."""
+    """Number of flights whose energy balance does not close to 1e-4."""
     successes: int
     success: IntervalEstimate
     outcomes: dict[str, int]
     measures: dict[str, tuple[int, tuple[IntervalEstimate, ...]]]
-    """Of each: how many flights have it, and its quantiles."""
+    """Number of flights that have each measure, and its quantiles."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -64,20 +64,20 @@ class RobotSummary:
 
 @dataclass(frozen=True)
 class PairSummary:
-    """Two robots that were dealt the same."""
+    """Two robots with the same samples and noise."""
 
     robots: tuple[str, str]
     pairs: int
-    """In which both were flown."""
+    """Number of pairs in which both were flown."""
     both: int
     first_only: int
-    """Pairs in which the first succeeded alone."""
+    """Number of pairs in which only the first succeeded."""
     second_only: int
     neither: int
     difference: IntervalEstimate
-    """Of the shares of success, the first's less the second's."""
+    """Difference of the success rates, the first minus the second."""
     medians: dict[str, tuple[int, IntervalEstimate]]
-    """Of the difference of each measure: number of pairs that have it, and the median."""
+    """Number of pairs that have each measure, and the median of its difference."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -93,13 +93,13 @@ class PairSummary:
         }  # fmt: skip
 
     def sentence(self) -> str:
-        """In words."""
+        """Text of one sentence."""
         first, second = self.robots
         d = self.difference
         if d.value is None or d.low is None or d.high is None:
             return f"{first} and {second}: no pair was flown"
         return (
-            f"{first} less {second}, over {self.pairs} pairs of the same luck: "
+            f"{first} less {second}, over {self.pairs} pairs with the same noise: "
             f"{100.0 * d.value:+.2f} percentage points "
             f"({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f}); "
             f"{first} alone succeeds in {self.first_only}, {second} alone in {self.second_only}"
@@ -108,13 +108,13 @@ class PairSummary:
 
 @dataclass(frozen=True)
 class Summary:
-    """Of a whole campaign."""
+    """Summary of a campaign."""
 
     campaign: Campaign = field(repr=False)
     robots: tuple[RobotSummary, ...]
     pairs: tuple[PairSummary, ...]
     refusal: str = ""
-    """How many flights could not be flown, with one of them and the reason; empty if none."""
+    """Sentence on flights that could not be flown, with an example; empty if none."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
@@ -132,13 +132,13 @@ class Summary:
 
 
 def summary(campaign: Campaign) -> Summary:
-    """Sum a campaign up.
+    """Summary of a campaign.
 
     Raises:
-        InputError: If nothing of it has been flown.
+        InputError: If it has no flights yet.
     """
     if not campaign.done:
-        raise InputError(f"{campaign.folder}: no flight is there yet")
+        raise InputError(f"{campaign.folder}: has no flights yet")
     names = campaign.about["robots"]
     robots = tuple(_robot(campaign, robot) for robot in names)
     pairs = tuple(

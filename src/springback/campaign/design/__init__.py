@@ -1,1 +1,1 @@
-"""The design of a campaign: its plan, laid out flight by flight."""
+"""Design of a campaign: its plan, and the values of every flight."""

@@ -1,4 +1,4 @@
-"""Dimensions of a plan: fields, how their values are spread, and where they go."""
+"""Dimensions of a plan: fields, their distributions, and their targets in the scenario."""
 
 from __future__ import annotations
 
@@ -33,38 +33,38 @@ from springback.scenario.scenario import Scenario
 from springback.studies.trials import Scatter
 
 Blame = Callable[[Path, str], None]
-"""Takes note of a problem: where in the plan, and what."""
+"""Function that records a problem by its path in the plan and its message."""
 
 #: Names of columns (chosen): dotted paths, and words.
 NAME = re.compile(r"[A-Za-z_][\w.\[\]]*\Z")
-#: Ending of a column whose values are factors of the scenario's own.
+#: Suffix of columns whose values are factors of the scenario's own.
 FACTOR = "_factor"
 
 
 @dataclass(frozen=True)
 class Dimension:
-    """One thing that differs from flight to flight."""
+    """A quantity that varies from flight to flight."""
 
     column: str
     unit: str
     law: Distribution
     table: str
-    """Of the scenario, that the value goes into."""
+    """Table of the scenario that the value belongs to."""
     place: Place
     slot: int = -1
-    """Of scatter, which of the numbers of a flight's luck; -1 where samples decide."""
+    """Index of the random number of a flight for scatter; -1 for sampled dimensions."""
     own: tuple[float, ...] = ()
-    """Of each robot, the scenario's own value, where the law's is added to it."""
+    """The scenario's own value of each robot, to which the drawn one is added."""
     factor: bool = False
-    """Whether it is multiplied by the law's value instead."""
+    """True if it is multiplied by the drawn value instead."""
 
     @property
     def scatter(self) -> bool:
-        """Whether it is a part of luck."""
+        """True for a scattered dimension."""
         return self.slot >= 0
 
     def scenario_value(self, drawn: Any, robot: int) -> Any:
-        """What goes into a robot's scenario, from what the law gave."""
+        """Value in a robot's scenario, from a drawn one."""
         if isinstance(self.law, LevelSet):
             return self.law.values[drawn]
         if not self.own:
@@ -73,11 +73,11 @@ class Dimension:
 
     @property
     def text(self) -> bool:
-        """Whether its column holds words."""
+        """True if its column contains words."""
         return isinstance(self.law, LevelSet) and not all(map(_is_number, self.law.values))
 
     def column_value(self, drawn: Any, robot: int) -> Any:
-        """A value as it stands in the column, from what the law gave."""
+        """Value in the column, from a drawn one."""
         if not isinstance(self.law, LevelSet):
             return drawn if self.factor else self.scenario_value(drawn, robot)
         value = self.law.values[drawn]
@@ -87,11 +87,11 @@ class Dimension:
 
 
 Extremes = tuple[tuple[Path, Any], ...]
-"""Values to be tried out before anything is flown, and where in the plan each stands."""
+"""Values to be tried before anything is flown, with their paths in the plan."""
 
 
 class Found(NamedTuple):
-    """A dimension, its extremes, and the field that it is of."""
+    """A dimension, its extremes, and its field."""
 
     dimension: Dimension
     extremes: Extremes
@@ -105,14 +105,14 @@ def _is_number(value: Any) -> bool:
 def varied_dimension(
     k: int, entry: Vary, plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
 ) -> Found | None:
-    """The dimension of an entry of ``vary``; None if it has a problem, which was told.
+    """Dimension of an entry of ``vary``; None if it has a problem, which is recorded.
 
     Args:
         k: Number of the entry.
-        entry: As written.
-        plan: That it is in.
-        scenarios: Of each robot.
-        blame: Told of problems.
+        entry: Entry as written.
+        plan: Plan of the entry.
+        scenarios: Scenario of each robot.
+        blame: Called with problems.
     """
     at: Path = ("vary", k)
     try:
@@ -139,7 +139,7 @@ def varied_dimension(
 
 
 class _Reader:
-    """Reads the values of one entry, and blames what cannot be read."""
+    """Reader of the values of an entry, which records problems."""
 
     def __init__(
         self,
@@ -154,7 +154,7 @@ class _Reader:
         self.failed = False
 
     def number(self, key: str, value: Any, difference: bool = False) -> float:
-        """A number in SI; 0 if it is none, which is told."""
+        """Number in SI; 0 if it is invalid, which is recorded."""
         assert self.goal.number is not None
         whole = self.goal.number.whole and not difference
         plain = Parameter(self.entry.field, self.goal.path, self.goal.number.unit, whole)
@@ -172,7 +172,7 @@ class _Reader:
         self.blame((*self.at, *([key] if key else [])), what)
 
     def levels(self) -> tuple[Distribution, Extremes] | None:
-        """Of values, one by one."""
+        """Levels from a list of values."""
         given = self.entry.values or ()
         if self.goal.number is not None:
             read = tuple(self.number("values", value) for value in given)
@@ -184,9 +184,9 @@ class _Reader:
         return None if self.failed else (LevelSet(given), tuple((where, v) for v in given))
 
     def law(self, grid: bool) -> tuple[Distribution, Extremes] | None:
-        """Of from and to, normal or factor."""
+        """Distribution from ``from`` and ``to``, ``normal`` or ``factor``."""
         if self.goal.number is None:
-            self.say("field", "is no single number; give values")
+            self.say("field", "is not a single number; give values")
             return None
         if self.goal.number.whole and self.entry.from_ is None:
             self.say("field", "is a whole number: give values, or from, to and step")
@@ -208,7 +208,7 @@ class _Reader:
         return None if law is None else (law, ends)
 
     def spread(self, first: float, last: float, grid: bool) -> Distribution | None:
-        """Levels where they are counted, else evenly."""
+        """Levels if their number or step is given, else a uniform distribution."""
         count, logarithmic = self.entry.count, self.entry.spacing == "logarithmic"
         whole = self.goal.number is not None and self.goal.number.whole
         if self.entry.step is not None:
@@ -240,7 +240,7 @@ class _Reader:
         return LevelSet(tuple(int(v) for v in values) if whole else tuple(values))
 
     def bell(self) -> tuple[Distribution, Extremes] | None:
-        """Of a normal law."""
+        """Normal distribution."""
         given = self.entry.normal
         assert given is not None
         deviation = self.number("normal", given.deviation, difference=True)
@@ -257,7 +257,7 @@ class _Reader:
         return None if self.failed else (NormalDistribution(mean, deviation), middle)
 
     def factor(self) -> tuple[Distribution, Extremes] | None:
-        """Of a factor."""
+        """Distribution of a factor."""
         given = self.entry.factor
         assert given is not None
         if self.goal.relative or self.scenario_values() is None:
@@ -271,7 +271,7 @@ class _Reader:
         return UniformDistribution(float(given.from_), float(given.to)), ()
 
     def scenario_values(self) -> tuple[float, ...] | None:
-        """Of each robot, the scenario's own value; None if one has none, which is told."""
+        """The scenario's own value of each robot; None if one has none, which is recorded."""
         if self.goal.relative:
             return (0.0,) * len(self.scenarios)
         found = []
@@ -288,34 +288,34 @@ class _Reader:
         return tuple(found)
 
 
-def scatter_dimensions(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
+def scatter_dimensions(deviations: Scatter, scenario: Scenario) -> list[Dimension]:
     """Dimensions of scatter, as in a trial (`springback.studies.trials.trial_tables`).
 
     Args:
-        dealt: Standard deviations; what has none is left out.
-        scenario: That has a wall, if walls are scattered.
+        deviations: Standard deviations; quantities without one are left out.
+        scenario: Scenario with a wall, if walls are scattered.
 
     Raises:
-        InputError: If it has none.
+        InputError: If it has no wall.
     """
     rows: list[tuple[str, str, float, str, Place | None]] = []
     for name, unit, deviation in (
-        ("position", "m", dealt.position), ("velocity", "m/s", dealt.velocity)
+        ("position", "m", deviations.position), ("velocity", "m/s", deviations.velocity)
     ):  # fmt: skip
         for k, axis in enumerate("xyz"):
             rows.append((f"{name}_{axis}", unit, deviation, "start", addition((name, k))))
-    rows.append(("heading", "rad", dealt.heading, "start", addition(("yaw",))))
-    walls = (dealt.wall_distance, dealt.wall_yaw)
+    rows.append(("heading", "rad", deviations.heading, "start", addition(("yaw",))))
+    walls = (deviations.wall_distance, deviations.wall_yaw)
     moves = [
         target(word, scenario).place if deviation > 0.0 else None
         for word, deviation in zip((WALL_SHIFT, WALL_ANGLE), walls, strict=True)
     ]
     rows.append(("wall_distance", "m", walls[0], "world", moves[0]))
     rows.append(("wall_yaw", "rad", walls[1], "world", moves[1]))
-    for name, deviation in (("mass", dealt.mass), ("inertia", dealt.inertia)):
+    for name, deviation in (("mass", deviations.mass), ("inertia", deviations.inertia)):
         rows.append((f"{name}{FACTOR}", "", deviation, "model_error", multiplication((name,))))
     for name in GAINS:
-        rows.append((f"{name}{FACTOR}", "", dealt.gains, "control", multiplication((name,))))
+        rows.append((f"{name}{FACTOR}", "", deviations.gains, "control", multiplication((name,))))
     found = []
     for slot, (word, unit, deviation, table, place) in enumerate(rows):
         if deviation > 0.0 and place is not None:
@@ -328,5 +328,5 @@ def scatter_dimensions(dealt: Scatter, scenario: Scenario) -> list[Dimension]:
     return found
 
 
-#: Numbers of a flight's luck that scatter needs.
+#: Random numbers of a flight that scatter needs.
 SLOTS = 16

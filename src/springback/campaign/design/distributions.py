@@ -1,4 +1,4 @@
-"""How a number from 0 to 1 becomes a value of a field."""
+"""Distributions of fields: maps of numbers from 0 to 1 to values."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from springback.campaign.design.sampling import Numbers, normal_quantiles
 
 
 class Distribution(Protocol):
-    """What a dimension of a plan does with its number."""
+    """Distribution of a dimension of a plan."""
 
     @property
     def levels(self) -> int:
-        """How many there are; 0 for a law without."""
+        """Number of levels; 0 if it is continuous."""
 
     def of(self, us: Numbers) -> list[Any]:
-        """The values that belong to numbers from [0, 1); of levels, which ones.
+        """Values at numbers from [0, 1); for levels their indices.
 
-        Each is worked out for itself, so that it does not depend on its neighbours.
+        Each is computed separately, so that its bits do not depend on its neighbours.
         """
 
 
 @dataclass(frozen=True)
 class LevelSet:
-    """Values, all alike likely."""
+    """Discrete values of equal probability."""
 
     values: tuple[Any, ...]
 
@@ -42,7 +42,7 @@ class LevelSet:
 
 @dataclass(frozen=True)
 class UniformDistribution:
-    """Evenly between two values."""
+    """Uniform between two values, or in their logarithm."""
 
     first: float
     last: float
@@ -51,19 +51,19 @@ class UniformDistribution:
     levels: int = 0
 
     def at(self, u: float) -> float:
-        """Linear in u, or its logarithm is."""
+        """Value at u."""
         if self.logarithmic:
             return self.first * math.exp(u * math.log(self.last / self.first))
         return self.first + u * (self.last - self.first)
 
     def of(self, us: Numbers) -> list[Any]:
-        """One by one."""
+        """Values at numbers from [0, 1)."""
         return [self.at(u) for u in us.tolist()]
 
 
 @dataclass(frozen=True)
 class NormalDistribution:
-    """Normally distributed about a value; about zero, what is added to it."""
+    """Normal distribution; with mean zero if it is added to the scenario's own value."""
 
     mean: float
     deviation: float
@@ -71,18 +71,18 @@ class NormalDistribution:
     levels: int = 0
 
     def of(self, us: Numbers) -> list[Any]:
-        """By the inverse of the distribution function."""
+        """Values by the inverse of the cumulative distribution."""
         return [self.mean + self.deviation * z for z in normal_quantiles(us)]
 
 
 @dataclass(frozen=True)
 class NormalFactor:
-    """A factor whose logarithm is normally distributed about zero."""
+    """Log-normal factor with median 1."""
 
     deviation: float
 
     levels: int = 0
 
     def of(self, us: Numbers) -> list[Any]:
-        """Median 1."""
+        """Factors at numbers from [0, 1)."""
         return [math.exp(self.deviation * z) for z in normal_quantiles(us)]

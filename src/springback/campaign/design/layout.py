@@ -1,4 +1,4 @@
-"""A plan laid out: checked against its scenario, and dealt flight by flight."""
+"""Layout of a plan: validation against its scenario, and the values of every flight."""
 
 from __future__ import annotations
 
@@ -45,35 +45,35 @@ from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]
-#: More flights are a slip of the pen (chosen).
+#: Upper limit of flights, to catch typing errors (chosen).
 MOST_FLIGHTS = 10**9
-#: Of a field with more levels only the first and the last are tried out (chosen).
+#: Most levels of a field that are all tried; of more only the first and the last are (chosen).
 MOST_TRIED = 200
-#: Columns of every campaign that say which flight a row is.
+#: Columns of all campaigns that identify the flight of a row.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
 
 class DesignSlice(NamedTuple):
-    """A stretch of flights."""
+    """Scenarios and values of a range of flights."""
 
     tables: list[Tables]
-    """A whole scenario of each; tables that are alike are the same object."""
+    """Complete scenario of each flight; equal tables are the same object."""
     columns: dict[str, list[Any]]
-    """Which flights they are, and all that differs between them."""
+    """Columns that identify the flights, and all values that vary."""
 
 
 @dataclass(frozen=True)
 class Design:
-    """A plan that can be flown."""
+    """A validated plan, ready to fly."""
 
     plan: Plan
     robots: tuple[str, ...]
     bases: tuple[Tables, ...]
-    """Of each robot, the scenario where nothing is varied."""
+    """Scenario of each robot without variations."""
     dimensions: tuple[Dimension, ...]
-    """In the order of the plan, scatter last."""
+    """Dimensions in the order of the plan, scatter last."""
     placing: tuple[int, ...]
-    """Numbers of dimensions, in the order in which they are put into the scenario."""
+    """Indices of dimensions, in the order of their insertion into the scenario."""
     samples: int
 
     @property
@@ -83,12 +83,12 @@ class Design:
 
     @property
     def units(self) -> dict[str, str]:
-        """Of the columns of what differs, SI."""
+        """SI units of the columns of dimensions."""
         return {d.column: d.unit for d in self.dimensions}
 
     @functools.cached_property
     def full_scenarios(self) -> list[dict[str, Any]]:
-        """Of each robot, the scenario with every preset and default as numbers, in SI."""
+        """Scenario of each robot with all presets and defaults as numbers, in SI."""
         return [scenario_from(base, False).model_dump(mode="json") for base in self.bases]
 
     @functools.cached_property
@@ -98,7 +98,7 @@ class Design:
 
     @property
     def success(self) -> str:
-        """What counts as success, in SQL."""
+        """Condition of success in SQL."""
         if self.plan.success is not None:
             return self.plan.success
         if self.bases[0].get("recovery") is not None:
@@ -107,7 +107,7 @@ class Design:
         return f"outcome NOT IN ({failures})"
 
     def slice(self, first: int, last: int) -> DesignSlice:
-        """Flights from ``first`` to before ``last``, whatever the other slices."""
+        """Flights from ``first`` to before ``last``, independent of other slices."""
         per = self.plan.repeats * len(self.robots)
         begin, end = first // per, -(-last // per)
         numbers = _numbers(self, begin, end - begin)
@@ -136,18 +136,18 @@ class Design:
         steps: Mapping[str, Sequence[int]],
         known: dict[Any, Any],
     ) -> Tables:
-        """A robot's scenario with values; tables made before for the same values are used again.
+        """A robot's scenario with values, reusing tables of the same values.
 
         Args:
-            robot: Its number.
+            robot: Number of the robot.
             drawn: Values of all dimensions.
-            steps: Of each table, which dimensions go into it, in their order.
-            known: Tables made before; more are added.
+            steps: Dimensions of each table, in order of insertion.
+            known: Tables built so far, which is extended.
         """
         tables = dict(self.bases[robot])
         for name, changes in steps.items():
             table = tables.get(name, {})
-            # Robots whose own values differ have tables of their own.
+            # Robots with different own values have different tables.
             key = (name, id(table), *[drawn[k] for k in changes])
             if key not in known:
                 for k in changes:
@@ -161,7 +161,7 @@ class Design:
 def _numbers(
     design: Design, begin: int, count: int
 ) -> Callable[[int, int], tuple[int, tuple[Any, ...]]]:
-    """Seed and values of some samples, by number from ``begin`` and repeat."""
+    """Function from sample number, counted from ``begin``, and repeat to seed and values."""
     plan, dimensions = design.plan, design.dimensions
     grid = plan.method == "grid"
     gridded = [k for k, d in enumerate(dimensions) if not d.scatter and (d.law.levels or not grid)]
@@ -180,7 +180,7 @@ def _numbers(
 
     @functools.cache
     def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
-        """Seeds and values of one repeat of all these samples."""
+        """Seeds and values of one repeat of these samples."""
         scatter = uniform_rows(plan.seed, (Purpose.SCATTER, repeat), begin, count, SLOTS)
         more = uniform_rows(plan.seed, (Purpose.DRAWN, repeat), begin, count, len(drawn))
         found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
@@ -197,20 +197,20 @@ def _numbers(
 
 @functools.lru_cache(maxsize=4)
 def design_of(text: str) -> Design:
-    """The design of a plan as `Plan.canonical` has it; its dimensions are looked up once."""
+    """Design of a plan from `Plan.canonical`, cached."""
     return lay_out(plan_from(json.loads(text)), tried=False)
 
 
 def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> Design:
-    """Check a plan against its scenario, and lay it out.
+    """Design of a plan, validated against its scenario.
 
     Args:
         plan: Any; a scenario that is a path is read, relative to the working directory.
-        source: Where the plan stands.
-        tried: Whether extremes are tried out: not those of a plan that was laid out before.
+        source: Origin of the plan.
+        tried: Try the extremes; not needed for a plan that was laid out before.
 
     Raises:
-        InputError: One line for each problem, all that there are.
+        InputError: One line for each problem.
     """
     where = source or Source()
     plan = with_scenario(plan, Path(), where)
@@ -264,7 +264,7 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
 
 
 def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
-    """Whole tables before what is in them, changes of a wall after its fields, scatter last."""
+    """Order of insertion: tables before their fields, fields of a wall before its changes."""
     goals = [one.goal for one in fields]
     order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
     return (*order, *range(len(goals), len(goals) + noise_stream))
@@ -274,25 +274,25 @@ def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
 
 
 def _robot_names(plan: Plan) -> tuple[str, ...]:
-    """Names of the robots, as they stand in rows."""
+    """Names of the robots in rows."""
     if plan.robots:
         return plan.robots
     assert isinstance(plan.scenario, dict)
     vehicle = plan.scenario.get("vehicle")
-    if isinstance(vehicle, Mapping):  # one's own name for it goes before that of the preset
+    if isinstance(vehicle, Mapping):  # the user's name takes precedence over that of the preset
         vehicle = vehicle.get("name") or vehicle.get("preset")
     return (vehicle if isinstance(vehicle, str) else "own",)
 
 
 def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
-    """The scenario with each robot."""
+    """Scenarios of the robots."""
     assert isinstance(plan.scenario, dict)
-    given: Tables = json.loads(json.dumps(plan.scenario))  # lists, whatever it was made of
+    given: Tables = json.loads(json.dumps(plan.scenario))  # converts all sequences to lists
     if not plan.robots:
         return (given,)
     vehicle = given.get("vehicle", {})
     if isinstance(vehicle, Mapping) and vehicle and "preset" not in vehicle:
-        what = "cannot be laid over a vehicle without a preset; leave robots out"
+        what = "cannot be applied to a vehicle without a preset; leave robots out"
         raise InputError(where.problem_line(("robots",), what))
     own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
     bases = []
@@ -320,10 +320,10 @@ def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario
 def _check_columns(
     plan: Plan, found: Sequence[Found | None], blame: Callable[[Sequence[str | int], str], None]
 ) -> None:
-    """Refuse fields given twice, and columns of one name."""
+    """Reject fields given twice, and columns of the same name."""
     from springback.campaign.columns import known_columns
 
-    taken = {name.lower(): "has a meaning of its own" for name in known_columns()}
+    taken = {name.lower(): "is reserved" for name in known_columns()}
     fields: dict[tuple[Any, ...], int] = {}
     for k, (entry, one) in enumerate(zip(plan.vary, found, strict=True)):
         if one is None:
@@ -348,9 +348,9 @@ def _try_out(
     plan: Plan,
     blame: Callable[[Sequence[str | int], str], None],
 ) -> None:
-    """Blame a field for values with which the scenario, as it is else, cannot be flown.
+    """Record values with which the otherwise unchanged scenario cannot be flown.
 
-    Run-ups are not sought, which may take long; a vehicle too weak for one leads to refused rows.
+    Run-ups are not planned, which may take long; a vehicle too weak for one leads to refused rows.
     """
     few = extremes if len(extremes) <= MOST_TRIED else (extremes[0], extremes[-1])
     for path, value in few:
@@ -365,18 +365,18 @@ def _try_out(
 
 
 def value_text(value: Any) -> str:
-    """A value as one would write it."""
+    """Value as text."""
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 class _Reference(Settings):
-    """A reference alone, to be checked without seeking a run-up."""
+    """A reference alone, to be validated without planning a run-up."""
 
     reference: ReferenceSettings
 
 
 def _problem(tables: Tables, one: Dimension) -> str:
-    """Why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
+    """Reason why a scenario cannot be flown; empty if it can, or if its run-up may be too hard."""
     reference = tables.get("reference")
     try:
         if one.table == "reference":

@@ -1,4 +1,4 @@
-"""A plan: which flights a campaign flies, as a user writes it down."""
+"""Plan of a campaign, as a user writes it."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
-#: More samples, or repeats, are a slip of the pen (chosen).
+#: Upper limit of samples, and of repeats, to catch typing errors (chosen).
 MOST_SAMPLES = 10**8
-#: More levels of one field, and more fields, are a slip of the pen (chosen).
+#: Upper limits of levels of a field, and of fields, to catch typing errors (chosen).
 MOST_LEVELS, MOST_FIELDS = 100_000, 100
 Count = Annotated[int, Field(ge=1, le=MOST_SAMPLES, strict=True)]
-#: A field whose name is a word of Python is written without the underscore.
+#: Key of the field ``from_``, as ``from`` is a keyword of Python.
 FROM = "from_"
 
 
 class Spaced(Settings):
-    """A table with a key ``from``, which Python knows as ``from_``."""
+    """A table with a key ``from``, which is ``from_`` in Python."""
 
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, given: Any) -> Any:
-        """As of all settings, but for ``from``."""
+        """Known keys of settings, with ``from`` for ``from_``."""
         if not isinstance(given, dict):
             return given
         known = Settings._known_keys.__func__
@@ -42,22 +42,22 @@ class Spaced(Settings):
 
 
 class Normal(Settings):
-    """A normal law."""
+    """A normal distribution."""
 
     mean: Any = None
-    """By default the scenario's own value."""
+    """Mean; by default the scenario's own value."""
     deviation: Any
     """Standard deviation."""
 
 
 class FactorLaw(Spaced):
-    """What the scenario's own value is multiplied by."""
+    """Distribution of a factor of the scenario's own value."""
 
     deviation: Annotated[float, Unit("", above=0.0)] | None = None
-    """Of the factor's logarithm, normally distributed: 5 % makes factors of about 0.95 to 1.05."""
+    """Standard deviation of the factor's logarithm: 5 % gives factors of about 0.95 to 1.05."""
     from_: Annotated[float, Unit("", above=0.0)] | None = None
     to: Annotated[float, Unit("", above=0.0)] | None = None
-    """With ``from``: evenly between both."""
+    """Upper bound of a uniform factor, with ``from``."""
 
     @model_validator(mode="after")
     def _one_way(self) -> FactorLaw:
@@ -68,21 +68,21 @@ class FactorLaw(Spaced):
 
 
 class Vary(Spaced):
-    """A field of the scenario that differs from sample to sample."""
+    """A field of the scenario that varies from sample to sample."""
 
     field: str
     """A short name, or the dotted path of any value of the scenario."""
     name: Name | None = None
-    """Of its column; by default that of the field."""
+    """Name of its column; by default that of the field."""
     from_: Any = None
     to: Any = None
     count: Annotated[int, Field(ge=2, le=MOST_LEVELS, strict=True)] | None = None
-    """Of levels from ``from`` to ``to``, both included; a grid needs it, or ``step``."""
+    """Number of levels from ``from`` to ``to``, inclusive; a grid needs it, or ``step``."""
     step: Any = None
-    """Between levels."""
+    """Spacing of levels."""
     spacing: Literal["linear", "logarithmic"] = "linear"
     values: tuple[Any, ...] | None = None
-    """Levels, one by one: numbers, names of surfaces, true and false."""
+    """List of levels: numbers, names of surfaces, true and false."""
     normal: Normal | None = None
     factor: FactorLaw | None = None
 
@@ -93,11 +93,11 @@ class Vary(Spaced):
         if sum(ways) != 1:
             raise problem("needs one of: from and to, values, normal, factor")
         if span and (self.from_ is None or self.to is None):
-            raise problem("is missing beside the other end", "from" if self.to else "to")
+            raise problem("is missing", "from" if self.to else "to")
         if not span and (self.count or self.step is not None or self.spacing != "linear"):
             raise problem("count, step and spacing belong to from and to")
         if self.count and self.step is not None:
-            raise problem("stands beside count; give one of them", "step")
+            raise problem("cannot be combined with count; give only one", "step")
         if self.step is not None and self.spacing != "linear":
             raise problem("belongs to linear spacing; give count", "step")
         if self.values is not None and not self.values:
@@ -109,9 +109,9 @@ class Vary(Spaced):
 
 
 class ScatterSettings(Settings):
-    """Standard deviations of a trial's luck, those of `springback.studies.trials.Scatter`.
+    """Standard deviations of the scatter, as in `springback.studies.trials.Scatter`.
 
-    ``"trials"`` stands for those of the trials; what is not given is not scattered.
+    ``"trials"`` stands for those of the trials; quantities that are not given are not scattered.
     """
 
     position: Annotated[float, Unit("m", least=0.0)] = 0.0
@@ -134,43 +134,43 @@ class ScatterSettings(Settings):
         return Scatter()._asdict() | {key: v for key, v in table.items() if key != "preset"}
 
     def deviations(self) -> Scatter:
-        """As numbers."""
+        """Standard deviations as numbers."""
         return Scatter(**self.model_dump())
 
 
 class Keep(Settings):
-    """Whose trajectories are kept."""
+    """Selection of flights whose trajectories are stored."""
 
     where: str
-    """A condition over the columns of a row, in SQL."""
+    """Condition on the columns of a row, in SQL."""
     most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
-    """The first of those that it holds for."""
+    """Largest number of flights, the first that satisfy it."""
 
 
 class Plan(Settings):
-    """Which flights a campaign flies.
+    """Plan of the flights of a campaign.
 
     Flight k is robot ``k % robots``, repeat ``k // robots % repeats`` and sample
-    ``k // robots // repeats``.  All robots are dealt the same samples and the same luck.
+    ``k // robots // repeats``.  All robots get the same samples and the same noise.
     """
 
     name: Name = "campaign"
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of samples and luck."""
+    """Seed of samples and noise."""
     scenario: dict[str, Any] | str
-    """What is flown where nothing else is said: tables, or the path of a scenario file."""
+    """Scenario without variations: tables, or the path of a scenario file."""
     robots: tuple[str, ...] = ()
-    """Presets laid over the scenario's vehicle; none: the scenario's own."""
+    """Presets for the scenario's vehicle; by default the scenario's own."""
     method: Method
     samples: Count | None = None
-    """Of a grid its number of points, not to be given."""
+    """Number of samples; for a grid its number of points, which must not be given."""
     repeats: Count = 1
-    """Flights of each sample and robot, each with new luck: sensor noise, and scatter."""
+    """Flights of each sample and robot, with different sensor noise and scatter."""
     vary: tuple[Vary, ...] = ()
     scatter: ScatterSettings | None = None
     success: str | None = None
-    """A condition over the columns of a row, in SQL; by default that the robot recovered, or
-    without recovery that it neither touched ground, nor ran out of stroke, nor diverged."""
+    """Condition of success on the columns of a row, in SQL; by default that the robot recovered
+    or, without recovery, neither touched the ground, nor used up a stroke, nor diverged."""
     keep: Keep | None = None
 
     @model_validator(mode="after")
@@ -187,31 +187,31 @@ class Plan(Settings):
 
     @classmethod
     def in_words(cls, error: ValidationError) -> list[str]:
-        """The problems of a plan made in Python, one line each."""
+        """Problems of a plan built in Python, one line each."""
         return [Source().problem_line(*_named(*found)) for found in problem_paths(error)]
 
     def canonical(self) -> str:
-        """The plan as JSON, the same text for the same plan."""
+        """Plan as JSON, the same text for the same plan."""
         return json.dumps(
             self.model_dump(mode="json"), sort_keys=True, ensure_ascii=False, allow_nan=False
         )
 
     def digest(self) -> str:
-        """SHA-256 of all that decides what is flown: not of the name, nor of what is kept."""
+        """SHA-256 of everything that affects the flights, without ``name`` and ``keep``."""
         data = self.model_dump(mode="json", exclude={"name", "keep"})
         text = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False)
         return hashlib.sha256(text.encode()).hexdigest()
 
 
 class Source:
-    """Where a plan stands, to blame its problems on."""
+    """Origin of a plan, for messages about its problems."""
 
     def __init__(self, name: str = "", text: str = "", overrides: Sequence[str] = ()) -> None:
-        """Of a file, its text and overriding words; of nothing if the plan was made in Python."""
+        """Origin in a file with its text and overrides; none for a plan built in Python."""
         self.name, self.text, self.overrides = name, text, tuple(overrides)
 
     def problem_line(self, path: Sequence[str | int], what: str) -> str:
-        """A problem in one line."""
+        """Problem in one line."""
         keys = tuple("from" if key == FROM else key for key in path)
         said = f"{dotted_path(keys)}: {what}" if keys else what
         if not self.name:
@@ -223,10 +223,10 @@ class Source:
 
 
 def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, Source]:
-    """Read a plan file and apply overrides; the scenario it names is read in.
+    """Read a plan file with its scenario, and apply overrides.
 
     Args:
-        path: TOML file, or JSON as a campaign's folder has it.
+        path: TOML file, or JSON file of a campaign's folder.
         overrides: Words such as ``samples=100``.
 
     Raises:
@@ -244,14 +244,14 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
 
 
 def _with_tables(given: dict[str, Any], folder: Path, source: Source) -> dict[str, Any]:
-    """A raw plan with the tables of its scenario, of which some are to be overridden."""
+    """A raw plan with the tables of its scenario if overrides refer to them."""
     if not isinstance(given.get("scenario"), str):
         return given
     return {**given, "scenario": _scenario_tables(folder, given["scenario"], source)}
 
 
 def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
-    """A plan from plain tables.
+    """Plan from plain tables.
 
     Raises:
         InputError: One line for each problem.
@@ -266,7 +266,7 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
 
 
 def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
-    """Without the branches of unions that pydantic names, and with the keys a user knows."""
+    """Path and message without pydantic's names of union branches, and with the user's keys."""
     kept = tuple(key for key in path if not (isinstance(key, str) and key.startswith("dict[")))
     if kept[:1] == ("scenario",):
         return ("scenario",), "must be a table, or the path of a scenario file"
@@ -274,12 +274,12 @@ def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...
 
 
 def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
-    """A plan whose scenario is read in.
+    """Plan with its scenario file replaced by its tables.
 
     Args:
         plan: Any.
-        folder: That the scenario's path is relative to.
-        source: Of the plan.
+        folder: Folder that the scenario's path is relative to.
+        source: Origin of the plan.
     """
     if not isinstance(plan.scenario, str):
         return plan
@@ -287,11 +287,11 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
 
 
 def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
-    """The raw tables of a scenario file that a plan names."""
+    """Raw tables of a plan's scenario file."""
     path = folder / name
     try:
         there = path.is_file()
-    except (OSError, ValueError):  # a name that no file can have
+    except (OSError, ValueError):  # an impossible file name
         there = False
     if not there:
         what = f"there is no file {excerpt(str(path))}"

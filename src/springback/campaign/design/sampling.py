@@ -1,7 +1,7 @@
-"""Points of a design, row by row: any stretch of rows alone, as if all had been made.
+"""Points of a design; any range of rows can be computed alone.
 
-Every number is uniform in [0, 1) and follows from the plan's seed and the row alone.  Random rows
-come from counters (Philox; Salmon et al. 2011), so that row 900 000 costs no more than row 0.
+All numbers are uniform in [0, 1) and depend on the plan's seed and the row alone.  Random rows are
+counter-based (Philox; Salmon et al. 2011), so that row 900 000 costs no more than row 0.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import scipy  # its parts are loaded when first used
+import scipy  # submodules are loaded on first use
 
 from springback.simulation.noise import Purpose, stream
 
 Numbers = npt.NDArray[np.float64]
 
-#: Sobol' numbers have so many bits, and so a sequence at most this many points.
+#: Bits of Sobol' numbers, which limit the length of a sequence.
 SOBOL_BITS = 30
 
 
@@ -28,11 +28,11 @@ def raw_rows(
     """Rows of random 64-bit words, shape (count, width).
 
     Args:
-        seed: Of the plan.
-        key: Purpose and numbers of their stream.
-        first: Row.
+        seed: Seed of the plan.
+        key: Purpose and numbers of the stream.
+        first: First row.
         count: Number of rows.
-        width: Words of a row.
+        width: Words per row.
     """
     blocks = -(-width // 4)  # a counter gives four words
     source: Any = stream(seed, *key).bit_generator
@@ -43,13 +43,13 @@ def raw_rows(
 def uniform_rows(
     seed: int, key: tuple[Purpose, *tuple[int, ...]], first: int, count: int, width: int
 ) -> Numbers:
-    """The same as numbers in [0, 1)."""
+    """Rows of random numbers in [0, 1), shape (count, width); arguments as for `raw_rows`."""
     words = raw_rows(seed, key, first, count, width) >> np.uint64(11)
     return words.astype(np.float64) * 2.0**-53
 
 
 def seeds(seed: int, repeat: int, first: int, count: int) -> npt.NDArray[np.int64]:
-    """Seeds of flights, below 2^53, so that JSON keeps them: of one repeat of some samples."""
+    """Seeds of the flights of one repeat, below 2^53, which JSON represents exactly."""
     words = raw_rows(seed, (Purpose.SEEDS, repeat), first, count, 1)[:, 0]
     return (words >> np.uint64(11)).astype(np.int64)
 
@@ -62,8 +62,8 @@ def random_points(seed: int, samples: int, width: int, first: int, count: int) -
 def latin_points(seed: int, samples: int, width: int, first: int, count: int) -> Numbers:
     """Points of a Latin hypercube (McKay, Beckman, Conover 1979).
 
-    Each of as many equal layers as there are samples holds one point, in every dimension.  The
-    permutations are kept: 4 bytes for each sample and dimension, 80 MB for 10⁶ samples of 20.
+    In every dimension each of ``samples`` equal layers contains one point.  The permutations are
+    held in memory: 4 bytes per sample and dimension, 80 MB for 10⁶ samples of 20.
     """
     jitter = uniform_rows(seed, (Purpose.JITTER,), first, count, width)
     layers = [_permutation(seed, samples, k)[first : first + count] for k in range(width)]
@@ -86,7 +86,7 @@ def sobol_points(seed: int, samples: int, width: int, first: int, count: int) ->
     sequence = qmc.Sobol(width, scramble=True, bits=SOBOL_BITS, rng=source)
     if first:
         sequence.fast_forward(first)
-    with warnings.catch_warnings():  # that a stretch is no power of two
+    with warnings.catch_warnings():  # that the number of points is not a power of two
         warnings.simplefilter("ignore", UserWarning)
         return np.asarray(sequence.random(count), np.float64)
 
@@ -95,7 +95,7 @@ POINTS = {"random": random_points, "latin-hypercube": latin_points, "sobol": sob
 
 
 def grid_point(sample: int, sizes: tuple[int, ...]) -> tuple[int, ...]:
-    """Levels of a point of a grid; the last dimension changes fastest."""
+    """Levels of a grid point; the last dimension changes fastest."""
     levels = []
     for size in reversed(sizes):
         sample, level = divmod(sample, size)
@@ -104,7 +104,7 @@ def grid_point(sample: int, sizes: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def normal_quantiles(us: Numbers) -> list[float]:
-    """Of the standard normal law; the outermost numbers of [0, 1) stand for their neighbours."""
+    """Quantiles of the standard normal distribution; 0 is moved to 2⁻⁵⁴."""
     inside = np.clip(us, 2.0**-54, 1.0 - 2.0**-53)
     found: list[float] = scipy.special.ndtri(inside).tolist()
     return found

@@ -1,6 +1,6 @@
-"""Where a value of a plan goes in a scenario: how tables with it come from tables without.
+"""Insertion of a plan's values into a scenario.
 
-Nothing is changed in place, and what is not on the way to the value stays the same object.
+Tables are copied along the path to the value and otherwise shared; none is changed in place.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from springback.scenario.files import with_value
 from springback.scenario.scenario import Scenario
 
 Place = Callable[[Any, Any], Any]
-"""A table of the scenario and a value to the table with the value."""
+"""Function from a table of the scenario and a value to the table with the value."""
 
-#: Fields with a name of their own.
+#: Short names of fields.
 NAMES: dict[str, Path] = {
     "speed": ("reference", "speed"),
     "pitch": ("reference", "pitch"),
@@ -29,9 +29,9 @@ NAMES: dict[str, Path] = {
     "damping": ("vehicle", "arms", "damping"),
     "mass": ("vehicle", "body", "mass"),
 }
-#: Not a path, but a change of the first wall or mat.
+#: Changes of the first wall or mat, which are not paths.
 WALL_ANGLE, WALL_SHIFT = "wall_angle", "wall_shift"
-#: What a plan deals out by itself.
+#: Fields that a plan sets itself.
 DEALT = {
     "seed": "each flight has its own, from the plan's seed",
     "vehicle.preset": "name presets under robots",
@@ -45,24 +45,24 @@ class TargetField(NamedTuple):
 
     column: str
     path: Path
-    """Its table at least."""
+    """Path in the scenario, at least its table."""
     number: Parameter | None
-    """None where it is no single number."""
+    """Its number; None if it is not a single one."""
     place: Place
-    """On the table that the path begins with."""
+    """Insertion into the table that the path begins with."""
     relative: bool = False
-    """Whether the value changes what is there, instead of taking its place."""
+    """True if the value changes the present one instead of replacing it."""
 
 
 def target(field: str, scenario: Scenario) -> TargetField:
-    """The field of a name.
+    """Field of a name.
 
     Args:
         field: ``wall angle``, ``wall shift``, a short name, or a dotted path.
-        scenario: That has it.
+        scenario: Scenario that has it.
 
     Raises:
-        InputError: If there is none of this name, or the plan deals it out.
+        InputError: If there is no field of this name, or the plan sets it itself.
     """
     word = _word(field)
     if word in (WALL_ANGLE, WALL_SHIFT):
@@ -82,7 +82,7 @@ def target(field: str, scenario: Scenario) -> TargetField:
 
 
 def field_path(field: str) -> Path:
-    """Where a field is, by a short name or its dotted path; empty for no name."""
+    """Path of a field from its short name or dotted path; empty if invalid."""
     return NAMES.get(_word(field)) or key_path(field.strip())
 
 
@@ -91,7 +91,7 @@ def _word(field: str) -> str:
 
 
 def _at_path(path: Path, number: Parameter | None) -> Place:
-    """Put a value where a path leads."""
+    """Insert a value at a path."""
     rest, word = path[1:], dotted_path(path)
     others = list(number.others) if number is not None else []
 
@@ -121,7 +121,7 @@ def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
     kinds = [obstacle.type for obstacle in scenario.world.obstacles]
     index = next((k for k, kind in enumerate(kinds) if kind in ("wall", "mat")), None)
     if index is None:
-        raise InputError("needs a wall or a mat among world.obstacles, and there is none")
+        raise InputError("needs a wall or a mat in world.obstacles")
     moved, unit = (_turned, "rad") if word == WALL_ANGLE else (_shifted, "m")
 
     def place(world: Any, value: float) -> Any:
@@ -134,7 +134,7 @@ def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
 
 
 def _faced(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """A wall by a point of its face and its normal, in numbers."""
+    """Wall defined by a point of its face and its normal, in numbers."""
     if entry.get("distance") is None:
         return dict(entry)
     there = {"position": [entry["distance"], 0.0, 0.0], "normal": [-1.0, 0.0, 0.0]}
@@ -142,14 +142,14 @@ def _faced(entry: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _turned(entry: Mapping[str, Any], angle: float) -> dict[str, Any]:
-    """A wall turned about the vertical through its point, counterclockwise from above [rad]."""
+    """Wall rotated about the vertical through its point, counterclockwise from above [rad]."""
     wall, c, s = _faced(entry), math.cos(angle), math.sin(angle)
     x, y, z = wall["normal"]
     return wall | {"normal": [c * x - s * y, s * x + c * y, z]}
 
 
 def _shifted(entry: Mapping[str, Any], distance: float) -> dict[str, Any]:
-    """A wall moved into itself, away from who faces it [m]."""
+    """Wall moved against its normal [m]."""
     wall = _faced(entry)
     size = math.hypot(*wall["normal"])
     place = zip(wall["position"], wall["normal"], strict=True)
@@ -178,11 +178,11 @@ def multiplication(path: Path) -> Place:
 
 
 def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
-    """Raw tables with numbers in SI where scatter and walls change them.
+    """Raw tables with SI numbers where scatter and walls change them.
 
     Args:
-        tables: Of the scenario, as written.
-        scenario: The same, checked.
+        tables: Tables of the scenario, as written.
+        scenario: The validated scenario.
     """
     start, control, error = scenario.start, scenario.control, scenario.model_error
     changes = {
@@ -207,5 +207,5 @@ def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
     return result
 
 
-#: What `springback.studies.trials.Scatter` calls gains.
+#: Gains of `springback.studies.trials.Scatter`.
 GAINS = ("stiffness", "vertical_stiffness", "damping_ratio", "time_constant", "rate_gain")

@@ -1,1 +1,1 @@
-"""The command line, one module a command or two."""
+"""Command line, with a module for every one or two commands."""

@@ -15,11 +15,11 @@ from springback.interfaces.cli.common import PATH, Output, output_options
 @click.argument("results", nargs=-1, type=PATH, metavar="RESULT [RESULT2]")
 @click.option(
     "--slow", type=click.FloatRange(1.0, 1000.0), default=20.0, show_default=True,
-    help="How many times slower than life impacts are shown.",
+    help="Slow-motion factor of impacts.",
 )  # fmt: skip
-@click.option("--from", "begin", type=float, help="First instant, from first touch [s].")
-@click.option("--to", "end", type=float, help="Last instant, from first touch [s].")
-@click.option("--fps", type=float, default=25.0, show_default=True, help="Frames a second.")
+@click.option("--from", "begin", type=float, help="First instant, relative to first touch [s].")
+@click.option("--to", "end", type=float, help="Last instant, relative to first touch [s].")
+@click.option("--fps", type=float, default=25.0, show_default=True, help="Frames per second.")
 @click.option("--size", metavar="WxH", help="Width and height [px], such as 760x540.")
 @output_options("The film: .gif, .webp or .mp4.", "force", "quiet")
 def animate(
@@ -33,7 +33,7 @@ def animate(
 ) -> None:
     """Make a film of a RESULT, a folder that springback fly wrote, or of two side by side.
 
-    Around impacts it is in slow motion. Two flights are shown from the instant that each touches.
+    Impacts are in slow motion. Two flights are synchronised at their first touches.
 
     \b
     springback fly collision.toml --out arq
@@ -42,9 +42,7 @@ def animate(
     springback animate arq --out impact.webp --slow 100 --from -0.02 --to 0.1
     """
     if len(results) not in (1, 2):
-        raise InputError(
-            f"RESULT: give one folder, or two to be shown side by side ({len(results)})"
-        )
+        raise InputError(f"RESULT: give one folder, or two to show side by side ({len(results)})")
     for name, value in {"--from": begin, "--to": end, "--fps": fps, "--slow": slow}.items():
         if value is not None and not abs(value) < 1e9:
             raise InputError(f"{name} {value:g}: must be a finite number")

@@ -1,7 +1,7 @@
-"""The command line: all commands, and what becomes of errors.
+"""The command line: all commands, and handling of errors.
 
-Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 the input
-is wrong, 130 interrupted.  Heavy modules are imported by the commands that need them.
+Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 invalid
+input, 130 interrupted.  Heavy modules are imported by the commands that need them.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from springback.interfaces.output import interrupts
 from springback.version import __version__
 
 FEW_CYCLES = 200_000
-"""New objects between two searches for cycles: loading modules makes many objects and no garbage,
-and with Python's own 700 the searches take a tenth of the time of a short command."""
+"""New objects between two garbage collections: loading modules creates many objects and no garbage,
+and with Python's default of 700 collections take a tenth of the time of a short command."""
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="springback")
 def cli() -> None:
-    """Simulate micro aerial vehicles that survive hitting things."""
+    """Simulate micro aerial vehicles that survive collisions."""
 
 
 for command in (
@@ -47,7 +47,7 @@ for command in (
 
 
 def main() -> None:
-    """Run the command line and leave with its exit code."""
+    """Run the command line and exit with its code."""
     gc.set_threshold(FEW_CYCLES)
     warn_in_one_line()
     try:
@@ -57,7 +57,7 @@ def main() -> None:
             say(f"error: {line}")
         sys.exit(2)
     except click.Abort as error:
-        # So says click of Ctrl-C, and of a file that ends too early, too.
+        # click raises this for Ctrl-C, and also for an unexpected end of input
         if isinstance(error.__cause__, EOFError):
             raise error.__cause__ from None
         _interrupted()
@@ -67,7 +67,7 @@ def main() -> None:
         error.show()
         sys.exit(2)
     except Exception as error:
-        if interrupts.is_interrupted():  # and whatever it led to in a library
+        if interrupts.is_interrupted():  # and any error it caused in a library
             _interrupted()
         said = environment(error)
         if said is None:
@@ -82,7 +82,7 @@ def _interrupted() -> NoReturn:
     sys.exit(130)
 
 
-#: Errors of the system that are nobody's mistake here.
+#: Errors of the system, not of the program or the user.
 _OF_THE_SYSTEM = {
     getattr(errno, name) for name in
     ("ENOSPC", "EDQUOT", "EIO", "EROFS", "EFBIG", "EACCES", "EPERM", "ENAMETOOLONG", "EMFILE",
@@ -92,12 +92,12 @@ _OF_THE_SYSTEM = {
 
 
 def environment(error: BaseException) -> str | None:
-    """What a disk or the memory has to say, in one line; None if the program is at fault."""
+    """Message about a disk or the memory, in one line; None if the program is at fault."""
     if isinstance(error, OSError) and error.errno in _OF_THE_SYSTEM:
         where = f"{error.filename}: " if error.filename else ""
         return f"{where}{error.strerror}"
     if isinstance(error, MemoryError):
-        return f"out of memory ({' '.join(str(error).split()) or 'no more to be had'})"
+        return f"out of memory ({' '.join(str(error).split()) or 'allocation failed'})"
     if type(error).__name__ in ("IOException", "FatalException"):  # DuckDB's
         return " ".join(str(error).split())[:300]
     return None

@@ -26,29 +26,27 @@ from springback.interfaces.output.plain_text import plain_text
 if TYPE_CHECKING:
     from springback.campaign.running import CampaignProgress
 
-WAIT = "; a kind of flight that is new is compiled first, for a minute"
+WAIT = "; new kinds of flight are compiled first, for a minute"
 BETWEEN_LINES = 10.0
-"""Seconds between two lines about progress where there is no terminal to draw a bar on."""
+"""Seconds between two lines of progress without a terminal."""
 
 
 @click.command()
 @click.argument("plan", type=PATH, required=False)
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
-@click.option("--resume", is_flag=True, help="Go on with what is in the folder.")
-@click.option("--dry-run", is_flag=True, help="Fly a few, and say what all would take.")
-@click.option("--workers", type=int, help="Processes; by default as many as there are cores.")
-@click.option("--chunk", type=int, help="Flights flown and kept together; by default at most 2000.")
-@click.option(
-    "--scheduler", metavar="ADDRESS", help="Fly on Dask: tls://HOST:8786 of its scheduler."
-)
-@click.option("--tls-ca", type=PATH, help="Of the cluster: its authority.")
-@click.option("--tls-cert", type=PATH, help="Certificate to show there.")
-@click.option("--tls-key", type=PATH, help="Its private key.")
+@click.option("--resume", is_flag=True, help="Continue the campaign in the folder.")
+@click.option("--dry-run", is_flag=True, help="Fly a few, and estimate time and disk space of all.")
+@click.option("--workers", type=int, help="Number of processes; by default that of the cores.")
+@click.option("--chunk", type=int, help="Flights stored together; by default at most 2000.")
+@click.option("--scheduler", metavar="ADDRESS", help="Fly on a Dask cluster, at tls://HOST:8786.")
+@click.option("--tls-ca", type=PATH, help="Certificate of the cluster's authority.")
+@click.option("--tls-cert", type=PATH, help="Own certificate.")
+@click.option("--tls-key", type=PATH, help="Private key of the own certificate.")
 @click.option(
     "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
-    help="Where flights fly; gpu is an NVIDIA GPU of this machine.",
+    help="Device of the flights; gpu is an NVIDIA GPU of this machine.",
 )  # fmt: skip
-@output_options("Folder for the rows: one campaign each.", "as_json", "quiet", required=False)
+@output_options("Folder for the rows of one campaign.", "as_json", "quiet", required=False)
 def campaign(
     plan: Path | None,
     overrides: tuple[str, ...],
@@ -65,9 +63,9 @@ def campaign(
 ) -> None:
     """Fly a campaign: all flights of a PLAN file, on all cores or on a cluster.
 
-    Rows go to Parquet files in the folder as they come. Ctrl-C, a crash or a full disk loses only
-    what was in the air: the same command with --resume goes on. The rows are the same, bit for
-    bit, however they are cut into chunks and wherever they fly.
+    Rows are written to Parquet files as flights are completed. Ctrl-C, a crash or a full disk
+    loses only unfinished chunks: the same command with --resume continues. The rows are the same,
+    bit for bit, for all numbers of workers, chunk sizes and machines.
 
     \b
     springback campaign plan.toml --dry-run
@@ -91,7 +89,7 @@ def campaign(
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
-    interrupts.say(f"interrupted; what was flown is kept; go on by: {again}")
+    interrupts.say(f"interrupted; completed flights are saved; resume with: {again}")
     try:
         with _told(output) as (tell, remark):
             flown = run_campaign(
@@ -100,7 +98,7 @@ def campaign(
             )  # fmt: skip
     except CampaignError as error:
         say(f"error: {error}")
-        say(f"what was flown is kept; go on by: {again}")
+        say(f"completed flights are saved; resume with: {again}")
         sys.exit(1)
     _finished(flown, output)
 
@@ -108,11 +106,11 @@ def campaign(
 def _tls(
     scheduler: str | None, authority: Path | None, certificate: Path | None, key: Path | None
 ) -> Any:
-    """Certificates for a cluster, if any are given; then all are."""
+    """Certificates for a cluster; None if none are given."""
     if authority is None and certificate is None and key is None:
         return None
     if scheduler is None or authority is None or certificate is None or key is None:
-        raise InputError("--tls-ca, --tls-cert and --tls-key belong together, and to --scheduler")
+        raise InputError("--tls-ca, --tls-cert and --tls-key belong together, with --scheduler")
     from springback.campaign.cluster import Tls
 
     return Tls(authority, certificate, key)
@@ -147,7 +145,7 @@ def _finished(flown: Any, output: Output) -> None:
 def _told(
     output: Output,
 ) -> Iterator[tuple[Callable[[CampaignProgress], None], Callable[[str], None]]]:
-    """Progress as a bar on a terminal, else as a line now and then; remarks as lines of stderr."""
+    """Progress as a bar on a terminal, else as lines at intervals; remarks as lines on stderr."""
     from rich.console import Console
 
     console = Console(stderr=True)
@@ -187,10 +185,10 @@ def _bar(
 
 
 def _foretold(design: Any, workers: int | None, output: Output) -> None:
-    """Say what a campaign would take."""
+    """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    output.note("flying a few of its flights; kinds that are new are compiled first")
+    output.note("flying a few of its flights; new kinds are compiled first")
     with output.spinner("flying a few"):
         coming = cost_estimate(design, workers)
     output.print(coming.as_dict(), coming.sentence())
@@ -201,14 +199,14 @@ def _foretold(design: Any, workers: int | None, output: Output) -> None:
 @click.argument("sql", required=False)
 @click.option(
     "--format", "form", type=click.Choice(["table", "csv", "json", "markdown"]), default="table",
-    show_default=True, help="Of what is printed.",
+    show_default=True, help="Format of the output.",
 )  # fmt: skip
-@output_options("File instead: .parquet, .csv, .json or .md.", "force", required=False)
+@output_options("Write a file instead: .parquet, .csv, .json or .md.", "force", required=False)
 def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
-    """Ask the campaign in FOLDER a question in SQL; the table is called flights.
+    """Query the campaign in FOLDER in SQL; the table is called flights.
 
-    Without SQL all columns are listed, with units and meanings. Names with dots stand in double
-    quotes. What did not happen, such as a touch, is NULL.
+    Without SQL all columns are listed, with units and meanings. Names with dots need double
+    quotes. Values of events that did not happen, such as a touch, are NULL.
 
     \b
     springback query results
@@ -231,7 +229,7 @@ def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
     def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
         if out is not None:
             return write_answer(columns, stretches, out)
-        # Data for a program stay as they are; a terminal is not to be steered by them.
+        # Data for a program are unchanged; a terminal must not be controlled by them.
         clean = plain_text if form == "table" or _is_terminal() else str
         for line in lines_of(columns, stretches, form):
             click.echo(clean(line))
@@ -267,9 +265,9 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 @click.argument("row", type=int)
 @output_options("Folder for summary.json, trajectory.parquet, figures.", required=False)
 def refly(folder: Path, row: int, output: Output) -> None:
-    """Fly flight ROW of the campaign in FOLDER again, alone, with its whole trajectory.
+    """Repeat flight ROW of the campaign in FOLDER alone, with its whole trajectory.
 
-    Every number is compared with the row, to the last bit; exit code 1 if any differs.
+    Every number is compared with the row, bit for bit; the exit code is 1 if any differs.
 
     \b
     springback query results "SELECT flight FROM flights WHERE outcome = 'hit_ground' LIMIT 3"
@@ -292,7 +290,7 @@ def refly(folder: Path, row: int, output: Output) -> None:
         output.note(f"identical to row {row}: every number, to the last bit")
         return
     for line in again.differences:
-        say(f"not as in row {row}: {line}")
+        say(f"differs from row {row}: {line}")
     sys.exit(1)
 
 
@@ -300,15 +298,15 @@ def refly(folder: Path, row: int, output: Output) -> None:
 @click.argument("folder", type=PATH)
 @click.option(
     "--map", "pairs", multiple=True, metavar="X,Y",
-    help="Fields to draw success over; by default all pairs of the first four.",
+    help="Fields of a map of success; by default all pairs of the first four.",
 )  # fmt: skip
-@click.option("--scatter", is_flag=True, help="Success along the scattered parameters, too.")
+@click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
 def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output) -> None:
-    """Sum up the campaign in FOLDER: success, outcomes, quantiles, robot against robot.
+    """Summarise the campaign in FOLDER: success, outcomes, quantiles, comparison of robots.
 
-    Shares have Wilson's intervals. Robots flew the same samples with the same noise, so they are
-    compared pair by pair. A campaign that is still flying can be summed up, too.
+    Shares have Wilson intervals. Robots flew the same samples with the same noise, so they are
+    compared in pairs. An unfinished campaign can be summarised, too.
 
     \b
     springback summary results

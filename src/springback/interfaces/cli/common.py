@@ -19,7 +19,7 @@ import click
 from springback.interfaces.output.plain_text import plain_text
 
 Command = Callable[..., None]
-FIRST = "flying; the first of a kind is compiled: some 15 s, with a pilot a minute or two"
+FIRST = "flying; a new kind of flight is compiled first: some 15 s, with a pilot a minute or two"
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
@@ -32,18 +32,18 @@ def say(text: str) -> None:
 
 @dataclass(frozen=True)
 class Terminal:
-    """A command's printing, as its options ``--quiet`` and ``--json`` want it."""
+    """Output of a command on the terminal, according to ``--quiet`` and ``--json``."""
 
     quiet: bool = False
     as_json: bool = False
 
     def note(self, text: str) -> None:
-        """Print a remark on stderr, unless none are wanted."""
+        """Print a remark on stderr, unless ``quiet``."""
         if not self.quiet:
             say(text)
 
     def print(self, data: Any, text: str | None = None) -> None:
-        """Print a result on stdout: plain data as JSON, or else a text, which may be the data."""
+        """Print a result on stdout: data as JSON if wanted, else a text, by default the data."""
         if self.as_json:
             click.echo(json.dumps(data, indent=2, allow_nan=False, default=str))
         else:
@@ -98,14 +98,14 @@ class Terminal:
 
 @dataclass(frozen=True)
 class Output(Terminal):
-    """A command's printing, and the folder that ``--out`` names."""
+    """Output of a command on the terminal and into the folder ``--out``."""
 
     out: Path | None = None
     force: bool = False
     no_figures: bool = False
 
     def folder(self, replaces: Iterable[str] = ()) -> AbstractContextManager[Path]:
-        """The folder to write into; see `springback.interfaces.output.folders.output_folder`.
+        """Folder to write into; see `springback.interfaces.output.folders.output_folder`.
 
         Raises:
             InputError: If none was given, or it cannot be written.
@@ -118,9 +118,9 @@ class Output(Terminal):
         return output_folder(self.out, force=self.force, replaces=replaces)
 
     def wants_figures(self) -> bool:
-        """True if figures are wanted and can be drawn; a note says how to install what is missing.
+        """True if figures are wanted and can be drawn; prints how to install missing packages.
 
-        Ask once: the note is printed each time.
+        Call it once, as it prints each time.
         """
         from importlib.util import find_spec
 
@@ -128,11 +128,11 @@ class Output(Terminal):
             return not self.no_figures
         from springback.extras import install_line
 
-        self.note(f"figures are left out, they need matplotlib: {install_line('plot')}")
+        self.note(f"figures are left out, as they need matplotlib: {install_line('plot')}")
         return False
 
     def note_written(self, files: Iterable[Path] = ()) -> None:
-        """Print which files were written where."""
+        """Print the names and the folder of written files."""
         names = ", ".join(path.name for path in files)
         self.note(f"written to {self.out}" + (f": {names}" if names else ""))
 
@@ -153,17 +153,17 @@ def as_lines(data: dict[str, Any], indent: str = "") -> str:
 PATH = click.Path(path_type=Path)
 FLAGS = {
     "no_figures": click.option("--no-figures", is_flag=True, help="Write no figures."),
-    "force": click.option("--force", is_flag=True, help="Replace results that are there."),
+    "force": click.option("--force", is_flag=True, help="Replace existing results."),
     "as_json": click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
     "quiet": click.option("--quiet", "-q", is_flag=True, help="No progress, no remarks."),
 }
-"""Options that many commands have, in the order of their help, by the field that they fill."""
+"""Options of many commands in the order of their help, by the field that they set."""
 seed_option = click.option(
-    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all random draws."
+    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all random numbers."
 )
 
 
-def trials_option(default: int, of: str = "Of each test.") -> Callable[[Command], Command]:
+def trials_option(default: int, of: str = "Trials of each test.") -> Callable[[Command], Command]:
     """The option ``--trials``."""
     return click.option(
         "--trials", type=click.IntRange(1, 1000), default=default, show_default=True, help=of
@@ -171,20 +171,20 @@ def trials_option(default: int, of: str = "Of each test.") -> Callable[[Command]
 
 
 def terminal_options(*flags: str) -> Callable[[Command], Command]:
-    """A decorator that adds some of `FLAGS`, and hands them over as ``terminal``."""
+    """Decorator that adds some of `FLAGS`, and passes them as ``terminal``."""
     return _gathered(Terminal, "terminal", *(FLAGS[flag] for flag in flags))
 
 
 def output_options(
     what: str, *flags: str, required: bool = True, default: Path | None = None
 ) -> Callable[[Command], Command]:
-    """A decorator that adds ``--out`` and `FLAGS`, and hands them over as ``output``.
+    """Decorator that adds ``--out`` and `FLAGS`, and passes them as ``output``.
 
     Args:
         what: Help of ``--out``.
         flags: Some of `FLAGS`; by default all.
-        required: Whether the command cannot do without ``--out``.
-        default: Of ``--out``.
+        required: Require ``--out``.
+        default: Default of ``--out``.
     """
     out = click.option(
         "--out", type=PATH, required=required and default is None, default=default,

@@ -1,4 +1,4 @@
-"""What is installed here, and whether it works."""
+"""Diagnosis of an installation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from importlib import metadata
 from typing import Any
 
-#: What stands in place of the version of a package that is not installed.
+#: Version shown for a package that is not installed.
 MISSING = "missing"
 
 
@@ -19,7 +19,7 @@ def _version(name: str) -> str:
 
 
 def extras_found() -> dict[str, dict[str, str]]:
-    """Every extra with the versions of its packages, and, if one is missing, how to install it."""
+    """Extras with the versions of their packages and, for incomplete ones, how to install them."""
     from springback.extras import install_line, packages
 
     found = {}
@@ -32,7 +32,7 @@ def extras_found() -> dict[str, dict[str, str]]:
 
 
 def diagnosis() -> dict[str, Any]:
-    """Versions, the folder of compiled kernels, and a compiled flight against plain Python."""
+    """Versions, folder of kernels, and comparison of a compiled flight with plain Python."""
     from springback.extras import packages
     from springback.kernels.compiler import cache_folder, is_writable
     from springback.results.flight import as_scenario

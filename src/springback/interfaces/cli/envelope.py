@@ -12,14 +12,14 @@ from springback.interfaces.cli.common import Output, output_options
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
 @click.option(
     "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
-    help="Vehicle preset; may be given several times.",
+    help="Vehicle preset; may be repeated.",
 )  # fmt: skip
 @click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
-@click.option("--seed", type=int, default=0, show_default=True, help="Of all random draws.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")
 @click.option(
-    "--set", "settings", multiple=True, metavar="KEY=VALUE", help="The same in all trials."
+    "--set", "settings", multiple=True, metavar="KEY=VALUE", help="Setting of all trials."
 )
-@click.option("--dry-run", is_flag=True, help="Only say what would be flown.")
+@click.option("--dry-run", is_flag=True, help="Only estimate the number of flights and the time.")
 @output_options("Folder for map.html, .json, .csv, .png, .pdf.", required=False)
 def map_command(
     x: str,

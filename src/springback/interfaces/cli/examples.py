@@ -9,7 +9,7 @@ import click
 
 from springback.interfaces.cli.common import Output, output_options
 
-#: The package, and the checkout that it may be installed from as it stands.
+#: The package, and possible folders of the examples: in the package, or in a checkout.
 PACKAGE = Path(__file__).parents[2]
 PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
 
@@ -17,7 +17,7 @@ PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
 @click.command()
 @output_options("Folder to write them to.", "force", "quiet", default=Path("examples"))
 def examples(output: Output) -> None:
-    """Write the examples that the documentation refers to into a folder.
+    """Write the examples of the documentation into a folder.
 
     \b
     springback examples

@@ -50,7 +50,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
         say(f"warning: {sentence}")
     with output.folder(FLIGHT_FILES) as folder:
         with output.spinner(FIRST):
-            with warnings.catch_warnings():  # said below, in this program's own way
+            with warnings.catch_warnings():  # printed below, in the format of this program
                 warnings.simplefilter("ignore", FlightWarning)
                 flight = fly_scenario(ready, pilot=own)
             written = write_flight(flight, folder, figures=output.wants_figures())
@@ -68,7 +68,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
 @click.argument("scenario", type=PATH, required=False)
 @terminal_options("as_json", "quiet")
 def check(pilot: str, scenario: Path | None, terminal: Terminal) -> None:
-    """Try a pilot of your own on what every pilot should keep to.
+    """Test a pilot of your own for properties that every pilot should have.
 
     At rest at the start of the SCENARIO (by default quad at [0, 0, 1] m) it must hover.
 
@@ -77,7 +77,7 @@ def check(pilot: str, scenario: Path | None, terminal: Terminal) -> None:
     """
     from springback.studies.pilot_check import check_pilot
 
-    with terminal.progress_bar("trying the pilot") as show:
+    with terminal.progress_bar("testing the pilot") as show:
         findings = check_pilot(pilot, scenario, progress=show)
     lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
     terminal.print([f._asdict() for f in findings], "\n".join(lines))

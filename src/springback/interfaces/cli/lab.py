@@ -7,18 +7,18 @@ import click
 
 @click.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
-@click.option("--port", type=int, default=0, help="Port to serve on; by default any that is free.")
+@click.option("--port", type=int, default=0, help="Port to serve on; by default any free one.")
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 def lab(host: str, port: int, no_browser: bool) -> None:
-    """Open the impact lab: a page whose sliders are springs, surfaces, speeds.
+    """Open the impact lab: a page with sliders for springs, surfaces and speeds.
 
-    Every move flies the collision anew and redraws it: animation, acceleration, arms, energy,
-    outcome. The address bar keeps the settings; a scenario can be taken away as a file. It is
-    served to this machine alone unless --host says otherwise, and writes no files.
+    Every change flies the collision and redraws it: animation, acceleration, arms, energy,
+    outcome. The address contains the settings; the scenario can be downloaded. It is served to
+    this machine only, unless --host is given, and writes no files.
 
     \b
     springback lab
-    springback lab --port 8080 --no-browser     # and `ssh -L 8080:localhost:8080` from elsewhere
+    springback lab --port 8080 --no-browser     # remotely: ssh -L 8080:localhost:8080
     """
     from springback.extras import needs
 

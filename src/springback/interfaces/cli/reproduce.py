@@ -17,15 +17,15 @@ from springback.version import __version__
 @click.argument("part", type=click.Choice(["all", "slider", "flight", "resilience"]), default="all")
 @click.option(
     "--reading", "readings", multiple=True, metavar="'NAME: KEY=VALUE ...'",
-    help="One more reading of the printed parameters: reading B with changes.",
+    help="Additional reading of the printed parameters: reading B with changes.",
 )  # fmt: skip
 @output_options("Folder for report.html, figures, JSON and CSV.", "force", "as_json", "quiet")
 def reproduce(part: str, readings: tuple[str, ...], output: Output) -> None:
-    """Reproduce the paper: its numbers beside ours, in a report.
+    """Reproduce the paper: a report with its numbers and ours.
 
     `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
     I, sizes, payload and hover time, and Table IV, steps and circles; `resilience` is collisions in
-    flight, seven kinds of ten trials for both robots, and ten collisions in a row.
+    flight, seven conditions with ten trials of both robots, and ten collisions in a row.
     """
     from springback.extras import needs
 
@@ -41,7 +41,7 @@ def reproduce(part: str, readings: tuple[str, ...], output: Output) -> None:
 
 
 def _reproduced(part: str, readings: tuple[str, ...], folder: Path, output: Output) -> list[Any]:
-    """Reproduce a part, write the report into a folder, give the compared numbers."""
+    """Reproduce a part, write the report into a folder, and return the compared numbers."""
     from springback.interfaces.reproduction.report import Results, write_report
     from springback.paper.features import feature_rows
     from springback.paper.free_flight import flight_experiments
@@ -87,7 +87,7 @@ def _table(rows: list[Any]) -> str:
         )
         ours = "-" if row.ours is None else f"{row.ours:.4g}"
         printed = "-" if row.printed is None else f"{row.printed:.4g}"
-        slider = bool(row.dissipation_from)  # elsewhere a reading is a part of what the number is
+        slider = bool(row.dissipation_from)  # elsewhere the reading identifies the number
         reading = row.reading if slider else ""
         quantity = row.quantity if slider or not row.reading else f"{row.quantity}, {row.reading}"
         lines.append(

@@ -10,20 +10,20 @@ from springback.errors import InputError
 from springback.interfaces.cli.common import Output, output_options, seed_option, trials_option
 
 LEAST_DURATION, MOST_DURATION = 4.0, 60.0
-"""[s] of a trial: less than the longest run-up and an impact makes no sense."""
+"""Limits of the duration of a trial, longer than the longest run-up and an impact [s]."""
 Rows = list[dict[str, Any]]
 
 
 @click.group()
 def study() -> None:
-    """Studies of what the paper leaves open."""
+    """Study questions that the paper leaves open."""
 
 
 def _durations(text: str) -> tuple[float, ...]:
-    """Durations of a trial, written with commas.
+    """Durations of a trial from a list with commas.
 
     Raises:
-        InputError: If the text is no list of durations within their range.
+        InputError: If the text is not a list of durations within their limits.
     """
     found = []
     for word in text.split(","):
@@ -46,10 +46,10 @@ def _durations(text: str) -> tuple[float, ...]:
 @click.option("--no-ranges", is_flag=True, help="Only the ablation and its pairs.")
 @output_options("Folder for why.json, why.csv, figures.")
 def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
-    """Switch one thing at a time, then two, and see which robot still survives which test.
+    """Change one assumption at a time, then two, and count the tests that each robot survives.
 
     Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; pairs of
-    changes at 3.5 m/s; then, along numbers that the paper does not print, over which range the
+    changes at 3.5 m/s; then the ranges of parameters that the paper does not print in which the
     printed result holds.
     """
     from springback.interfaces.reports.study_files import write_study
@@ -59,7 +59,7 @@ def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
 
     figures = output.wants_figures()
     with output.folder() as folder:
-        output.note("some variants are of a kind of their own; the first run compiles for minutes")
+        output.note("some variants need kernels of their own; the first run compiles for minutes")
         with output.progress_bar("what if") as show:
             ranges = () if no_ranges else RANGES
             results = explained(trials, ranges=ranges, seed=seed, progress=show)
@@ -83,18 +83,18 @@ def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
 
 
 @study.command()
-@trials_option(100, "Of each condition.")
+@trials_option(100, "Trials of each condition.")
 @click.option(
     "--durations", default="9,11,14", show_default=True, metavar="S,S,...",
-    help="How long a trial lasts [s].",
+    help="Durations of a trial [s].",
 )  # fmt: skip
 @seed_option
 @output_options("Folder for choices.json, CSV, figures.")
 def choices(trials: int, durations: str, seed: int, output: Output) -> None:
-    """The resilience table under each set of choices that the paper leaves open.
+    """Recompute the resilience table with each set of choices that the paper leaves open.
 
     Friction along e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
-    assumes, and the time of a trial: which set gives most of the printed table?
+    assumes, and the duration of a trial: which set gives most of the printed table?
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.paper.choices import choices_data, choices_sentences, fly_choices
@@ -102,10 +102,10 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 
     times, figures = _durations(durations), output.wants_figures()
     with output.folder() as folder:
-        output.note("thousands of flights; minutes, and more where kernels are to be compiled")
+        output.note("thousands of flights; minutes, and more if kernels must be compiled")
         with output.progress_bar("sets of choices") as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
-        with output.progress_bar("velocity hidden by clipping") as show:
+        with output.progress_bar("velocity lost to clipping") as show:
             hidden = clipping_losses(progress=show)
         data = choices_data(results) | {"hidden": [one.as_dict() for one in hidden]}
         said = choices_sentences(results)
@@ -123,18 +123,18 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 
 
 @study.command()
-@trials_option(40, "Of each straight test in flight.")
+@trials_option(40, "Trials of each straight test in flight.")
 @click.option(
     "--speed", type=click.FloatRange(0.2, 10.0), default=2.0, show_default=True,
-    help="Of the impacts over yaw and coefficient [m/s].",
+    help="Speed of the impacts over yaw and coefficient [m/s].",
 )  # fmt: skip
 @seed_option
 @output_options("Folder for friction.json, CSV, figure.")
 def friction(trials: int, speed: float, seed: int, output: Output) -> None:
-    """Which friction: what it leaves of the springs, over its axes, coefficient and the yaw.
+    """Study the effect of friction on the springs, over its axes, its coefficient and the yaw.
 
-    Friction along both tangents holds the two front cages, and arms at 45 degrees give way only
-    where their cages slide.
+    Friction along both tangents holds the two front cages, and arms at 45 degrees are compressed
+    only if their cages slide.
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.friction import friction_sentences, friction_study
@@ -167,10 +167,10 @@ def friction(trials: int, speed: float, seed: int, output: Output) -> None:
 @seed_option
 @output_options("Folder for detection.json, CSV, figures.")
 def detection(flights: int, free: float, seed: int, output: Output) -> None:
-    """How soon and how surely a collision is noticed, and how well it is made out.
+    """Study the speed and reliability of collision detection, and errors of characterisation.
 
     Delays, misses and false alarms of every trigger, over thresholds and speeds; errors of
-    direction, place and arms against the truth.
+    direction, position and arms relative to the truth.
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.detection import detection_study

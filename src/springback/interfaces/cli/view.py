@@ -11,15 +11,17 @@ from springback.interfaces.cli.common import FIRST, PATH, Terminal, terminal_opt
 
 @click.command()
 @click.argument("results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=PATH)
-@click.option("--twin", is_flag=True, help="Fly a SCENARIO's rigid or compliant twin beside it.")
+@click.option("--twin", is_flag=True, help="Also fly the rigid or compliant twin of a SCENARIO.")
 @click.option(
     "--export", metavar="FILE.html", type=PATH,
-    help="Write one page that needs no network, and serve nothing.",
+    help="Write a self-contained page instead of serving one.",
 )  # fmt: skip
-@click.option("--port", type=int, default=0, show_default=True, help="0 takes a free one.")
+@click.option(
+    "--port", type=int, default=0, show_default=True, help="Port to serve on; 0 takes a free one."
+)
 @click.option(
     "--host", default="127.0.0.1", show_default=True,
-    help="Address to serve on; anything else than this machine's own is open to others.",
+    help="Address to serve on; others than the default are public.",
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")
@@ -34,7 +36,7 @@ def view(
     force: bool,
     terminal: Terminal,
 ) -> None:
-    """Replay a flight in the browser, or two beside one another.
+    """Replay a flight, or two side by side, in the browser.
 
     RESULT is a folder that springback fly wrote, or a SCENARIO.toml, which is flown.
 

@@ -36,10 +36,10 @@ def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
     """Colour cells by shares from 0 to 1.
 
     Args:
-        ax: To draw on.
-        x: Bounds of the cells.
-        y: The same.
-        shares: Rows by columns; NaN where there is none.
+        ax: Axes to draw on.
+        x: Bounds of the cells along x.
+        y: Bounds of the cells along y.
+        shares: Shape (rows, columns); NaN for missing ones.
 
     Returns:
         The mesh, for `add_share_bar`.
@@ -52,7 +52,7 @@ def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
 
 
 def add_share_bar(figure: Figure, mesh: Any, axes: Any, label: str, **look: Any) -> Axes:
-    """Add the scale of `draw_shares` beside some axes; its axes."""
+    """Add the colour bar of `draw_shares` beside axes; returns its axes."""
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, **look)
     bar.set_label(label)
     bar.ax.grid(visible=False)

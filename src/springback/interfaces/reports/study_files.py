@@ -1,4 +1,4 @@
-"""The files of a study: its numbers as JSON and CSV, and its figures."""
+"""Files of a study: numbers as JSON and CSV, and figures."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ def write_study(
     """Write a JSON file, CSV files, and figures as PNG and PDF.
 
     Args:
-        folder: To write into.
-        name: Of the JSON file, without suffix.
-        data: For it.
-        tables: Rows of each CSV file, by name.
-        figures: By name; a figure with no table of its name gets a CSV file of its numbers, too.
+        folder: Folder to write into.
+        name: Name of the JSON file, without suffix.
+        data: Its content.
+        tables: Rows of the CSV files, by name.
+        figures: Figures by name; one without a table of its name gets a CSV file of its numbers.
 
     Returns:
         The files written.
