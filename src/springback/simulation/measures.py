@@ -23,8 +23,8 @@ class Outcome(Enum):
     SEPARATED = "hit an obstacle and left it again"
     NO_CONTACT = "touched nothing"
     RECOVERED = "recovered from every collision"
-    NOT_DETECTED = "a collision was not noticed"
-    NOT_SETTLED = "did not come to rest where it should after a collision"
+    NOT_DETECTED = "a collision was not detected"
+    NOT_SETTLED = "did not come to rest at its goal after a collision"
 
     @property
     def word(self) -> str:

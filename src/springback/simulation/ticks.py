@@ -19,6 +19,7 @@ from springback.dynamics.gusts import gust
 from springback.kernels.compiler import executor, generic, guard, kernel
 from springback.kernels.layout import (
     Buffer,
+    SplitBuffer,
     TreeLayout,
     load,
     read,
@@ -62,7 +63,7 @@ class FlightBuffers(NamedTuple):
     """Buffers of guided flights: of some groups, or of one."""
 
     motion: Buffer  # shape ([groups,] rows x lanes)
-    onboard: Any  # the same; `springback.kernels.layout.Parted` on a GPU
+    onboard: Any  # the same; a `SplitBuffer` on a GPU
     lanes: tuple[int, ...]  # as long as a group is wide
 
 
@@ -77,7 +78,7 @@ class Lanes(NamedTuple):
     """On-board systems of a group at a tick: all that a pilot can reach."""
 
     avionics: TreeLayout  # layout of ``onboard``
-    onboard: Any  # as in `FlightBuffers`
+    onboard: Buffer | SplitBuffer
     width: int
     once: int
     """1, which the compiler does not know: it would unroll a loop of known length, not pack it."""
