@@ -19,13 +19,12 @@ from typing import Any
 import numpy as np
 
 from benchmarks.job import reference_model, starts
-from springback.batch.scenarios import flight_from_tables
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
 from springback.kernels.layout import Buffer, row_of, rows
-from springback.kernels.memo import Memo
+from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import LANES, flight_buffers, fly_buffers, shape_of
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 from springback.simulation.guided import GuidedFlight
@@ -120,8 +119,7 @@ def _equal(shape: Any, some: Buffer, others: Buffer, width: int) -> bool:
 def guided(flights: int, rounds: int) -> dict[str, Any]:
     """Guided flights a second, on both."""
     tables = _tables(DIFFERENT)
-    build = Memo()
-    ready = [flight_from_tables(table, build) for table in tables]
+    ready = [scenario_from(table, False).build() for table in tables]
     first, seeds = ready[0], [one.seed for one in ready]
     assert first.built_avionics is not None
     avionics, draws = first.built_avionics.avionics, first.built_avionics.noise

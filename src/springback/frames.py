@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.kernels.tracing import cos, sin
+from springback.kernels.tracing import cos, sin  # for batch set-up
 
 
 def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:

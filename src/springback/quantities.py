@@ -14,9 +14,10 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema
-from pydantic_core.core_schema import no_info_before_validator_function
+from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
+from springback.kernels.tracing import Traced, holds  # for batch set-up
 from springback.settings import problem
 from springback.units import UnitError, read_number
 
@@ -61,23 +62,28 @@ def si_number(
     Raises:
         The problem, with the given value, its unit and the allowed range.
     """
-    if isinstance(value, str):
+    number: Any
+    if isinstance(value, Traced):  # of a campaign, whose flights are read and built together
+        number = value
+    elif isinstance(value, str):
         number = number_in(value, unit)
     elif isinstance(value, bool) or not isinstance(value, int | float):
         kind = f"a number in {unit} or text with a unit" if unit else "a plain number"
         raise problem(f"must be {kind} (got {shown_value(value)})")
     else:
         number = _float(value)
-    if (
-        math.isfinite(number)
-        and (above is None or number > above)
-        and (least is None or number >= least)
-        and (most is None or number <= most)
-        and is_sizeable(number)
-    ):
+
+    def is_allowed(x: Any) -> Any:  # of a number, or of a column of them
+        fine = is_sizeable(x)
+        fine = fine if above is None else fine & (x > above)
+        fine = fine if least is None else fine & (x >= least)
+        return fine if most is None else fine & (x <= most)
+
+    if holds(is_allowed, number):
         if unit == "rad" and abs(number) > FULL_TURN:
             raise problem(_beyond_a_turn(value, number))
-        return number
+        finite: float = number
+        return finite
     given = shown_value(value) if isinstance(value, str) else _text(number, unit)
     bounds = [
         ("finite", math.isfinite(number)),
@@ -93,9 +99,9 @@ def si_number(
     raise problem(f"must be {broken[0]} (got {given})")
 
 
-def is_sizeable(number: float) -> bool:
-    """True if a number is 0, or of a magnitude whose squares and products are finite."""
-    return number == 0.0 or SMALLEST <= abs(number) <= LARGEST
+def is_sizeable(number: Any) -> Any:
+    """Whether numbers are 0, or of a size of which squares and products can be formed."""
+    return (number == 0.0) | (abs(number) >= SMALLEST) & (abs(number) <= LARGEST)
 
 
 def _beyond_a_turn(value: Any, angle: float) -> str:
@@ -154,10 +160,9 @@ class Unit:
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Parse numbers before pydantic validates them."""
+        """Numbers are read in place of pydantic."""
         readers = {Triple: self._three, PerArm: self._one_or_each}
-        read = readers.get(source, self.read)
-        return no_info_before_validator_function(read, handler(source))
+        return no_info_plain_validator_function(readers.get(source, self.read))
 
 
 Triple: TypeAlias = tuple[float, float, float]

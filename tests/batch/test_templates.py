@@ -1,4 +1,4 @@
-"""Flights made ready together are, number by number, those made ready alone."""
+"""Flights built together are, number by number, those built alone."""
 
 from __future__ import annotations
 
@@ -10,15 +10,12 @@ import numpy as np
 import pytest
 
 from springback.batch import templates
-from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, build_group, pace_of
-from springback.batch.validation import flight_from_tables, settings_of
-from springback.control.parameters import ControlSettings
+from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, built_groups, pace_of
 from springback.errors import InputError
-from springback.kernels.memo import Memo
 from springback.kernels.trees import leaves
-from springback.scenario.avionics import turn_on_normals
+from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
-from springback.scenario.tables import Start, WorldSettings
+from springback.scenario.scenario import scenario_from
 from springback.studies.trials import Scatter, trial_tables
 
 COUNT = 12
@@ -68,6 +65,32 @@ PLANS = {
     "thrown": thrown(),
     "noise": holding(sensors=lambda k: {"motion_capture": {"position_noise": 1e-4 * (k + 1)}}),
     "signs of zero": holding(start=lambda k: {"velocity": [0.0 if k % 2 else -0.0, 0.0, 0.0]}),
+    "run-ups": holding(reference=lambda k: {"type": "run-up", "speed": 2.0 + 0.01 * k}),
+    "pitches of stiff arms": holding(
+        reference=lambda k: {"type": "run-up", "speed": 2.0, "pitch": 0.01 * k},
+        vehicle=lambda k: {"preset": "arq", "arms": {"stiffness": 4e3 + 100.0 * k}},
+    ),
+    "references": holding(reference=lambda k: {"type": "hold", "position": [0.1 * k, 0, 1]}),
+    "drag": holding(air=lambda k: {"body_drag": 0.01 + 0.001 * k, "wind": [0.1 + 0.1 * k, 0, 0.2]}),
+    "gusts": holding(
+        air=lambda k: {"body_drag": 0.01, "gusts": {"wind_at_6_m": 5.0, "airspeed": 3.0}}
+    ),
+    "gusts in wind": holding(
+        air=lambda k: {"body_drag": 0.01, "wind": [0.1 + 0.1 * k, 0, 0.2],
+                       "gusts": {"wind_at_6_m": 5.0 + k}}
+    ),
+    "restitutions": holding(
+        world=lambda k: {
+            "obstacles": [{"type": "wall", "distance": 2.0, "surface": {
+                "restitution": 0.3 + 0.01 * k, "restitution_speed": 2.0}}]
+        }
+    ),
+    "impulses": holding(
+        world=lambda k: {
+            "obstacles": [{"type": "wall", "distance": 2.0, "surface": {
+                "law": "impulse", "restitution": 0.3 + 0.01 * k}}]
+        }
+    ),
     "mats": holding(
         world=lambda k: {
             "obstacles": [{"type": "mat", "normal": [-1.0, 0.01 * k, 0.0], "surface": "mat",
@@ -77,22 +100,25 @@ PLANS = {
 }  # fmt: skip
 
 
-def together(
-    tables: list[dict[str, Any]], build: Memo
-) -> tuple[list[ScenarioGroup], list[BuiltGroup | None]]:
-    """Groups of flights that are alike, and what is made of each."""
+def flight_from(table: Mapping[str, Any]) -> ReadyFlight:
+    """A flight built alone."""
+    return scenario_from(table, False, advises=False).build(advises=False)
+
+
+def together(tables: list[dict[str, Any]]) -> tuple[list[ScenarioGroup], list[BuiltGroup]]:
+    """Groups of flights that differ in numbers only, and what is built of them together."""
     groups: list[ScenarioGroup] = []
     for number, table in enumerate(tables):
-        settings = settings_of(table, build)
-        del settings["seed"]
-        if not any(group.takes(number, settings) for group in groups):
-            groups.append(ScenarioGroup(number, settings, build))
-    biases = turn_on_normals([table["seed"] for table in tables])
+        if not any(group.takes(number, table) for group in groups):
+            groups.append(ScenarioGroup(number, table))
+
+    def normals(number: int) -> list[float]:
+        return normals_at_start(tables[number]["seed"], "gusts" in tables[number].get("air", {}))
 
     def one(number: int) -> ReadyFlight:
-        return flight_from_tables(tables[number], build, biases[number])
+        return flight_from(tables[number])
 
-    return groups, [build_group(g, [biases[k] for k in g.flights], one) for g in groups]
+    return groups, [built for g in groups for built in built_groups(g, normals, one)]
 
 
 def numbers(many: BuiltGroup, row: int) -> np.ndarray[Any, Any]:
@@ -107,7 +133,7 @@ def numbers(many: BuiltGroup, row: int) -> np.ndarray[Any, Any]:
 
 
 def numbers_alone(table: dict[str, Any]) -> np.ndarray[Any, Any]:
-    ready = flight_from_tables(table, Memo())
+    ready = flight_from(table)
     avionics = leaves(ready.built_avionics.avionics) if ready.built_avionics else []
     return np.array([*leaves((ready.model, ready.start)), *avionics])
 
@@ -115,12 +141,11 @@ def numbers_alone(table: dict[str, Any]) -> np.ndarray[Any, Any]:
 @pytest.mark.parametrize("plan", PLANS)
 def test_many_are_as_alone(plan: str) -> None:
     tables = PLANS[plan]
-    (group,), (many,) = together(tables, Memo())
-    assert many is not None
+    (group,), (many,) = together(tables)
     assert many.flights == group.flights == [*range(COUNT)]
     for row, table in enumerate(tables):
         assert numbers(many, row).tobytes() == numbers_alone(table).tobytes()
-        assert pace_of(many.first) == pace_of(flight_from_tables(table, Memo()))
+        assert pace_of(many.first) == pace_of(flight_from(table))
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:
@@ -128,8 +153,7 @@ def test_flights_that_go_another_way_are_left_out() -> None:
     tables = scattered("arq", {})
     tables[3] |= {"start": {**tables[3]["start"], "position": [2.7, 0.0, 1.0]}}
     tables[5] |= {"model_error": {"mass": 0.1, "inertia": 1.0}}
-    (_,), (many,) = together(tables, Memo())
-    assert many is not None
+    (_,), (many,) = together(tables)
     assert many.flights == [k for k in range(COUNT) if k not in (3, 5)]
     for row, k in enumerate(many.flights):
         assert numbers(many, row).tobytes() == numbers_alone(tables[k]).tobytes()
@@ -139,86 +163,91 @@ def test_flights_that_go_another_way_are_left_out() -> None:
         numbers_alone(tables[5])
 
 
-def test_what_no_formula_does_is_made_alone() -> None:
-    """Run-ups are sought, drag asks for roots, gusts are drawn, ticks are counted."""
-    varied = {
-        "run-ups": holding(reference=lambda k: {"type": "run-up", "speed": 2.0 + 0.01 * k}),
-        "drag": holding(air=lambda k: {"body_drag": 0.01 + 0.001 * k}),
-        "gusts": holding(
-            air=lambda k: {"body_drag": 0.01, "gusts": {"wind_at_6_m": 5.0, "airspeed": 3.0}},
-            start=lambda k: {"yaw": 0.01 * k},
-        ),
-        "clock": holding(clock=lambda k: [1000.0, 2000.0][k % 2]),
-        "duration": holding(simulation=lambda k: {"duration": 1.0 + 0.1 * k}),
-        "a sick first": holding(model_error=lambda k: {"mass": 0.1 + 0.1 * k}),
-    }
-    for tables in varied.values():
-        _, made = together(tables, Memo())
-        assert made == [None] * len(made)
+def test_flights_of_one_clock_and_duration_are_built_together() -> None:
+    """Those are of a batch."""
+    for tables in (
+        holding(clock=lambda k: [1000.0, 2000.0][k % 2]),
+        holding(simulation=lambda k: {"duration": [1.0, 2.0][k % 2]}),
+    ):
+        tables = [table | {"seed": k} for k, table in enumerate([*tables, *tables])]
+        groups, built = together(tables)
+        assert [many.flights for many in built] == [group.flights for group in groups]
+        assert [len(group.flights) for group in groups] == [COUNT, COUNT]
+        for many in built:
+            for row, k in enumerate(many.flights):
+                assert numbers(many, row).tobytes() == numbers_alone(tables[k]).tobytes()
+                assert pace_of(many.first) == pace_of(flight_from(tables[k]))
 
 
-def test_few_are_made_alone() -> None:
+def test_each_branch_is_built_together() -> None:
+    """Walls in reach of the start are checked in detail; a first flight may be refused."""
+    tables = holding(model_error=lambda k: {"mass": 0.1 if k < 2 else 1.0 + 0.01 * k}) + [
+        table | {"start": {"position": [0.1, 0.0, 1.0 + k % 2 * 1e-3 * k], "yaw": 0.1}}
+        for k, table in enumerate(holding(model_error=lambda k: {"mass": 1.0 + 0.01 * k}))
+    ]
+    walls = {"obstacles": [{"type": "ground", "surface": "wall"}]}
+    tables = [table | {"world": walls} for table in tables]
+    for k in range(COUNT):
+        tables[k] = tables[k] | {"start": {"position": [0.0, 0.0, 1.0 - k % 2 * 0.8], "yaw": 0.1}}
+    _, built = together([*tables, *tables])
+    assert len(built) > 1
+    flights = [k for many in built for k in many.flights]
+    assert len(flights) == len(set(flights)) > COUNT
+    for many in built:
+        for row, k in enumerate(many.flights):
+            assert numbers(many, row).tobytes() == numbers_alone((tables * 2)[k]).tobytes()
+
+
+def test_few_are_built_alone() -> None:
     tables = scattered("arq", {})
-    assert together(tables[: templates.FEW], Memo())[1] != [None]
-    assert together(tables[: templates.FEW - 1], Memo())[1] == [None]
+    assert together(tables[: templates.FEW])[1] != []
+    assert together(tables[: templates.FEW - 1])[1] == []
 
 
-def test_a_function_that_takes_a_cell_for_a_float_is_found_out(
+def test_a_function_that_takes_a_traced_number_for_a_float_is_found_out(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Whatever is not as the flight made ready alone is not trusted."""
-    ready_of = templates.ready_of
+    """Whatever is not as the flight built alone is not trusted."""
+    build_flight = templates.build_flight
 
-    def careless(*given: Any) -> ReadyFlight:
-        ready = ready_of(*given)
+    def careless(*given: Any, **named: Any) -> ReadyFlight:
+        ready = build_flight(*given, **named)
         start = ready.start
         height = getattr(start.position.z, "value", start.position.z)
         return ready._replace(start=start._replace(position=start.position._replace(z=height)))
 
-    assert together(PLANS["scattered ARQ"], Memo())[1] != [None]
-    monkeypatch.setattr(templates, "ready_of", careless)
-    assert together(PLANS["scattered ARQ"], Memo())[1] == [None]
+    assert together(PLANS["scattered ARQ"])[1] != []
+    monkeypatch.setattr(templates, "build_flight", careless)
+    assert together(PLANS["scattered ARQ"])[1] == []
 
 
 # -- templates ------------------------------------------------------------------------------------
 
 
+def numbers_in(template: Template, other: Any) -> list[float] | None:
+    found: list[float] = []
+    return found if template.takes(other, found) else None
+
+
 def test_a_template_takes_numbers_and_gives_them_back() -> None:
-    first = Start(position=(0.0, 1.0, 2.0), yaw=0.1)
-    other = Start(position=(3.0, 4.0, 5.0), yaw=-0.0)
+    first = {"position": [0.0, 1.0, (2.0, "3 m")], "yaw": 0.1, "count": 3}
+    other = {"position": [3.0, 4.0, (5.0, "3 m")], "yaw": -0.0, "count": 3}
     template = Template(first)
-    found = template.numbers(other)
-    assert found is not None
-    assert template.numbers(first) == template.own
+    found = numbers_in(template, other)
+    assert found == [3.0, 4.0, 5.0, 0.0]
+    assert numbers_in(template, first) == template.own == [0.0, 1.0, 2.0, 0.1]
     assert template.with_numbers(iter(found)) == other
-    assert math.copysign(1.0, template.with_numbers(iter(found)).yaw) == -1.0
-    assert template.with_numbers(iter(found)).model_fields_set == other.model_fields_set
+    assert math.copysign(1.0, template.with_numbers(iter(found))["yaw"]) == -1.0
 
 
-def test_settings_that_differ_in_more_than_numbers_are_not_alike() -> None:
-    given = ControlSettings(stiffness=9.0)
-    template = Template(given)
-    assert template.numbers(ControlSettings(stiffness=8.0)) is not None
-    for other in (
-        ControlSettings(stiffness=9.0, attitude="lee"),
-        ControlSettings(stiffness=9.0, damping=3.0),  # none is not a number
-        ControlSettings(stiffness=9.0, rate_gain=given.rate_gain),  # given, which may matter
-        Start(),
-        None,
-    ):
-        assert template.numbers(other) is None
-
-
-def test_worlds_are_alike_obstacle_by_obstacle() -> None:
-    def world(*distances: float) -> WorldSettings:
-        walls = [{**WALL, "distance": d, "surface": {"law": "hertz"}} for d in distances]
-        return WorldSettings.model_validate({"obstacles": walls})
-
-    template = Template(world(1.0, 2.0))
-    assert template.numbers(world(3.0, 4.0)) is not None
-    assert template.with_numbers(iter(template.numbers(world(3.0, 4.0)) or [])) == world(3.0, 4.0)
-    assert template.numbers(world(1.0)) is None
-    assert template.numbers(world(1.0, 2.0, 3.0)) is None
-    assert Template((1, "a", (True, None))).numbers((1, "a", (True, None))) == []
-    assert Template((1, "a", (True, None))).numbers((1, "a", (False, None))) is None
-    assert Template([1.0]).numbers([1.0]) is None
+def test_tables_that_differ_in_more_than_numbers_are_not_alike() -> None:
+    template = Template({"stiffness": 9.0, "law": "lee", "count": 1, "list": [1.0]})
+    same = {"stiffness": 8.0, "law": "lee", "count": 1, "list": [2.0]}
+    assert numbers_in(template, same) is not None
+    for change in (
+        {"law": "full"}, {"count": 2}, {"count": True}, {"stiffness": 8}, {"stiffness": "8 N/m"},
+        {"list": []}, {"list": [1.0, 2.0]}, {"list": (1.0,)}, {"damping": 3.0},
+    ):  # fmt: skip
+        assert numbers_in(template, same | change) is None
+    assert numbers_in(template, {key: same[key] for key in ("law", "count", "list")}) is None
+    assert numbers_in(template, None) is None

@@ -9,7 +9,7 @@ import numpy as np
 
 from springback.kernels.layout import Buffer, rows
 from springback.kernels.trees import leaves, rebuilt
-from springback.scenario.avionics import build_avionics, turn_on_normals
+from springback.scenario.avionics import build_avionics, normals_at_start
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import flight_buffers, flight_records, shape_of
 from springback.simulation.guided import (
@@ -69,8 +69,8 @@ def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
     """A flight of a campaign, made ready to fly in company."""
     scenario = scenario_from(given)
     model, start = scenario.flight_model(), scenario.start_state()
-    biases = turn_on_normals([scenario.seed], flight)[0]
-    built_avionics = build_avionics(scenario, model, start, biases=biases)
+    normals = normals_at_start(scenario.seed, scenario.air.gusts is not None, flight)
+    built_avionics = build_avionics(scenario, model, start, normals=normals)
     ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
     noise = noise_table(scenario.seed, flight, ticks, built_avionics.noise)
     return Lane(

@@ -16,6 +16,7 @@ SLOW = (
     "attack/test_corners.py",
     "attack/test_fuzz.py",
     "batch/test_scenarios.py",
+    "batch/test_variety.py::test_every_number_is_traced",
     "campaign/test_cluster.py",
     "campaign/test_envelope.py",
     "campaign/test_running.py",

@@ -9,17 +9,32 @@ from typing import Any
 import numpy as np
 import pytest
 
-from springback.kernels.tracing import NO_FORMULA, Evaluated, Tape, Traced, cos, sin, sqrt
+from springback.kernels.tracing import (
+    NO_FORMULA,
+    Tape,
+    Traced,
+    cos,
+    holds,
+    hypot,
+    sin,
+    sqrt,
+    traceable,
+)
 from springback.kernels.vectors import Vec
 
 ROWS = np.random.default_rng(5).normal(size=(50, 3))
 Function = Callable[[Any, Any, Any], Any]
 
 
-def worked_out(function: Function, rows: Any = ROWS) -> tuple[Any, Evaluated]:
-    """A function given cells, and the sheet worked out."""
-    sheet = Tape(rows)
-    return function(*sheet.first), sheet.evaluate()
+def worked_out(function: Function, rows: Any = ROWS) -> tuple[Any, Tape]:
+    """What a function returns for traced numbers, and their tape."""
+    tape = Tape(rows)
+    return function(*tape.first), tape
+
+
+def column(x: Any, rows: Any) -> Any:
+    """Values in some rows."""
+    return x.column[rows] if isinstance(x, Traced) else np.full(np.shape(rows), x)
 
 
 def arithmetic(a: Any, b: Any, c: Any) -> Any:
@@ -27,7 +42,7 @@ def arithmetic(a: Any, b: Any, c: Any) -> Any:
 
 
 def roots_and_angles(a: Any, b: Any, c: Any) -> Any:
-    return sqrt(a * a + b * b) * sin(c) - cos(a + c)
+    return sqrt(a * a + b * b) * sin(c) - cos(a + c) + hypot(a, 1.0, b)
 
 
 def vectors(a: Any, b: Any, c: Any) -> Any:
@@ -41,11 +56,11 @@ def arrays(a: Any, b: Any, c: Any) -> Any:
 
 @pytest.mark.parametrize("function", [arithmetic, roots_and_angles, vectors, arrays])
 def test_every_row_is_that_of_the_function(function: Function) -> None:
-    cell, filled = worked_out(function)
+    cell, tape = worked_out(function)
     assert isinstance(cell, Traced)
-    assert filled.holds.all()
+    assert tape.holds.all()
     alone = np.array([function(*row) for row in ROWS.tolist()])
-    assert filled.of(cell, np.arange(len(ROWS))).tobytes() == alone.tobytes()
+    assert column(cell, np.arange(len(ROWS))).tobytes() == alone.tobytes()
     assert cell.value == alone[0]
 
 
@@ -63,11 +78,11 @@ def test_rows_hold_where_all_questions_are_answered_alike() -> None:
 
     for first in range(10):  # one for each way through
         rows = np.roll(ROWS, -first, axis=0)
-        cell, filled = worked_out(branching, rows)
+        cell, tape = worked_out(branching, rows)
         alike = [taken(*row) == taken(*rows[0].tolist()) for row in rows.tolist()]
-        assert filled.holds.tolist() == alike
+        assert tape.holds.tolist() == alike
         alone = np.array([branching(*row) for row in rows[alike].tolist()])
-        assert filled.of(cell, np.flatnonzero(alike)).tobytes() == alone.tobytes()
+        assert column(cell, np.flatnonzero(alike)).tobytes() == alone.tobytes()
 
 
 @pytest.mark.parametrize("claim", ["<", "<=", ">", ">=", "==", "!="])
@@ -75,16 +90,89 @@ def test_every_question_is_remembered(claim: str) -> None:
     rows = np.array([[1.0, 2.0, 0.0], [2.0, 2.0, 0.0], [3.0, 2.0, 0.0]])
     for first in range(3):
         turned = np.roll(rows, -first, axis=0)
-        _, filled = worked_out(lambda a, b, c: eval(f"a {claim} b"), turned)
+        _, tape = worked_out(lambda a, b, c: eval(f"a {claim} b"), turned)
         answers = [eval(f"{a} {claim} {b}") for a, b, _ in turned.tolist()]
-        assert filled.holds.tolist() == [answer == answers[0] for answer in answers]
+        assert tape.holds.tolist() == [answer == answers[0] for answer in answers]
 
 
 def test_rows_that_python_would_refuse_do_not_hold() -> None:
     rows = np.array([[1.0, 4.0, 0.0], [0.0, 4.0, 0.0], [1.0, -4.0, 0.0], [2.0, 9.0, 0.0]])
-    cell, filled = worked_out(lambda a, b, c: sqrt(b) / a, rows)
-    assert filled.holds.tolist() == [True, False, False, True]
-    assert filled.of(cell, [0, 3]).tolist() == [2.0, 1.5]
+    cell, tape = worked_out(lambda a, b, c: sqrt(b) / a, rows)
+    assert tape.holds.tolist() == [True, False, False, True]
+    assert column(cell, [0, 3]).tolist() == [2.0, 1.5]
+
+
+def test_a_claim_is_one_question() -> None:
+    """Rows that hold for different reasons hold together."""
+    rows = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.5, 0.0, 0.0], [math.nan, 0.0, 0.0]])
+
+    def claim(x: Any) -> Any:
+        return (x == 0.0) | (x >= 1.0)
+
+    for first, wanted in ((0, True), (2, False)):
+        turned = np.roll(rows, -first, axis=0)
+        answer, tape = worked_out(lambda a, b, c: holds(claim, a), turned)
+        assert answer == wanted
+        assert tape.holds.tolist() == [True, True, False, False]
+    assert [holds(claim, x) for x in (0.0, 2.0, 0.5, math.nan)] == [True, True, False, False]
+
+
+@traceable
+def searched(start: Vec, unit: str, more: tuple[float, ...]) -> Any:
+    """Something that is no formula, of trees."""
+    if start.x < -2.0:
+        raise ValueError(unit)
+    count = round(abs(start.x) * 10.0) % 3
+    return (Vec(start.y, *more), (start.x,)) if count else (start, ())
+
+
+def test_what_is_no_formula_is_called_for_every_row() -> None:
+    """Trees go in and come out; rows that end otherwise than the first do not hold."""
+    rows = np.concatenate([ROWS, [[-3.0, 1.0, 1.0]]])
+    for first in range(4):
+        turned = np.roll(rows, -first, axis=0)
+        tree, tape = worked_out(lambda a, b, c: searched(Vec(a, b, 2.0), "m", (c, 1.0)), turned)
+        alone = [
+            searched(Vec(a, b, 2.0), "m", (c, 1.0)) if a >= -2.0 else None
+            for a, b, c in turned.tolist()
+        ]
+        alike = [one is not None and len(one[1]) == len(alone[0][1]) for one in alone]
+        assert tape.holds.tolist() == alike
+        assert not all(alike)
+        for k in np.flatnonzero(alike).tolist():
+            vector, rest = tree
+            assert type(vector) is Vec
+            assert tuple(column(x, k) for x in vector) == alone[k][0]
+            assert tuple(column(x, k) for x in rest) == alone[k][1]
+
+
+def test_what_is_no_float_must_be_as_in_the_first_row() -> None:
+    """Texts and whole numbers are not traced; constants are plain numbers."""
+
+    def rounded(x: float) -> Any:
+        return f"{x:.0f}", math.floor(x), x.is_integer(), 2.5
+
+    rows = np.array([[1.2], [1.3], [2.2], [0.8]])
+    tape = Tape(rows)
+    assert traceable(rounded)(*tape.first) == ("1", 1, False, 2.5)
+    assert tape.holds.tolist() == [True, True, False, False]
+    with pytest.raises(TypeError, match="not given"):
+        traceable(lambda x: (math.floor(x), tape.first[0]))(tape.first[0])
+    with pytest.raises(TypeError):  # a mistake is not hidden
+        traceable(lambda x: x + "text")(1.0)
+
+
+def test_rows_that_do_not_hold_are_not_searched() -> None:
+    asked: list[float] = []
+
+    def search(x: float) -> float:
+        asked.append(math.floor(x) + 0.0)
+        return x
+
+    tape = Tape(np.array([[1.0], [-1.0], [2.0]]))
+    assert tape.first[0] > 0.0
+    traceable(search)(tape.first[0])
+    assert set(asked) == {1.0, 2.0}
 
 
 @pytest.mark.parametrize(
@@ -92,7 +180,7 @@ def test_rows_that_python_would_refuse_do_not_hold() -> None:
     [
         math.sin, math.floor, float, int, hash, round, np.sqrt, lambda x: f"{x:g}",
         lambda x: {x: 1}, lambda x: x**2, lambda x: [1, 2][x], lambda x: x.is_integer(),
-        lambda x: x + "1", lambda x: x < "1",
+        lambda x: x + "1", lambda x: x < "1", math.hypot,
     ],
 )  # fmt: skip
 def test_what_a_cell_does_not_know_it_says(asks_more: Callable[[Any], Any]) -> None:

@@ -1,4 +1,4 @@
-"""Flights laid into buffers by what differs: the same as laid leaf by leaf."""
+"""Flights collected and laid into buffers, alone or in groups: the same as laid one by one."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from springback.dynamics.gusts import NoGusts
+from springback.kernels.layout import structure
+from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import flight_buffers, shape_of
 from springback.simulation.guided import avionics_buffers
-from springback.simulation.loading import PATIENCE, DifferentStructure, Loader
+from springback.simulation.loading import Loader
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.vehicle.state import State
@@ -47,16 +49,26 @@ def mixed() -> list[Flight]:
     ]
 
 
+def differing(columns: list[list[float]]) -> tuple[list[int], Any]:
+    """Leaves in which flights differ from the first, and their values."""
+    values = np.array(columns)
+    places = np.flatnonzero((values.view(np.int64) != values[:1].view(np.int64)).any(axis=0))
+    return places.tolist(), values[:, places]
+
+
 @pytest.mark.parametrize("width", [1, 4, 8])
-@pytest.mark.parametrize("twins", [0, 2, 3 * PATIENCE])
-def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> None:
-    """Also where another robot comes, with which later flights are then compared."""
+@pytest.mark.parametrize("in_groups", [False, True])
+def test_collected_flights_are_laid_as_by_themselves(width: int, in_groups: bool) -> None:
+    """Also flights of two robots, and several that differ from one in a few leaves."""
     wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
     other = flight(vehicle="quad", world={"obstacles": [wall]})
-    flights = [*mixed(), *([other] * twins), *mixed(), *([other] * twins)]
+    flights = [*mixed(), other, *mixed()]
     models, starts, avionics_list = (list(column) for column in zip(*flights, strict=True))
     loader = Loader(*flights[0], width)
-    for one in flights:
+    if in_groups:
+        flown = differing([leaves((model, start)) for model, start, _ in flights[:3]])
+        loader.add(*flights[0], flown, differing([leaves(one) for *_, one in flights[:3]]))
+    for one in flights[loader.count :]:
         loader.add(*one)
     laid = loader.flights()
     shape = shape_of(models[0], starts[0])
@@ -80,14 +92,12 @@ def test_flights_without_pilots_are_laid_too() -> None:
     np.testing.assert_array_equal(laid.buffers, flight_buffers(laid.shape, models, starts, 8))
 
 
-def test_flights_of_another_kind_are_told_apart() -> None:
-    """By one type, somewhere, or by a count; and nothing of them is added."""
+def test_flights_of_another_kind_have_another_structure() -> None:
+    """By one type, somewhere, or by a count; a batch has one."""
     first, gusty = (
         flight(),
         flight(air={"wind": [1, 0, 0], "body_drag": 0.02, "gusts": {"wind_at_6_m": 5}}),
     )
-    loader = Loader(*first, 8)
-    loader.add(*first)
     model, start, avionics = first
     assert isinstance(avionics.systems.weather, NoGusts)
     arms = model.airframe._replace(arms=model.airframe.arms[:3])
@@ -104,8 +114,5 @@ def test_flights_of_another_kind_are_told_apart() -> None:
         (model._replace(airframe=arms), start, avionics),
     ]
     for other in others:
-        with pytest.raises(DifferentStructure):
-            loader.add(*other)
-    assert loader.count == 1
-    wanted = avionics_buffers([avionics], 8)
-    np.testing.assert_array_equal(loader.flights().onboard, wanted)
+        assert structure(other) != structure(first)
+    assert structure(flight(start={"position": [0.0, 0.0, 2.0]})) == structure(first)

@@ -1,26 +1,24 @@
 """Batch flights: outcomes and measures of many scenarios, flown together.
 
-Building a flight and reading its results alone would take longer than flying it.  Here flights
-share what their tables share, are stored in buffers by their differences, and are read column by
-column; every number is that of the flight flown alone.
+Building a flight and reading its results alone would take longer than flying it.  Here flights that
+differ in numbers only are built together, and read column by column; every number is that of the
+flight flown alone.
 """
 
 from __future__ import annotations
 
 import gc
 import math
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from functools import cache, partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.batch.templates import BuiltGroup, ScenarioGroup, build_group, pace_of
-from springback.batch.validation import UNCHECKED, flight_from_tables, settings_of
+from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups, pace_of
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
-from springback.kernels.memo import Memo
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.results.recovery_measures import (
@@ -28,13 +26,14 @@ from springback.results.recovery_measures import (
     recovery_columns,
     recovery_outcomes,
 )
-from springback.scenario.avionics import turn_on_normals
+from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
+from springback.scenario.scenario import scenario_from
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
-from springback.simulation.loading import DifferentStructure, LoadedFlights, Loader
+from springback.simulation.loading import LoadedFlights, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
@@ -51,8 +50,6 @@ Device = Literal["cpu", "gpu"]
 """Device for flights: lanes of the processor, or one flight per thread of an NVIDIA GPU."""
 #: Number of recent groups with which a flight is compared (chosen).
 MOST_TRIED = 8
-#: Tables by which flights are sorted, so that those that share much are adjacent.
-ORDER = ("vehicle", "recovery", "estimator", "sensors", "reference")
 
 
 class Rows(NamedTuple):
@@ -91,7 +88,7 @@ def fly_scenarios(
 ) -> Rows:
     """Fly many scenarios; each flight's numbers depend on its own tables alone.
 
-    It is fast where flights share tables: the same objects, at any depth.
+    It is fast where eight or more differ in numbers only.
 
     Args:
         tables: Whole scenarios, as plain tables.
@@ -102,20 +99,19 @@ def fly_scenarios(
     Raises:
         InputError: If there is no such device.
     """
-    count, build = len(tables), Memo()
+    count = len(tables)
     out = Rows(
         [REFUSED] * count,
         {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
         [""] * count,
     )
-    order, most = _order(tables), BLOCK if device == "cpu" else GPU_BLOCK
+    most = BLOCK if device == "cpu" else GPU_BLOCK
     fly = _on_processor(threads) if device == "cpu" else _on_gpu()
     for first in range(0, count, most):
-        block = order[first : first + most]
+        block = range(first, min(first + most, count))
         share = stage(progress, first / count, len(block) / count)
         with no_collection():
-            _fly_block(tables, block, build, fly, share, out)
-            build.forget()
+            _fly_block(tables, block, fly, share, out)
         share(1.0)
     return out
 
@@ -132,50 +128,39 @@ def no_collection() -> Iterator[None]:
             gc.enable()
 
 
-def _order(tables: Sequence[Mapping[str, Any]]) -> list[int]:
-    """Order in which flights that share tables are adjacent."""
-    known: dict[Hashable, int] = {}
-
-    def number(value: Any) -> int:
-        return known.setdefault(value if isinstance(value, str) else id(value), len(known))
-
-    keys = [tuple(number(table.get(name)) for name in ORDER) for table in tables]
-    return sorted(range(len(tables)), key=keys.__getitem__)
-
-
 def _fly_block(
     tables: Sequence[Mapping[str, Any]],
-    block: list[int],
-    build: Memo,
+    block: Sequence[int],
     fly: _Fly,
     progress: Progress,
     out: Rows,
 ) -> None:
     """Build some flights, fly them batch by batch, and read their results."""
-    biases = dict(zip(block, _biases([tables[k] for k in block]), strict=True))
 
     def one(number: int) -> ReadyFlight:
-        return flight_from_tables(tables[number], build, biases[number])
-
-    kinds: dict[Any, _Kind] = {}
-    alike, alone = _group(tables, block, build)
-    for group in alike:
-        many = build_group(group, [biases[k] or [] for k in group.flights], one)
-        if many is None:
-            alone += group.flights
-        else:
-            _add_many(many, [tables[k].get("seed", 0) for k in many.flights], kinds)
-            alone += set(group.flights).difference(many.flights)
-    last: _Kind | None = None
-    for number in filter({*alone}.__contains__, block):
         try:
-            ready = one(number)
+            return scenario_from(tables[number], False, advises=False).build(advises=False)
         except InputError as error:
             out.problems[number] = "; ".join(error.problems)
-            continue
-        last = _add_to_kind(ready, last, kinds)
-        last.numbers.append(number)
-        last.seeds.append(ready.seed)
+            raise
+
+    drawn = cache(normals_at_start)  # robots share seeds
+
+    def normals(number: int) -> list[float]:
+        air = tables[number].get("air")
+        gusts = air.get("gusts") if isinstance(air, Mapping) else None
+        return drawn(_seed(tables[number]), gusts is not None)
+
+    kinds: dict[Any, _Kind] = {}
+    for group in _groups(tables, block):
+        flights = group.flights
+        for built in built_groups(group, normals, one):
+            _collect(built, tables, kinds)
+            flights = sorted(set(flights).difference(built.flights))
+        for number in flights:
+            if not out.problems[number]:
+                with suppress(InputError):
+                    _collect(BuiltGroup([number], one(number)), tables, kinds)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
     for kind in kinds.values():
         size = len(kind.numbers)
@@ -183,75 +168,49 @@ def _fly_block(
         done += size
 
 
-def _biases(tables: Sequence[Mapping[str, Any]]) -> list[list[float] | None]:
-    """Biases of all flights by `turn_on_normals`, drawn together; None for an invalid seed."""
-    seeds = [table.get("seed", 0) for table in tables]
-    different = list({seed for seed in seeds if type(seed) is int and seed >= 0})
-    drawn = dict(zip(different, turn_on_normals(different), strict=True))
-    return [drawn.get(seed) if type(seed) is int else None for seed in seeds]
-
-
-def _group(
-    tables: Sequence[Mapping[str, Any]], block: Sequence[int], build: Memo
-) -> tuple[list[ScenarioGroup], list[int]]:
-    """Groups of flights that differ in numbers only, and the flights that have errors."""
-    alike: list[ScenarioGroup] = []
-    wrong: list[int] = []
-    before: tuple[Mapping[str, Any], Mapping[str, Any]] = {}, {}
+def _groups(tables: Sequence[Mapping[str, Any]], block: Sequence[int]) -> list[ScenarioGroup]:
+    """Groups of flights that differ in numbers only; those of invalid seeds by themselves."""
+    groups: list[ScenarioGroup] = []
+    refused: list[ScenarioGroup] = []
     for number in block:
-        try:
-            settings = settings_of(tables[number], build, before)
-        except UNCHECKED:
-            wrong.append(number)
+        if type(seed := _seed(tables[number])) is not int or seed < 0:
+            refused.append(ScenarioGroup(number, tables[number]))
             continue
-        del settings["seed"]
-        before = tables[number], settings
-        for k, group in enumerate(alike[:MOST_TRIED]):
-            if group.takes(number, settings):
-                alike.insert(0, alike.pop(k))  # the next one is likely to match it
+        for k, group in enumerate(groups[:MOST_TRIED]):
+            if group.takes(number, tables[number]):
+                groups.insert(0, groups.pop(k))  # the next one is likely to match it
                 break
         else:
-            alike.insert(0, ScenarioGroup(number, settings, build))
-    return alike, wrong
+            groups.insert(0, ScenarioGroup(number, tables[number]))
+    return groups + refused
 
 
-def _add_many(many: BuiltGroup, seeds: Sequence[int], kinds: dict[Any, _Kind]) -> None:
-    """Add flights that were built together to those of their kind."""
-    kind = _kind_of(many.first, kinds)
-    avionics = many.first.built_avionics.avionics if many.first.built_avionics else None
-    kind.loader.add_alike(many.first.model, many.first.start, avionics, many.flown, many.onboard)
-    kind.numbers.extend(many.flights)
-    kind.seeds.extend(seeds)
+def _seed(tables: Mapping[str, Any]) -> Any:
+    return tables.get("seed", 0)
 
 
-def _add_to_kind(one: ReadyFlight, last: _Kind | None, kinds: dict[Any, _Kind]) -> _Kind:
-    """Add a flight to its kind, first trying that of the flight before it; returns the kind."""
-    avionics = one.built_avionics.avionics if one.built_avionics else None
-    if last is not None and pace_of(one) == pace_of(last.first):
-        try:
-            last.loader.add(one.model, one.start, avionics)
-        except DifferentStructure:
-            pass
-        else:
-            return last
-    kind = _kind_of(one, kinds)
-    kind.loader.add(one.model, one.start, avionics)
-    return kind
-
-
-def _kind_of(one: ReadyFlight, kinds: dict[Any, _Kind]) -> _Kind:
-    """Kind of a flight, created for the first of it."""
+def _collect(
+    built: BuiltGroup, tables: Sequence[Mapping[str, Any]], kinds: dict[Any, _Kind]
+) -> None:
+    """Add flights to those of their kind, which is created for the first of it."""
+    one = built.first
     avionics = one.built_avionics.avionics if one.built_avionics else None
     key = structure(one.model), structure(avionics), pace_of(one)
     if key not in kinds:
         width = LANES if avionics is None else GUIDED_LANES
         kinds[key] = _Kind(Loader(one.model, one.start, avionics, width), one, [], [])
-    return kinds[key]
+    kind = kinds[key]
+    kind.loader.add(one.model, one.start, avionics, built.flown, built.onboard)
+    kind.numbers.extend(built.flights)
+    kind.seeds.extend(_seed(tables[k]) for k in built.flights)
 
 
 def _on_processor(threads: int) -> _Fly:
     """Functions that fly buffers in lanes, on so many threads."""
-    return _Fly(partial(fly_buffers, threads=threads), partial(fly_groups, threads=threads))
+    return _Fly(
+        partial(fly_buffers, threads=threads),
+        partial(fly_groups, threads=threads),
+    )
 
 
 def _on_gpu() -> _Fly:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
@@ -19,8 +18,7 @@ from springback.contact.surfaces import (
     ThreeHalves,
     VerticalTangent,
 )
-from springback.kernels.memo import Build, plain_build
-from springback.kernels.tracing import sqrt
+from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
 from springback.settings import Settings, problem
@@ -85,7 +83,7 @@ class SurfaceSettings(Settings):
 
     def exponent_value(self) -> float:
         """Exponent n of the law."""
-        return 1.0 if self.law == "kelvin-voigt" else float(self.exponent)
+        return 1.0 if self.law == "kelvin-voigt" else self.exponent
 
     def surface(self, exponent: type[ThreeHalves | Linear | AnyExponent]) -> Surface:
         """Numbers for one cage; the exponent's type is chosen for the whole world."""
@@ -100,7 +98,7 @@ class SurfaceSettings(Settings):
             friction=self.friction,
             friction_axes=axes,
             slip_speed=self.slip_speed,
-            restitution=float(self.restitution or 0.0) if impulse else -1.0,
+            restitution=(self.restitution or 0.0) if impulse else -1.0,
         )
 
 
@@ -119,7 +117,7 @@ class PlaneSettings(Settings):
         parts = (self.position is not None, self.normal is not None)
         if any(parts) if self.distance is not None else not all(parts):
             raise problem("needs either distance, or position and normal")
-        if self.normal is not None and not math.hypot(*self.normal) > 0.0:
+        if self.normal is not None and not hypot(*self.normal) > 0.0:
             raise problem("must not be zero", "normal")
         return self
 
@@ -183,12 +181,8 @@ def _exponent_type(values: list[float]) -> type[Any]:
 Own = tuple[Any, SurfaceSettings]
 
 
-def _numbers(surface: SurfaceSettings, exponent: type[Any]) -> Surface:
-    return surface.surface(exponent)
-
-
 def obstacles(
-    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = (), build: Build = plain_build
+    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = ()
 ) -> tuple[Obstacle, ...]:
     """Numbers of all obstacles; if there are none, a face out of reach."""
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -203,6 +197,5 @@ def obstacles(
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
     return tuple(
-        Obstacle(shape, build(_numbers, surface, exponent, place=k), ground)
-        for k, (shape, surface, ground) in enumerate(all_faces)
+        Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
     )

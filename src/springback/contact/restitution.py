@@ -13,6 +13,7 @@ import math
 from collections.abc import Callable
 
 from springback.errors import InputError
+from springback.kernels.tracing import traceable  # for batch set-up
 
 
 def _excess(h: float, x: float) -> float:
@@ -53,6 +54,7 @@ def restitution(dissipation: float, speed: float) -> float:
     return -math.expm1(-x) / h
 
 
+@traceable
 @functools.lru_cache(maxsize=256)  # a campaign uses the same surfaces repeatedly
 def dissipation_for(target: float, speed: float) -> float:
     """Dissipation c_a [s/m] that gives a restitution at some impact speed [m/s].

@@ -17,7 +17,7 @@ from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import TreeLayout, load, store
-from springback.kernels.memo import Build, plain_build
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
@@ -89,7 +89,6 @@ def cascade_memory(
     estimator: Any,
     estimate: Estimate,
     thrust: tuple[float, ...],
-    build: Build = plain_build,
 ) -> CascadeMemory:
     """Memory of a pilot before tick 0, at the attitude and thrust of the start.
 
@@ -98,21 +97,22 @@ def cascade_memory(
         estimator: Memory of its estimator.
         estimate: Estimate at the start.
         thrust: Command to each rotor [N].
-        build: Builder of the parts.
     """
     at_start = AttitudeTarget(estimate.attitude, ZERO, sum(thrust))
-    wanted = build(_first_target, pilot.reference)
+    wanted = _first_target(pilot.reference)
     offboard = Offboard(NO_MEMORY, wanted, at_start, 0.0)
     rate = rate_memory(estimate.angular_velocity)
-    built = build(_initial, pilot.airframe)
+    built = _initial(pilot.airframe)
     autopilot = Autopilot(at_start, ZERO, rate, ZERO, thrust, built)
     return CascadeMemory(0.0, estimator, estimate, offboard, autopilot)
 
 
+@traceable
 def _first_target(reference: Any) -> Target:
     return target(reference, 0.0)
 
 
+@traceable
 def _initial(airframe: Airframe) -> Rarely:
     return Rarely(0.0, _length_dependent(airframe, tuple(arm.length for arm in airframe.arms)))
 

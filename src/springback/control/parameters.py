@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 from springback.control.attitude import FullQuaternion, LeeSO3, Reduced
 from springback.control.position import PositionLaw
 from springback.control.rate import RateLaw
-from springback.kernels.tracing import sqrt
+from springback.kernels.tracing import sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, Unit
 from springback.sensing.measurement import Pace, paced

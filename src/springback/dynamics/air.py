@@ -13,6 +13,7 @@ from pydantic import model_validator
 
 from springback.dynamics.gusts import Dryden, NoGusts, dryden, low_altitude
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec, norm
 from springback.quantities import Speed, Triple, Unit
 from springback.settings import Settings, problem
@@ -149,21 +150,28 @@ class AirSettings(Settings):
         if not self.has_drag:
             return Still(0.0)
         wind, linear, by_thrust = self.wind, self.rotor_drag, self.thrust_drag
-        return Air(Vec(*wind), Vec(*linear), float(self.body_drag), Vec(*by_thrust))
+        return Air(Vec(*wind), Vec(*linear), self.body_drag, Vec(*by_thrust))
 
     def turbulence(self, tick: float) -> NoGusts | Dryden:
         """Numbers of the gusts, for a tick of given duration [s]."""
         if self.gusts is None:
             return NoGusts(0.0)
-        intensity, scale = low_altitude(self.gusts.wind_at_6_m, self.gusts.altitude)
-        mean = norm(Vec(*self.wind))
-        level = math.hypot(self.wind[0], self.wind[1])
-        along = Vec(1.0, 0.0, 0.0)
-        if level > 0.0:
-            along = Vec(self.wind[0] / level, self.wind[1] / level, 0.0)
-        return dryden(intensity, scale, self.gusts.airspeed or mean, tick, along)
+        given = self.gusts
+        return _turbulence(self.wind, given.wind_at_6_m, given.altitude, given.airspeed, tick)
 
     def drag_rate(self, mass: float, thrust: float, speed: float) -> float:
         """Rate at which drag slows a mass [kg], at a given thrust [N] and speed [m/s] [1/s]."""
         linear = max(d + thrust * k for d, k in zip(self.rotor_drag, self.thrust_drag, strict=True))
-        return float(linear + 2.0 * self.body_drag * speed) / mass
+        return (linear + 2.0 * self.body_drag * speed) / mass
+
+
+@traceable
+def _turbulence(
+    wind: Triple, wind_at_6_m: float, altitude: float, airspeed: float | None, tick: float
+) -> Dryden:
+    intensity, scale = low_altitude(wind_at_6_m, altitude)
+    level = math.hypot(wind[0], wind[1])
+    along = Vec(1.0, 0.0, 0.0)
+    if level > 0.0:
+        along = Vec(wind[0] / level, wind[1] / level, 0.0)
+    return dryden(intensity, scale, airspeed or norm(Vec(*wind)), tick, along)

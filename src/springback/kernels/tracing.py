@@ -1,90 +1,72 @@
 """Tracing scalars: run a plain-Python function once, then evaluate it for many rows of numbers.
 
 A `Traced` number replaces a float.  It computes as a float does, with the value of the first row,
-and its tape records the formula; so any function in plain Python accepts traced numbers.  Where the
-function compares two numbers, it gets the answer of the first row, and the tape records that too:
-the formulas hold for the rows that give the same answers.
+and with those of all rows beside it; so any function in plain Python accepts traced numbers.  Where
+the function compares two numbers, it gets the answer of the first row, and the tape notes which
+rows give the same: the results hold for these.  Functions that are no formulas, such as
+sines and searches, are marked `traceable`, and called for every row.
 
-Every row gets the bits that the function would return for it, as the formulas are evaluated by the
+Every row gets the bits that the function would return for it, as the columns are computed by the
 operations of IEEE 754, one by one, or by the standard library's own functions.
 """
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import math
 import operator
-from collections.abc import Callable
-from typing import Any, NamedTuple
+import struct
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
 
 import numpy as np
 
+from springback.settings import Settings
+
+R = TypeVar("R")
 Column = np.ndarray[Any, np.dtype[np.float64]]
 #: Exceptions of a plain-Python function that asks more of traced numbers than they support: their
-#: hash, say, or their text.
-NO_FORMULA = (TypeError, AttributeError)
-
-
-class Step(NamedTuple):
-    """One recorded operation."""
-
-    many: Callable[..., Any]  # the same on columns
-    operands: tuple[Any, ...]  # traced numbers, or floats
-    outcome: Any  # result of a comparison in the first row; None for a formula
+#: hash, say, their text or bits.
+NO_FORMULA = (TypeError, AttributeError, struct.error)
+_NODES = (tuple, list)
 
 
 class Tape:
-    """Rows of numbers, and the operations recorded on them."""
+    """Rows of numbers on which a function is traced."""
 
     def __init__(self, rows: Column) -> None:
         """Start a tape for rows, shape (rows, columns)."""
-        self._rows = rows
-        self._steps: list[Step] = []
-        self.first = [Traced(self, k, value) for k, value in enumerate(rows[0].tolist())]
+        self.holds = np.ones(len(rows), dtype=bool)
+        """True for rows that give the first row's answers; the others' values are undefined."""
+        self.first = [
+            Traced(self, column, value)
+            for column, value in zip(rows.T, rows[0].tolist(), strict=True)
+        ]
         """Cells for the numbers of the first row."""
 
     def record(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
-        """Record an operation; returns the traced result, with its value in the first row."""
-        self._steps.append(Step(many, operands, None))
-        return Traced(self, self._rows.shape[1] + len(self._steps) - 1, value)
+        """Result of an operation on columns, with its value in the first row."""
+        return Traced(self, self._evaluate(many, operands), value)
 
     def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
         """Record a comparison; returns its result in the first row."""
-        self._steps.append(Step(many, operands, outcome))
+        self.holds &= self._evaluate(many, operands) == outcome
         return outcome
 
-    def evaluate(self) -> Evaluated:
-        """Evaluate all formulas for every row."""
-        columns: list[Any] = list(self._rows.T)
-        holds = np.ones(len(self._rows), dtype=bool)
+    def _evaluate(self, many: Callable[..., Any], operands: tuple[Any, ...]) -> Any:
         with np.errstate(all="ignore"):  # rows for which the comparisons differ may overflow
-            for many, operands, outcome in self._steps:
-                given = (columns[x.place] if isinstance(x, Traced) else x for x in operands)
-                columns.append(many(*given))
-                if outcome is not None:
-                    holds &= columns[-1] == outcome
-        return Evaluated(columns, holds)
-
-
-class Evaluated(NamedTuple):
-    """A tape evaluated for all rows."""
-
-    columns: list[Any]
-    holds: Any
-    """True for rows that give the first row's answers, shape (rows,); others are undefined."""
-
-    def of(self, x: Any, rows: Any) -> Any:
-        """Values in some rows: the column of a traced number, or the float itself."""
-        return self.columns[x.place][rows] if isinstance(x, Traced) else x
+            return many(*(x.column if isinstance(x, Traced) else x for x in operands))
 
 
 class Traced:
     """A traced number."""
 
-    __slots__ = ("place", "tape", "value")
+    __slots__ = ("column", "tape", "value")
 
-    def __init__(self, tape: Tape, place: int, value: float) -> None:
-        """Number at a place of a tape, with its value in the first row."""
-        self.tape, self.place, self.value = tape, place, value
+    def __init__(self, tape: Tape, column: Column, value: float) -> None:
+        """Number with its values in all rows of a tape, and in the first."""
+        self.tape, self.column, self.value = tape, column, value
 
     def _with(
         self, other: Any, many: Callable[..., Any], one: Callable[..., Any], turned: bool = False
@@ -164,16 +146,98 @@ def _value(x: Any) -> Any:
     return x.value if isinstance(x, Traced) else x
 
 
-def _by_one(function: Callable[[float], float]) -> Callable[[Column], Column]:
-    """The same, number by number: NumPy may round differently from the standard library."""
+def holds(claim: Callable[[Any], Any], x: Any) -> bool:
+    """``claim(x)`` of a float or a traced number, recorded as one comparison, without branches.
 
-    def many(column: Column) -> Column:
-        return np.array([function(x) for x in column.tolist()])
+    The claim is of operators, ``&`` and ``|``, and takes columns, too.
+    """
+    if not isinstance(x, Traced):
+        return bool(claim(x))
+    return x.tape.guard(claim, bool(claim(x.value)), x)
 
-    return many
+
+def traceable(function: Callable[..., R]) -> Callable[..., R]:
+    """The same function; where it is no formula of traced numbers, the tape calls it for every row.
+
+    Traced numbers may be anywhere in lists, tuples and settings.  The floats of the result, a tree,
+    are traced then.  Rows for which the function raises a `ValueError`, or for which the result
+    differs in more than floats from that of the first, do not hold.
+    """
+
+    @functools.wraps(function)
+    def accepting(*given: Any) -> R:
+        try:
+            return function(*given)
+        except NO_FORMULA:
+            traced = [x for x in _leaves(given) if isinstance(x, Traced)]
+            if not traced:
+                raise
+            result: R = _by_row(function, given, traced)
+            return result
+
+    return accepting
 
 
-_SINES, _COSINES = _by_one(math.sin), _by_one(math.cos)
+def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any:
+    """Result of a function of traced numbers, called for every row that holds."""
+    fill, tape = _filler(given), traced[0].tape
+    first = function(*fill(iter([x.value for x in traced])))
+    floats, rest = _sorted_leaves(first)
+    if any(isinstance(x, Traced) for x in rest):
+        raise TypeError(f"{function.__name__} knows traced numbers that it was not given")
+    rows = zip(*(x.column.tolist() for x in traced), strict=True)
+    block, holds = np.tile(floats, (len(tape.holds), 1)), np.zeros(len(tape.holds), dtype=bool)
+    for k, row in enumerate(rows):
+        with contextlib.suppress(ValueError, ArithmeticError):
+            found = _sorted_leaves(function(*fill(iter(row)))) if tape.holds[k] else ([], [])
+            if found[1] == rest:
+                block[k], holds[k] = found[0], True
+    tape.holds &= holds
+    bits = block.view(np.int64)  # −0 is not 0
+    differs = (bits != bits[0]).any(axis=0).tolist()
+    cells = [Traced(tape, block[:, k], x) if differs[k] else x for k, x in enumerate(floats)]
+    return _filler(first, float)(iter(cells))
+
+
+def _sorted_leaves(tree: Any) -> tuple[list[float], list[Any]]:
+    """Floats of a tree, in order, and the rest: types, and leaves that are no floats."""
+    floats: list[float] = []
+    rest: list[Any] = []
+
+    def gather(tree: tuple[Any, ...]) -> None:
+        rest.append(type(tree))
+        for branch in tree:
+            if isinstance(branch, tuple):
+                gather(branch)
+            elif type(branch) is float:
+                floats.append(branch)
+                rest.append(float)
+            else:
+                rest.append(branch)
+
+    gather((tree,))
+    return floats, rest
+
+
+def _leaves(tree: Any) -> list[Any]:
+    """Whatever is in a tree, in order."""
+    if isinstance(tree, Settings):
+        tree = tuple(tree.__dict__.values())
+    return [x for part in tree for x in _leaves(part)] if isinstance(tree, _NODES) else [tree]
+
+
+def _filler(tree: Any, kind: type = Traced) -> Callable[[Iterator[Any]], Any]:
+    """Function that returns a tree with others in place of its leaves of a kind, in order."""
+    if not any(type(x) is kind for x in _leaves(tree)):
+        return lambda others: tree
+    if isinstance(tree, Settings):
+        keys = {key: _filler(part, kind) for key, part in tree.__dict__.items()}
+        return lambda others: tree.with_checked(**{k: fill(others) for k, fill in keys.items()})
+    if isinstance(tree, _NODES):
+        parts = [_filler(part, kind) for part in tree]
+        make: Any = tree._make if hasattr(tree, "_make") else type(tree)
+        return lambda others: make([fill(others) for fill in parts])
+    return next
 
 
 def sqrt(x: Any) -> Any:
@@ -185,15 +249,6 @@ def sqrt(x: Any) -> Any:
     return x.tape.record(np.sqrt, root, x)
 
 
-def sin(x: Any) -> Any:
-    """Sine of a float or a traced number [rad]."""
-    if not isinstance(x, Traced):
-        return math.sin(x)
-    return x.tape.record(_SINES, math.sin(x.value), x)
-
-
-def cos(x: Any) -> Any:
-    """Cosine of a float or a traced number [rad]."""
-    if not isinstance(x, Traced):
-        return math.cos(x)
-    return x.tape.record(_COSINES, math.cos(x.value), x)
+#: Sine, cosine [rad] and length of floats or traced numbers: NumPy may round differently from the
+#: standard library.
+sin, cos, hypot = traceable(math.sin), traceable(math.cos), traceable(math.hypot)

@@ -17,9 +17,10 @@ from springback.control.parameters import ControlSettings, Schedule
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
-from springback.dynamics.gusts import NoGusts
+from springback.dynamics.gusts import NoGusts, first_gust
 from springback.errors import InputError
-from springback.kernels.memo import FOREVER, Build, plain_build
+from springback.kernels.memo import Build, plain_build
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
@@ -36,7 +37,11 @@ from springback.sensing.measurement import Estimate
 from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.guided import NO_EVALUATION, AvionicsMemory, avionics_at_start
+from springback.simulation.guided import (
+    NO_EVALUATION,
+    AvionicsMemory,
+    avionics_at_start,
+)
 from springback.simulation.noise import Purpose, stream
 from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems
 from springback.simulation.record import Model
@@ -45,6 +50,8 @@ from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion, Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
+#: Normal numbers that gusts take before the first tick.
+FIRST_GUST_NOISE = 5
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
 
@@ -144,7 +151,6 @@ def reference_of(
     believed: NominalVehicle,
     rate_limit: float,
     point: Any,
-    build: Build = plain_build,
     advises: bool = True,
 ) -> Any:
     """Build a reference.
@@ -154,43 +160,39 @@ def reference_of(
         believed: The pilot's model of the vehicle.
         rate_limit: Limit for roll and pitch [rad/s].
         point: Contact point of a cage.
-        build: Builder of the parts.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
         The problem of a reference that the vehicle cannot follow.
     """
-    limits = build(limits_of, believed, rate_limit)
-    made = build(_build_reference, settings, limits, believed.airframe, point, advises)
+    limits = limits_of(believed, rate_limit)
+    ahead = 0.0
+    if isinstance(settings, RunUpSettings):  # no other depends on it
+        ahead = traceable(reach)(believed.airframe, point, settings.pitch)
+    with _in_table("reference"):
+        given = tuple(settings.__dict__.items())
+        return _build_reference(type(settings), given, limits, ahead, advises)
+
+
+@traceable
+def _build_reference(*given: Any) -> Any:
+    """Reference of a table, or the problem with it."""
+    made = _search_reference(*given)
     if isinstance(made, InputError):
-        with _in_table("reference"):
-            raise made
+        raise InputError(*made.problems, path=made.path)
     return made
 
 
-def _build_reference(
-    settings: Any, limits: Limits, airframe: Airframe, point: Any, advises: bool
+@functools.lru_cache(maxsize=4096)  # flights often share a reference, and some are slow to find
+def _search_reference(
+    table: type[Any], given: tuple[Any, ...], limits: Limits, ahead: float, advises: bool
 ) -> Any:
-    """Reference, or the problem with it."""
-    if isinstance(settings, RunUpSettings):
-        return _build_run_up(settings, limits, reach(airframe, point, settings.pitch), advises)
-    return _build_other(settings, limits)
-
-
-@functools.lru_cache(maxsize=4096)  # used twice per scenario; many vehicles reach equally far
-def _build_run_up(settings: RunUpSettings, limits: Limits, ahead: float, advises: bool) -> Any:
-    """Reference of a run-up, or the problem with it, which is slowest to find."""
+    """Reference of a table, or the problem with it, which is slowest to find."""
+    settings = table.model_construct(**dict(given))
     try:
-        return settings.run_up(limits, lambda pitch: ahead, advises).reference
-    except InputError as problem_of_it:
-        return problem_of_it
-
-
-@functools.lru_cache(maxsize=64)  # some are optimised, and every scenario asks twice
-def _build_other(settings: Any, limits: Limits) -> Any:
-    """Reference other than a run-up, or the problem with it."""
-    try:
-        return settings.reference(limits, lambda pitch: 0.0)  # only run-ups depend on the reach
+        if isinstance(settings, RunUpSettings):
+            return settings.run_up(limits, lambda pitch: ahead, advises).reference
+        return settings.reference(limits, lambda pitch: ahead)
     except InputError as problem_of_it:
         return problem_of_it
 
@@ -206,23 +208,30 @@ def devices_of(
     if estimator.type == "perfect":
         settings = sensors.with_checked(reveal=True)
     with _in_table("sensors"):
-        devices = settings.devices(tick, vehicle)
-    return Devices(settings, devices, draws_of(devices, vehicle.arm_count))
+        return Devices(settings, *_devices(settings, tick, vehicle))
 
 
-def turn_on_normals(seeds: Sequence[int], flight: int = 0) -> list[list[float]]:
-    """Normal numbers for the turn-on biases of sensors, for many flights.
+@traceable
+def _devices(
+    settings: SensorSettings, tick: float, vehicle: Vehicle
+) -> tuple[Sensors, tuple[Draw, ...]]:
+    """Sensors, and the schedule of their noise."""
+    devices = settings.devices(tick, vehicle)
+    return devices, draws_of(devices, vehicle.arm_count)
+
+
+def normals_at_start(seed: int, gusts: bool, flight: int = 0) -> list[float]:
+    """Normal numbers for the turn-on biases of sensors, and for the first gust.
 
     Args:
-        seeds: One for each flight.
-        flight: Number of the flight in a campaign.
+        seed: Of the flight.
+        gusts: True if it has gusts.
+        flight: Its number in a campaign.
     """
-    streams = (stream(seed, Purpose.TURN_ON, flight) for seed in seeds)
-    return [one.standard_normal(BIASES).tolist() for one in streams]
-
-
-def _tick(clock: float) -> float:
-    return 1.0 / clock
+    normals: list[float] = stream(seed, Purpose.TURN_ON, flight).standard_normal(BIASES).tolist()
+    if gusts:
+        normals += stream(seed, Purpose.GUST).standard_normal(FIRST_GUST_NOISE).tolist()
+    return normals
 
 
 def _rhythm(sensors: SensorSettings, tick: float) -> Rhythm:
@@ -250,7 +259,8 @@ def _estimator(
     """Settings of the estimator, and the estimator built from them."""
     settings = _estimator_settings(given, sensors)
     with _in_table("estimator"):
-        return settings, settings.estimator(_rhythm(sensors, tick), gravity)
+        build = traceable(EstimatorSettings.estimator)
+        return settings, build(settings, _rhythm(sensors, tick), gravity)
 
 
 def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings:
@@ -260,6 +270,7 @@ def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings
     return given.with_checked(feed_forward=isinstance(reference, RunUpSettings))
 
 
+@traceable
 def _schedule(control: ControlSettings, clock: float) -> Schedule:
     try:  # contexts cost more than schedules
         return control.schedule(clock)
@@ -273,6 +284,11 @@ def estimate_at(state: State) -> Estimate:
     return Estimate(state.position, state.attitude, state.velocity, state.angular_velocity)
 
 
+_position_law = traceable(ControlSettings.position_law)
+_attitude_law = traceable(ControlSettings.attitude_law)
+_rate_law = traceable(ControlSettings.rate_law)
+
+
 def cascade_of(
     scenario: ScenarioTables,
     model: Model,
@@ -281,12 +297,12 @@ def cascade_of(
     advises: bool = True,
 ) -> CompiledPilot:
     """The pilot of the paper, and its memory at the start."""
-    s, gravity, tick = scenario, scenario.world.gravity, build(_tick, scenario.clock)
+    s, gravity, tick = scenario, scenario.world.gravity, 1.0 / scenario.clock
     propulsion = propulsion_of(s, model.airframe)
-    believed = build(nominal_vehicle, s.vehicle, propulsion, gravity, build)
-    settings, estimator = build(_estimator, s.estimator, s.sensors, tick, gravity)
-    control = build(_control_settings, s.control, s.reference, place=FOREVER)
-    schedule = build(_schedule, control, s.clock)
+    believed = nominal_vehicle(s.vehicle, propulsion, gravity, build)
+    settings, estimator = _estimator(s.estimator, s.sensors, tick, gravity)
+    control = _control_settings(s.control, s.reference)
+    schedule = _schedule(control, s.clock)
     point, most = model.contact_point, believed.max_thrust
     pilot = Cascade(
         airframe=believed.airframe,
@@ -294,18 +310,19 @@ def cascade_of(
         highest=believed.rotors.most,
         lift=control.lift_share * most,
         estimator=estimator,
-        reference=reference_of(s.reference, believed, control.rate_limit, point, build, advises),
-        position=build(ControlSettings.position_law, control, believed.mass, gravity, most),
-        attitude=build(ControlSettings.attitude_law, control),
-        rate=build(ControlSettings.rate_law, control),
+        reference=reference_of(s.reference, believed, control.rate_limit, point, advises),
+        position=_position_law(control, believed.mass, gravity, most),
+        attitude=_attitude_law(control),
+        rate=_rate_law(control),
         schedule=schedule,
     )
     at = estimate_at(start)
-    memory = cascade_memory(pilot, settings.memory(estimator, at), at, model.thrust, build)
+    remembered = traceable(EstimatorSettings.memory)(settings, estimator, at)
+    memory = cascade_memory(pilot, remembered, at, model.thrust)
     if s.recovery is None:
         return CompiledPilot(pilot, memory)
-    resilient = recovery_pilot(s, pilot, believed, build)
-    return CompiledPilot(resilient, recovery_pilot_memory(resilient, memory, build))
+    resilient = recovery_pilot(s, pilot, believed)
+    return CompiledPilot(resilient, traceable(recovery_pilot_memory)(resilient, memory))
 
 
 class CollisionSensing(NamedTuple):
@@ -316,6 +333,7 @@ class CollisionSensing(NamedTuple):
     look: Characterisation
 
 
+@traceable
 def collision_sensing(
     recovery: RecoverySettings,
     vehicle: Vehicle,
@@ -339,13 +357,13 @@ def collision_sensing(
 
 
 def recovery_pilot(
-    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle, build: Build = plain_build
+    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle
 ) -> RecoveryPilot:
     """The pilot that recovers from collisions, around the one that flies."""
-    s, recovery, tick = scenario, scenario.recovery, build(_tick, scenario.clock)
+    s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
     assert recovery is not None  # only called for scenarios with recovery
-    eyes = build(collision_sensing, recovery, s.vehicle, s.sensors, believed.gravity, tick)
-    route: Route = build(RecoverySettings.route, recovery, ZERO)
+    eyes = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
+    route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=Vec(*s.start.position))
     return RecoveryPilot(cascade, *eyes, route)
@@ -360,7 +378,7 @@ def build_avionics(
     model: Model,
     start: State,
     pilot: CompiledPilot | MakePilot = cascade_of,
-    biases: Sequence[float] | None = None,
+    normals: Sequence[float] | None = None,
     build: Build = plain_build,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.
@@ -370,33 +388,40 @@ def build_avionics(
         model: Model of the flight.
         start: State at time 0.
         pilot: Pilot, or the function that builds it.
-        biases: `turn_on_normals` of the flight; by default those of the scenario's seed.
+        normals: `normals_at_start` of the flight; by default those of the scenario's seed.
         build: Builder of the parts.
     """
-    s, arms, period = scenario, len(model.airframe.arms), build(_tick, scenario.clock)
-    devices = build(devices_of, s.sensors, s.estimator, period, s.vehicle)
-    drawn = turn_on_normals([s.seed])[0] if biases is None else biases
-    sensors = devices.settings.switched_on(devices.sensors, drawn)
+    s, arms, period = scenario, len(model.airframe.arms), 1.0 / scenario.clock
+    devices = devices_of(s.sensors, s.estimator, period, s.vehicle)
+    drawn = normals or normals_at_start(s.seed, s.air.gusts is not None)
+    sensors = devices.settings.switched_on(devices.sensors, drawn[:BIASES])
     flown_by = pilot if isinstance(pilot, CompiledPilot) else pilot(s, model, start, build)
-    air = build(_air_of, s.air, period)
-    judged = isinstance(flown_by.settings, RecoveryPilot) and s.recovery is not None
-    evaluator: Any = build(RecoverySettings.evaluator, s.recovery) if judged else NoEvaluator(0.0)
+    air = _air_of(s.air, period)
+    judged = s.recovery if isinstance(flown_by.settings, RecoveryPilot) else None
+    evaluator: Any = judged.evaluator() if judged else NoEvaluator(0.0)
     seen: Any = evaluator_at_start(start.position) if judged else NO_EVALUATION
     rotors = build(Propulsion.rotors, propulsion_of(s, model.airframe))
     systems = OnboardSystems(
         sensors=sensors,
         pilot=flown_by.settings,
         rotors=rotors,
-        lag=build(lag_over, rotors.time_constant, period),
+        lag=traceable(lag_over)(rotors.time_constant, period),
         evaluator=evaluator,
         weather=air.weather,
         mean_wind=air.mean_wind,
         period=period,
     )
-    remembered = sensors_at_start(sensors, start, s.world.gravity, build)
-    memory = AvionicsMemory(remembered, flown_by.memory, seen)
-    avionics = avionics_at_start(systems, memory, model, start, noise_count(arms), s.seed)
+    remembered = traceable(sensors_at_start)(sensors, start, s.world.gravity)
+    gusts = _first_gust(air.weather, tuple(drawn[BIASES:]))
+    memory = AvionicsMemory(remembered, flown_by.memory, seen, gusts)
+    avionics = avionics_at_start(systems, memory, model, start, noise_count(arms))
     return BuiltAvionics(avionics, (*devices.noise, air.noise))
+
+
+@traceable
+def _first_gust(weather: Any, normals: tuple[float, ...]) -> Any:
+    """Memory of the gust before the first tick."""
+    return first_gust(weather, normals).memory
 
 
 class Atmosphere(NamedTuple):

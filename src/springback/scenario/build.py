@@ -42,7 +42,7 @@ def build_flight(
     own: Sequence[Own] = (),
     pilot: CompiledPilot | str | None = None,
     build: Build = plain_build,
-    biases: Sequence[float] | None = None,
+    normals: Sequence[float] | None = None,
     advises: bool = True,
 ) -> ReadyFlight:
     """Check a scenario across its tables, and build its flight.
@@ -52,7 +52,7 @@ def build_flight(
         own: The user's own obstacles besides the scenario's, with their surfaces.
         pilot: Pilot in place of the paper's; `PLAIN_PYTHON` for one that runs outside.
         build: Builder of the parts.
-        biases: `turn_on_normals` of its seed, if already known.
+        normals: `normals_at_start` of its seed, if already known.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
@@ -60,7 +60,7 @@ def build_flight(
     """
     s = scenario
     check_tables(s, build)
-    model, start = flight_model(s, own, build), start_state(s.start, s.vehicle, build)
+    model, start = build(flight_model, s, own, build), build(start_state, s.start, s.vehicle)
     check_start(s, model, start)
     if own:
         _check_start_beside(model, start)
@@ -77,7 +77,7 @@ def build_flight(
             pilot = CompiledPilot(Relay(0.0), model.thrust)
         makes = partial(cascade_of, advises=advises)
         flown_by = pilot if isinstance(pilot, CompiledPilot) else makes
-        avionics = build_avionics(s, model, start, flown_by, biases, build)
+        avionics = build_avionics(s, model, start, flown_by, normals, build)
     return ReadyFlight(s.seed, model, start, avionics)
 
 

@@ -13,6 +13,7 @@ from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, plain_build
+from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.model import (
     settle_step,
@@ -154,7 +155,8 @@ def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...])
     if not scenario.air.has_drag:
         return
     start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
-    rate = scenario.air.drag_rate(mass, sum(thrust), norm(start - wind))
+    through = start - wind
+    rate = scenario.air.drag_rate(mass, sum(thrust), sqrt(through @ through))
     step = scenario.simulation.free_step
     if step * rate > STABLE:
         raise problem(
@@ -186,6 +188,7 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
                 )
 
 
+@traceable
 def reach_of(airframe: Airframe) -> float:
     """Upper bound on the distance of a point from the main body [m], arms uncompressed."""
     cages = [arm.length + arm.cage_radius for arm in airframe.arms]

@@ -1,8 +1,4 @@
-"""Model of a flight: a scenario's tables, converted to the numbers of the equations of motion.
-
-Each function is passed exactly what it reads, so that flights that share a table share its results
-(`springback.kernels.memo`).
-"""
+"""Model of a flight: a scenario's tables, converted to the numbers of the equations of motion."""
 
 from __future__ import annotations
 
@@ -14,11 +10,10 @@ import numpy as np
 from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import Forces, Impulses, World
 from springback.contact.parameters import Own, obstacles
-from springback.dynamics.air import AirSettings
 from springback.dynamics.motion import Free, Slider
 from springback.frames import attitude_from_euler
-from springback.kernels.memo import FOREVER, Build, plain_build
-from springback.kernels.tracing import sqrt
+from springback.kernels.memo import Build, plain_build
+from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.quantities import si_number
 from springback.scenario.tables import (
@@ -39,6 +34,7 @@ from springback.vehicle.state import Airframe, State, build_airframe
 RING_ROUNDING = 5e-3
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]
+Moments = tuple[tuple[float, ...], ...]
 
 
 # -- thrust ---------------------------------------------------------------------------------------
@@ -80,22 +76,24 @@ class Masses(NamedTuple):
     body: float  # [kg]
     arms: float  # all together [kg]
     whole: float  # [kg]
-    body_inertia: Matrix  # about its centre of mass, body axes [kg m²]
-    whole_inertia: Matrix  # about the main body's, arms at their free length [kg m²]
+    body_inertia: Moments  # about its centre of mass, body axes [kg m²]
+    whole_inertia: Moments  # about the main body's, arms at their free length [kg m²]
 
 
 class TrueBody(NamedTuple):
     """The true main body."""
 
     mass: float  # [kg]
-    inertia: tuple[tuple[float, ...], ...]  # about its centre of mass, body axes [kg m²]
+    inertia: Moments  # about its centre of mass, body axes [kg m²]
 
 
+@traceable
 def masses_of(vehicle: Vehicle) -> Masses:
     """Nominal masses and inertias."""
     arms = sum(vehicle.arms.at("mass", j) for j in range(vehicle.arm_count))
     body = vehicle.body
-    return Masses(body.mass, arms, vehicle.mass, np.array(body.inertia), vehicle.inertia())
+    whole = tuple(map(tuple, vehicle.inertia().tolist()))
+    return Masses(body.mass, arms, vehicle.mass, body.inertia, whole)
 
 
 def true_body(
@@ -106,11 +104,12 @@ def true_body(
     Raises:
         The problem of an error that leaves nothing to the main body besides the arms.
     """
-    if error.mass == 1.0 and error.inertia == 1.0 and build(_is_empty, load):
+    if error.mass == 1.0 and error.inertia == 1.0 and load == Payload():
         return None
     believed = build(masses_of, vehicle)
     mass = believed.body + (error.mass - 1.0) * believed.whole
-    inertia = believed.body_inertia + (error.inertia - 1.0) * believed.whole_inertia
+    inertia = np.array(believed.body_inertia)
+    inertia = inertia + (error.inertia - 1.0) * np.array(believed.whole_inertia)
     if not mass > 0.0:
         raise problem(
             f"must be more than {1.0 - believed.body / believed.whole:.3g}, the share of "
@@ -122,16 +121,8 @@ def true_body(
             f"must leave the main body an inertia besides the arms' (got {error.inertia:g})",
             "model_error.inertia",
         )
-    rows = (inertia + build(_own_inertia, load)).tolist()
+    rows = (inertia + np.diag(load.inertia)).tolist()
     return TrueBody(mass + load.mass, tuple(tuple(row) for row in rows))
-
-
-def _is_empty(load: Payload) -> bool:
-    return load == Payload()
-
-
-def _own_inertia(load: Payload) -> Matrix:
-    return np.diag(load.inertia)
 
 
 def _is_positive(matrix: Matrix) -> bool:
@@ -167,11 +158,9 @@ def true_airframe(
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(
-    world: WorldSettings, own: Sequence[Own] = (), build: Build = plain_build
-) -> World:
+def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity for the equations; ``own`` are the user's own shapes."""
-    built = obstacles(world.obstacles, own, build)
+    built = obstacles(world.obstacles, own)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 
@@ -180,11 +169,11 @@ def settle_step(simulation: SimulationSettings, vehicle: Vehicle) -> float:
     """Step while the arms settle [s]."""
     s = simulation
     if s.settle_step is not None:
-        return float(s.settle_step)
+        return s.settle_step
     rate = vehicle.fastest_arm_rate()
     if rate == 0.0:
-        return float(s.free_step)
-    return float(max(s.impact_step, min(8.0 * s.impact_step, 1.0 / rate)))
+        return s.free_step
+    return max(s.impact_step, min(8.0 * s.impact_step, 1.0 / rate))
 
 
 def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Vehicle) -> Timing:
@@ -224,30 +213,16 @@ def flight_model(
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
-    world = build(world_numbers, s.world, own, build, place=FOREVER)
+    world = world_numbers(s.world, own)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
-    point, guide, timing = build(_flight_options, s.model, s.simulation, s.vehicle)
-    return Model(airframe, world, point, guide, build(AirSettings.air, s.air), thrust, timing)
+    point, guide = contact_point_of(s.model), guide_of(s.model)
+    timing = timing_of(s.simulation, s.model, s.vehicle)
+    return Model(airframe, world, point, guide, s.air.air(), thrust, timing)
 
 
-def _flight_options(model: ModelSettings, simulation: SimulationSettings, vehicle: Vehicle) -> Any:
-    """Contact point, guide and timing."""
-    return contact_point_of(model), guide_of(model), timing_of(simulation, model, vehicle)
-
-
-def start_state(start: Start, vehicle: Vehicle, build: Build = plain_build) -> State:
+def start_state(start: Start, vehicle: Vehicle) -> State:
     """State at time 0, arms at their free length."""
-    s, arms = start, build(_arms_at_rest, vehicle)
+    s, lengths = start, vehicle.lengths()
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
-    spin = build(_vector, s.angular_velocity)
-    return State(Vec(*s.position), attitude, Vec(*s.velocity), spin, *arms)
-
-
-def _vector(given: tuple[float, float, float]) -> Vec:
-    return Vec(*given)
-
-
-def _arms_at_rest(vehicle: Vehicle) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Lengths and rates of arms at rest."""
-    lengths = vehicle.lengths()
-    return lengths, (0.0,) * len(lengths)
+    velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
+    return State(Vec(*s.position), attitude, velocity, spin, lengths, rates)

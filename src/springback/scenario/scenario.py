@@ -35,7 +35,8 @@ class Scenario(ScenarioTables):
             check_tables(self, self.parts)
             check_start(self, self.flight_model(), self.start_state())
         else:
-            self.build(pilot=PLAIN_PYTHON if given else None)
+            advises = (info.context or {}).get("advises", True)
+            self.build(pilot=PLAIN_PYTHON if given else None, advises=advises)
         return self
 
     # -- built parts ------------------------------------------------------------------------------
@@ -46,10 +47,14 @@ class Scenario(ScenarioTables):
         return Memo()
 
     def build(
-        self, own: tuple[Own, ...] = (), pilot: CompiledPilot | str | None = None
+        self,
+        own: tuple[Own, ...] = (),
+        pilot: CompiledPilot | str | None = None,
+        *,
+        advises: bool = True,
     ) -> ReadyFlight:
         """The checked flight; see `springback.scenario.build.build_flight`."""
-        return self.parts(build_flight, self, own, pilot, self.parts)
+        return self.parts(build_flight, self, own, pilot, self.parts, None, advises)
 
     def true_vehicle(self) -> Vehicle:
         """The true vehicle: `vehicle` with model errors and payload."""
@@ -61,25 +66,30 @@ class Scenario(ScenarioTables):
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
         """Model of the flight; ``own`` are the user's own shapes, with their surfaces."""
-        return flight_model(self, own, self.parts)
+        return self.parts(flight_model, self, own, self.parts)
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
-        return start_state(self.start, self.vehicle, self.parts)
+        return self.parts(start_state, self.start, self.vehicle)
 
 
-def scenario_from(given: Mapping[str, Any], pilot: bool | None = None) -> Scenario:
+def scenario_from(
+    given: Mapping[str, Any], pilot: bool | None = None, *, advises: bool = True
+) -> Scenario:
     """A scenario from plain tables, presets included.
 
     Args:
         given: The tables.
         pilot: True if a pilot of the user's own will fly it; None if unknown.
+        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
 
     Raises:
         InputError: One line for each problem, with its path.
     """
     try:
-        return Scenario.model_validate(expand_presets(given), context={"pilot": pilot})
+        return Scenario.model_validate(
+            expand_presets(given), context={"pilot": pilot, "advises": advises}
+        )
     except InputError as error:
         where = f"{dotted_path(error.path)}: " if error.path else ""
         raise InputError(*(where + line for line in error.problems)) from None

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field, model_validator
 
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Length, Triple, Unit
 from springback.sensing.clock import inside, lateness, period
@@ -226,7 +227,8 @@ class HallSettings(Settings):
                 f"must be more than the overrun, {self.overrun:g} m (got {self.distance:g} m)",
                 "distance",
             )
-        strongest = self.quiescent + self.sensitivity * axial_field(self.magnet(), self.distance)
+        field = traceable(axial_field)(self.magnet(), self.distance)
+        strongest = self.quiescent + self.sensitivity * field
         if not strongest < self.highest:
             raise problem(
                 f"of {self.distance:g} m saturates the sensor: {strongest:.3g} V at the free "

@@ -21,7 +21,7 @@ from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import TrajectoryLog, advance
-from springback.simulation.lanes import Shape, empty_groups
+from springback.simulation.lanes import Shape, buffer_rows, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
 
@@ -102,22 +102,25 @@ def flight_buffers(
     """Buffers with each flight in its lane; spare lanes repeat the last flight, already ended."""
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
-    record = leaves(shape.record)
-    status, phase = (row_of(shape.record.stepping, name) for name in ("status", "phase"))
-    model_rows, motion_rows = rows(shape.model), rows(shape.motion)
-    work, record_row = leaves(shape.motion.work), -len(record)
-    spare = len(buffers) * width - len(states)
-    for k in range(len(states) + spare):
+    status = row_of(shape.record.stepping, "status") - rows(shape.record)
+    for k in range(len(buffers) * width):
         group, lane = divmod(k, width)
         flight = min(k, len(states) - 1)
         model = models[min(flight, len(models) - 1)]
-        lanes[group, :model_rows, lane] = leaves(model)
-        lanes[group, model_rows : model_rows + motion_rows, lane] = leaves(states[flight]) + work
-        lanes[group, record_row:, lane] = record
-        lanes[group, record_row + phase, lane] = first_phase(model, states[flight])
+        lanes[group, :, lane] = flight_column(shape, model, states[flight], width)
         if k >= len(states):
-            lanes[group, record_row + status, lane] = FLYING + 1.0
+            lanes[group, status, lane] = FLYING + 1.0
     return buffers
+
+
+def flight_column(shape: Shape, model: Model, state: State, width: int) -> Buffer:
+    """Content of a flight's lane at the start, in a buffer of some width; shape (rows,)."""
+    column, record = np.zeros(buffer_rows(shape, width)), leaves(shape.record)
+    begin = leaves(model) + leaves(state) + leaves(shape.motion.work)
+    column[: len(begin)] = begin
+    column[-len(record) :] = record
+    column[row_of(shape.record.stepping, "phase") - len(record)] = first_phase(model, state)
+    return column
 
 
 def first_phase(model: Model, state: State) -> float:

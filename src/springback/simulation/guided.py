@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.dynamics.gusts import NoGusts, first_gust
 from springback.kernels.compiler import Origin, executor, user_executor, with_globals
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
@@ -36,10 +35,8 @@ from springback.simulation.flight import (
 from springback.simulation.noise import (
     NoiseSource,
     NoiseStream,
-    Purpose,
     generate,
     stored_stream,
-    stream,
 )
 from springback.simulation.onboard import (
     Avionics,
@@ -61,8 +58,6 @@ from springback.simulation.ticks import (
 )
 from springback.vehicle.state import State
 
-#: Normal numbers that gusts take before the first tick.
-FIRST_GUST_NOISE = 5
 #: Memory of an evaluator if there is none.
 NO_EVALUATION = (0.0,)
 #: Next part of a tick.
@@ -165,6 +160,7 @@ class AvionicsMemory(NamedTuple):
     sensors: Any
     pilot: Any
     evaluator: Any
+    weather: Any
 
 
 #: Placeholders for a measurement before tick 0, by types of the sensors; no pilot reads them.
@@ -177,22 +173,16 @@ def avionics_at_start(
     model: Model,
     start: State,
     channels: int,
-    seed: int,
 ) -> Avionics:
     """Avionics before tick 0, with the rotors at the thrust that the model starts with.
 
     Args:
         systems: Settings.
-        memory: Of sensors, pilot and evaluator.
+        memory: Of sensors, pilot, evaluator and weather.
         model: Of the flight.
         start: State at time 0.
         channels: Normal numbers that the sensors take at each tick.
-        seed: Of the wind before the first tick.
     """
-    gusts: Any = 0.0
-    if not isinstance(systems.weather, NoGusts):
-        before = tuple(stream(seed, Purpose.GUST).standard_normal(FIRST_GUST_NOISE).tolist())
-        gusts = first_gust(systems.weather, before).memory
     kind = (type(systems.sensors), *map(type, systems.sensors), len(start.arm_length))
     if kind not in _UNREAD:
         truth, noise = Truth(start, start, systems.period, model.world.gravity), (0.0,) * channels
@@ -200,7 +190,7 @@ def avionics_at_start(
         _UNREAD[kind] = first.measurement
     onboard = OnboardState(
         start, _UNREAD[kind], memory.sensors, memory.pilot, model.thrust, model.thrust,
-        memory.evaluator, gusts,
+        memory.evaluator, memory.weather,
     )  # fmt: skip
     return Avionics(systems, onboard)
 

@@ -6,9 +6,10 @@ import math
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator, PlainValidator, model_validator
 
 from springback.errors import shown_value
+from springback.kernels.tracing import cos, hypot, sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
@@ -21,6 +22,7 @@ MOST_ARMS = 32
 ROUNDING = 1e-9
 
 
+@traceable
 def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     """Three principal moments or a full matrix [kg m²], validated as an inertia."""
     unit = "kg m^2"
@@ -45,6 +47,7 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(row) for row in rows)
 
 
+@traceable
 def check_moments(principal: Any) -> None:
     """Reject principal moments of inertia that no mass distribution has.
 
@@ -54,7 +57,7 @@ def check_moments(principal: Any) -> None:
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
     """
-    first, second, largest = sorted(float(moment) for moment in principal)
+    first, second, largest = sorted(principal)
     if largest > (first + second) * (1.0 + ROUNDING):
         raise problem(
             f"is that of no body: the largest principal moment, {largest:g} kg m², must be at most "
@@ -86,7 +89,7 @@ class Body(Settings):
     """The main body: everything but the arms."""
 
     mass: Mass
-    inertia: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_inertia)]
+    inertia: Annotated[tuple[tuple[float, ...], ...], PlainValidator(_inertia)]
     """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
 
 
@@ -153,7 +156,7 @@ class Arms(Settings):
         would touch at 34 mm, which its springs do not reach.
         """
         names = f"arms {first + 1} and {second + 1}"
-        cosine = math.cos(self.directions[first] - self.directions[second])
+        cosine = cos(self.directions[first] - self.directions[second])
         if cosine > 1.0 - ROUNDING:
             raise problem(f"of {names} must differ", "directions")
         pair = (first, second)
@@ -226,7 +229,7 @@ class Vehicle(Settings):
     def _hull_is_near(self) -> Vehicle:
         if self.hull is not None:
             longest = max(self.arms.at("length", j) for j in range(self.arm_count))
-            away = math.hypot(*self.hull.offset)
+            away = hypot(*self.hull.offset)
             if away > longest:
                 raise problem(
                     f"must be within the length of the longest arm, {longest:g} m, of the main "
@@ -243,7 +246,8 @@ class Vehicle(Settings):
     @property
     def mass(self) -> float:
         """Total mass m [kg]."""
-        return float(self.body.mass + sum(self.arms.at("mass", j) for j in range(self.arm_count)))
+        mass: float = self.body.mass + sum(self.arms.at("mass", j) for j in range(self.arm_count))
+        return mass
 
     @property
     def is_compliant(self) -> bool:
@@ -271,12 +275,13 @@ class Vehicle(Settings):
             if self.arms.at("compliant", j):
                 m, b = self.arms.at("mass", j), self.arms.at("damping", j)
                 k = self.arms.at("stiffness", j)
-                root = math.sqrt(max(b * b - 4.0 * k * m, 0.0))
-                rates.append(max((b + root) / (2.0 * m), math.sqrt(k / m)))
+                root = sqrt(max(b * b - 4.0 * k * m, 0.0))
+                rates.append(max((b + root) / (2.0 * m), sqrt(k / m)))
                 if self.arms.end_stops:
-                    rates.append(math.sqrt(self.arms.at("stop_stiffness", j) / m))
+                    rates.append(sqrt(self.arms.at("stop_stiffness", j) / m))
         return max(rates)
 
+    @traceable
     def airframe(self) -> Airframe:
         """Numbers for the equations of motion."""
         arms = self.arms
@@ -309,12 +314,14 @@ class Vehicle(Settings):
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""
-        return tuple(float(self.arms.at("length", j)) for j in range(self.arm_count))
+        return tuple(self.arms.at("length", j) for j in range(self.arm_count))
 
 
 def _distance(here: float, there: float, cosine: float) -> float:
     """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
-    return math.sqrt(max(here**2 + there**2 - 2.0 * here * there * cosine, 0.0))
+    square = here * here + there * there - 2.0 * here * there * cosine
+    distance: float = sqrt(max(square, 0.0))
+    return distance
 
 
 def _exact(x: float) -> float:
