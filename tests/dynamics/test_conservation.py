@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from oracles import models, routh
 from oracles.rigid import rigid
 from springback.dynamics.crossing import NO_CROSSING, time_to
-from springback.dynamics.energy import Energy, angular_momentum, energy, locked
+from springback.dynamics.energy import Energy, angular_momentum, energy, with_arms_locked
 from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import Motion
 from springback.kernels.trees import axpy
@@ -295,7 +295,7 @@ def test_locking_keeps_momentum_and_angular_momentum() -> None:
         if seed % 3 == 0:
             start = replace(start, rates=start.rates * [0.0, 1.0, 1.0, 1.0])
         airframe, state = models.airframe_of(craft), models.state_of(start)
-        end = models.start_of(locked(airframe, state))
+        end = models.start_of(with_arms_locked(airframe, state))
         before, after = Cloud(craft, start), Cloud(craft, end)
         spin = before.angular_momentum(before.centre)
         np.testing.assert_allclose(after.centre, before.centre, rtol=0, atol=1e-13)

@@ -10,7 +10,13 @@ import pytest
 from springback.dynamics.air import Air, Still
 from springback.dynamics.energy import energy
 from springback.dynamics.motion import rates
-from springback.dynamics.rigid import RigidState, as_one_body, flight_rates, flown_on, stepped
+from springback.dynamics.rigid import (
+    RigidState,
+    as_one_body,
+    flight_rates,
+    one_body_step,
+    runge_kutta_step,
+)
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.scenario import scenario_from
@@ -77,8 +83,8 @@ def flown(step: Any, air: Still | Air, h: float) -> RigidState:
 def test_a_step_about_the_mass_centre_is_one_of_fourth_order_to_the_same_end() -> None:
     """Against the general step, an order of magnitude finer: sixteenfold at twice the step."""
     air = Still(0.0)
-    truth = np.array(leaves(flown(stepped, air, 2e-4)))
-    for step in (flown_on, stepped):
+    truth = np.array(leaves(flown(runge_kutta_step, air, 2e-4)))
+    for step in (one_body_step, runge_kutta_step):
         off = [np.abs(np.array(leaves(flown(step, air, h))) - truth).max() for h in (4e-3, 2e-3)]
         assert off[0] < 1e-8
         assert off[0] / off[1] == pytest.approx(16.0, rel=0.1)
@@ -90,7 +96,7 @@ def test_a_step_begins_with_what_is_seen(air: Still | Air) -> None:
     model, s = ready.flight_model(), ready.start_state()
     body = as_one_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
     x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.3, 0.2)
-    known = flown_on(model.guide, air, body, model.world.gravity, x, 1e-3).known
+    known = one_body_step(model.guide, air, body, model.world.gravity, x, 1e-3).known
     expected = flight_rates(body, model.guide, air, model.world.gravity, x)
     np.testing.assert_allclose(leaves(known), leaves(expected), rtol=1e-12, atol=1e-12)
 
@@ -103,7 +109,7 @@ def test_the_rotors_work_is_the_energy_gained() -> None:
     locked = m._replace(
         arms=tuple(a._replace(length=x) for a, x in zip(m.arms, lengths, strict=True))
     )
-    after = flown(flown_on, Still(0.0), 1e-3)
+    after = flown(one_body_step, Still(0.0), 1e-3)
 
     def total(x: RigidState | State) -> float:
         state = State(

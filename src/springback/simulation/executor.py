@@ -13,7 +13,7 @@ from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses, Obstacle, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
-from springback.dynamics.energy import energy, locked
+from springback.dynamics.energy import energy, with_arms_locked
 from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import (
     ArmView,
@@ -25,7 +25,7 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
-from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown_on
+from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, one_body_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import axpy, axpy_strictly, replace, select, square, tree_map
@@ -67,7 +67,7 @@ SIXTH = 1.0 / 6.0
 def settled(model: Model, motion: Motion) -> Motion:
     """The motion with its arms locked where they are, the energy lost booked as settling."""
     before = energy(model.airframe, model.world, model.contact_point, motion.state)
-    state = locked(model.airframe, motion.state)
+    state = with_arms_locked(model.airframe, motion.state)
     after = energy(model.airframe, model.world, model.contact_point, state)
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
@@ -276,7 +276,7 @@ def rigid_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         guide, air, gravity = model.guide, model.air, model.world.gravity
         left = model.timing.until - record.time
         h = left if left < model.timing.free_step else model.timing.free_step
-        flown = flown_on(guide, air, body, gravity, x, h)
+        flown = one_body_step(guide, air, body, gravity, x, h)
         known, new = flown.known, flown.flight
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES
