@@ -23,20 +23,27 @@ import numba
 import numpy as np
 
 from benchmarks.rivals.vehicle import quad
-from springback.kernels.layout import Buffer, TreeLayout
+from springback.kernels.layout import Buffer
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import loaded, shape_of
+from springback.simulation.flight import empty_log, flight_buffers, shape_of
 from springback.simulation.guided import (
-    GUST_NOISE,
+    GuidedFlight,
+    avionics_buffers,
     fly_guided,
-    loaded_avionics,
-    noise_table,
-    powered,
-    ticked,
     ticks_of,
 )
+from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Draw
+from springback.simulation.ticks import (
+    GUST_NOISE,
+    FlightBuffers,
+    FlightLog,
+    Layouts,
+    drive_rotors,
+    layouts_of,
+    sense_and_decide,
+)
 
 ESTIMATORS = ("kalman", "complementary", "perfect")
 DURATION = 10.0  # [s]
@@ -78,27 +85,22 @@ def noise_stream(job: Job) -> Any:
 
 def whole(job: Job) -> None:
     """The flight, its noise included."""
-    fly_guided(job.model, job.start, job.avionics, noise_stream(job), trace=False)
+    flight = GuidedFlight(job.model, job.start, job.avionics)
+    fly_guided(flight, noise_stream(job), trace=False)
 
 
 @numba.njit(nogil=True)
-def _looking(
-    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, lanes: tuple[int, ...],
-    channels: TreeLayout,
-    noise: Buffer, telemetry: Buffer,
-) -> None:  # fmt: skip
+def _looking(layouts: Layouts, buffers: FlightBuffers, noise: Buffer, log: FlightLog) -> None:
     for k in range(noise.shape[0]):
-        ticked(shape, avionics, b, g, lanes, float(k), channels, noise[k], telemetry, 0)
+        sense_and_decide(layouts, buffers, k, noise[k], log)
 
 
 @numba.njit(nogil=True)
 def _driving(
-    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, lanes: tuple[int, ...],
-    last: float,
-    gusts: TreeLayout, noise: Buffer, first: int,
-) -> None:  # fmt: skip
+    layouts: Layouts, buffers: FlightBuffers, noise: Buffer, log: FlightLog, duration: float
+) -> None:
     for k in range(noise.shape[0]):
-        powered(shape, avionics, b, g, lanes, float(k), last, gusts, noise[k], first)
+        drive_rotors(layouts, buffers, k, noise[k], log, duration)
 
 
 def parts(job: Job) -> dict[str, Callable[[], None]]:
@@ -106,20 +108,15 @@ def parts(job: Job) -> dict[str, Callable[[], None]]:
     noise, shape = noise_stream(job), shape_of(job.model, job.start)
     timing = job.model.timing._replace(until=job.avionics.systems.period)
     short = job._replace(model=job.model._replace(timing=timing), ticks=1)
-    b, g = loaded(shape, [job.model], [job.start], 1), loaded_avionics([job.avionics], 1)
-    like, avionics = TreeLayout(shape), TreeLayout(job.avionics)
-    sensing = noise.shape[1] - GUST_NOISE
-    channels, gusts = TreeLayout((0.0,) * sensing), TreeLayout((0.0,) * GUST_NOISE)
-    none, last = np.zeros((0, 1)), job.model.timing.until
+    b, g = flight_buffers(shape, [job.model], [job.start], 1), avionics_buffers([job.avionics], 1)
+    layouts = layouts_of(shape, job.avionics, noise.shape[1] - GUST_NOISE)
+    buffers, duration = FlightBuffers(b[0], g[0], (0,)), job.model.timing.until
+    log = FlightLog(empty_log(), np.zeros((0, 1)))
     return {
         "setting up": lambda: whole(short),
         "noise table": lambda: (noise_stream(job), None)[1],
-        "sensors and pilot": lambda: _looking(
-            like, avionics, b[0], g[0], (0,), channels, noise, none
-        ),
-        "rotors and wind": lambda: _driving(
-            like, avionics, b[0], g[0], (0,), last, gusts, noise, sensing
-        ),
+        "sensors and pilot": lambda: _looking(layouts, buffers, noise, log),
+        "rotors and wind": lambda: _driving(layouts, buffers, noise, log, duration),
     }
 
 

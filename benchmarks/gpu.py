@@ -24,14 +24,15 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
-from springback.kernels.layout import Buffer, rows
+from springback.kernels.layout import Buffer, row_of, rows
 from springback.kernels.memo import Memo
-from springback.simulation.flight import LANES, fly_buffers, loaded, shape_of
+from springback.simulation.flight import LANES, flight_buffers, fly_buffers, shape_of
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
+from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import Loader
-from springback.simulation.record import Model
-from springback.vehicle.state import State
+from springback.simulation.noise import FlightNoise
+from springback.simulation.ticks import FlightBuffers
 
 #: Flights of each job that are flown on the processor, too; more are copies of them.
 DIFFERENT = 1024
@@ -83,7 +84,7 @@ def impacts(flights: int, rounds: int) -> dict[str, Any]:
     model = reference_model()
     states = starts(model, DIFFERENT)
     shape = shape_of(model, states[0])
-    ready = loaded(shape, [model], states, LANES)
+    ready = flight_buffers(shape, [model], states, LANES)
     there = _copied(ready, flights // DIFFERENT)
     work = there.copy()
 
@@ -97,7 +98,7 @@ def impacts(flights: int, rounds: int) -> dict[str, Any]:
         here[:] = ready
 
     on_cpu = _timed(lambda: fly_buffers(shape, here, LANES), begin, rounds)
-    steps = -rows(shape.record) + shape.record._fields.index("steps")
+    steps = -rows(shape.record) + row_of(shape.record.stepping, "steps")
     lanes = work.reshape(len(work), -1, LANES)
     return {
         "impacts": flights,
@@ -124,30 +125,33 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     first, seeds = ready[0], [one.seed for one in ready]
     assert first.built_avionics is not None
     avionics, draws = first.built_avionics.avionics, first.built_avionics.noise
+    alone = FlightNoise(draws, seeds, [0] * DIFFERENT)
     loader = Loader(first.model, first.start, avionics, GUIDED_LANES)
     for one in ready:
         assert one.built_avionics is not None
         loader.add(one.model, one.start, one.built_avionics.avionics)
-    laid = loader.laid()
+    laid = loader.flights()
     assert laid.avionics is not None
     assert laid.onboard is not None
     times = flights // DIFFERENT
     buffers, onboard = _copied(laid.buffers, times), _copied(laid.onboard, times)
     work, inside = buffers.copy(), onboard.copy()
-    kind: tuple[Model, State, Any] = laid.model, laid.start, laid.avionics
+    kind, lanes = GuidedFlight(laid.model, laid.start, laid.avionics), (0,) * GUIDED_LANES
+    together = FlightNoise(draws, seeds * times, [0] * flights)
 
     def reset() -> None:
         work[:], inside[:] = buffers, onboard
 
     def fly() -> None:
-        fly_groups_on_gpu(*kind, work, inside, draws, seeds * times, width=GUIDED_LANES)
+        fly_groups_on_gpu(kind, FlightBuffers(work, inside, lanes), together)
 
     on_gpu = _timed(fly, reset, rounds)
     here, beside = laid.buffers.copy(), laid.onboard.copy()
-    fly_groups(*kind, here[:8], beside[:8], draws, seeds[:64], width=GUIDED_LANES)  # compiles
+    few = FlightBuffers(here[:8], beside[:8], lanes)
+    fly_groups(kind, few, alone.part(slice(0, 64)))  # compiles
     here, beside = laid.buffers.copy(), laid.onboard.copy()
     begun = time.perf_counter()
-    fly_groups(*kind, here, beside, draws, seeds, width=GUIDED_LANES)
+    fly_groups(kind, FlightBuffers(here, beside, lanes), alone)
     on_cpu = time.perf_counter() - begun
     remembered = inside.reshape(times, *beside.shape).view(np.uint64)
     return {

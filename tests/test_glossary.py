@@ -147,7 +147,7 @@ NOT_PARTICIPLES = frozenset({"embed", "exceed", "feed", "need", "proceed", "seed
 #: Participles that may name a function, and why.
 ALLOWED: dict[str, str] = {}
 #: Rooms whose functions are still to be renamed.
-PENDING = ("recovery", "sensing", "simulation")
+PENDING = ("sensing",)
 
 
 def public_functions() -> Iterator[tuple[str, str]]:

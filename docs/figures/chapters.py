@@ -20,7 +20,7 @@ import matplotlib.pyplot as plt
 import springback
 from springback.contact.surfaces import normal_force
 from springback.interfaces.figures.style import STYLE as STYLES
-from springback.recovery.response import Quintic, planned
+from springback.recovery.response import Quintic, recovery_plan
 from springback.sensing.hall import output, resolution
 from springback.sensing.parameters import HallSettings
 
@@ -103,7 +103,7 @@ def quintic() -> Any:
     still = Estimate(none, Quat(1.0, 0.0, 0.0, 0.0), none, none)
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 2.4))
     for pace, colour, style in ((0.15, GREY, ":"), (0.19, BLUE, "-"), (0.25, ORANGE, "--")):
-        way = planned(Quintic(1.0, 0.0, pace, 0.2), hit, Vec(-0.1, 0.0, 0.0), still, 0.0, 0.0)
+        way = recovery_plan(Quintic(1.0, 0.0, pace, 0.2), hit, Vec(-0.1, 0.0, 0.0), still, 0.0, 0.0)
         times = np.linspace(0.0, float(way.ends), 200)
         asked = [target(way.reference, float(t)) for t in times]
         label = f"{pace:g} s²/m"

@@ -9,6 +9,10 @@ from __future__ import annotations
 import os
 import sys
 
+#: Exceptions that ended the program. They hold what was in use when they came: if that were freed,
+#: a library might unload what its threads still run.
+_ENDED: list[BaseException] = []
+
 
 def run() -> None:
     """Run the command line and exit without finalisation.
@@ -26,14 +30,17 @@ def run() -> None:
             main()
             code = 0
         except SystemExit as done:
+            _ENDED.append(done)
             code = done.code
-        except BaseException:
+        except BaseException as error:
+            _ENDED.append(error)
             if not interrupts.is_interrupted():
                 raise
             interrupts.ignore()
             _last(interrupts.message())
             code = 130
-    except KeyboardInterrupt:  # while loading, or while handling another one
+    except KeyboardInterrupt as again:  # while loading, or while handling another one
+        _ENDED.append(again)
         _last("interrupted; nothing was written")
         code = 130
     except BaseException:

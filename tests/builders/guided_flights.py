@@ -9,14 +9,19 @@ import numpy as np
 
 from springback.kernels.layout import Buffer, rows
 from springback.kernels.trees import leaves, rebuilt
-from springback.scenario.avionics import build_avionics
+from springback.scenario.avionics import build_avionics, turn_on_normals
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import loaded, shape_of, unloaded
-from springback.simulation.guided import GuidedFlown, loaded_avionics, noise_table, ticks_of
+from springback.simulation.flight import flight_buffers, flight_records, shape_of
+from springback.simulation.guided import (
+    GuidedFlight,
+    GuidedFlown,
+    avionics_buffers,
+    ticks_of,
+)
 from springback.simulation.guided_batch import fly_groups
-from springback.simulation.onboard import Avionics, Draw
-from springback.simulation.record import Model
-from springback.vehicle.state import State
+from springback.simulation.noise import FlightNoise, noise_table
+from springback.simulation.onboard import Draw
+from springback.simulation.ticks import FlightBuffers
 
 HOLD = {"type": "hold", "position": (0.2, 0.1, 1.1)}
 WALL = {"obstacles": [{"type": "wall", "distance": 1.0, "surface": "wall"}]}
@@ -30,11 +35,9 @@ GUSTY = {
 
 
 class Ready(NamedTuple):
-    """What `fly_guided` takes."""
+    """Arguments of `fly_guided`."""
 
-    model: Model
-    start: State
-    avionics: Avionics
+    flight: GuidedFlight
     noise: Buffer
 
 
@@ -66,11 +69,12 @@ def lane(given: Mapping[str, Any], flight: int = 0) -> Lane:
     """A flight of a campaign, made ready to fly in company."""
     scenario = scenario_from(given)
     model, start = scenario.flight_model(), scenario.start_state()
-    built_avionics = build_avionics(scenario, model, start, flight=flight)
+    biases = turn_on_normals([scenario.seed], flight)[0]
+    built_avionics = build_avionics(scenario, model, start, biases=biases)
     ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
     noise = noise_table(scenario.seed, flight, ticks, built_avionics.noise)
     return Lane(
-        Ready(model, start, built_avionics.avionics, noise),
+        Ready(GuidedFlight(model, start, built_avionics.avionics), noise),
         built_avionics.noise,
         scenario.seed,
         flight,
@@ -82,23 +86,22 @@ def fly_in_lanes(flights: Sequence[Lane], **options: int) -> list[GuidedFlown]:
 
     Args:
         flights: Of one kind.
-        **options: Of `fly_groups`.
+        **options: Of `fly_groups`; ``width``, the lanes of a group.
     """
-    width = options["width"]
+    width = options.pop("width")
     alone, draws, seeds, numbers = (list(part) for part in zip(*flights, strict=True))
-    models, starts, avionics_list, _ = (list(part) for part in zip(*alone, strict=True))
+    models, starts, avionics_list = zip(*(one.flight for one in alone), strict=True)
     shape, avionics = shape_of(models[0], starts[0]), avionics_list[0]
-    buffers = loaded(shape, models, starts, width)
-    onboard = loaded_avionics(avionics_list, width)
-    fly_groups(
-        models[0], starts[0], avionics, buffers, onboard, draws[0], seeds,
-        flights=numbers, **options,
-    )  # fmt: skip
+    buffers = flight_buffers(shape, models, starts, width)
+    onboard = avionics_buffers(avionics_list, width)
+    together = FlightBuffers(buffers, onboard, (0,) * width)
+    noise = FlightNoise(draws[0], seeds, numbers)
+    fly_groups(alone[0].flight, together, noise, **options)
     after = rows(avionics.systems)
     memories = onboard.reshape(len(buffers), -1, width)
     return [
         GuidedFlown(one, rebuilt(avionics.onboard, memories[k // width, after:, k % width]), None)
-        for k, one in enumerate(unloaded(shape, models, starts, buffers, width))
+        for k, one in enumerate(flight_records(shape, models, starts, buffers, width))
     ]
 
 

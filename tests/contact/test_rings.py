@@ -12,7 +12,7 @@ import pytest
 from numpy.polynomial import polynomial
 from scipy.optimize import minimize_scalar
 
-from builders.user_obstacles import Ball, Pole
+from builders.user_obstacles import Ball, Box, Pole
 from springback.contact.cage import ArmTip, Ring, facing
 from springback.contact.obstacles import (
     InBodyFrame,
@@ -26,7 +26,7 @@ from springback.contact.obstacles import (
 from springback.contact.parameters import SurfaceSettings, obstacles
 from springback.contact.rings import ARCS, FAR, STEPS, TRIES, lowest_on_ring
 from springback.kernels.compiler import kernel
-from springback.kernels.vectors import Mat3, Quat, Vec, positive_part, rotation
+from springback.kernels.vectors import Mat3, Quat, Vec, rotation
 from springback.results.flight import fly
 from springback.vehicle.state import ArmPose
 
@@ -36,40 +36,6 @@ with warnings.catch_warnings():  # it compiles something of its own at once, and
 
 RADIUS = 0.11
 EXACT = Ring(0.0)
-
-
-class Box(NamedTuple):
-    """A box around the origin, sides along the axes."""
-
-    half: Vec  # [m]
-
-
-@kernel
-def _outside(box: Box, point: Vec) -> Vec:
-    return Vec(abs(point.x) - box.half.x, abs(point.y) - box.half.y, abs(point.z) - box.half.z)
-
-
-@signed_distance.register(Box)  # type: ignore[attr-defined]
-@kernel
-def box_distance(box: Box, point: Vec) -> float:
-    """Distance from the box [m]."""
-    u = _outside(box, point)
-    out = Vec(positive_part(u.x), positive_part(u.y), positive_part(u.z))
-    return math.sqrt(out @ out) + min(max(u.x, max(u.y, u.z)), 0.0)
-
-
-@outward_normal.register(Box)  # type: ignore[attr-defined]
-@kernel
-def box_normal(box: Box, point: Vec) -> Vec:
-    """Gradient of the distance."""
-    u = _outside(box, point)
-    most = max(u.x, max(u.y, u.z))
-    inside = most <= 0.0
-    x = (1.0 if u.x == most else 0.0) if inside else positive_part(u.x)
-    y = (1.0 if u.y == most else 0.0) if inside else positive_part(u.y)
-    z = (1.0 if u.z == most else 0.0) if inside else positive_part(u.z)
-    n = Vec(math.copysign(x, point.x), math.copysign(y, point.y), math.copysign(z, point.z))
-    return n * (1.0 / math.sqrt(n @ n))
 
 
 class Slab(NamedTuple):

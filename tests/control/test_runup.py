@@ -13,7 +13,7 @@ from builders.cases import nonempty
 from springback.contact.cage import ArmTip, Ring
 from springback.control.demands import Limits
 from springback.control.reference_parameters import RunUpSettings
-from springback.control.runup import RunUp, reach, run_up
+from springback.control.runup import RunUp, RunUpContact, reach, run_up
 from springback.control.target import target
 from springback.errors import InputError
 from springback.kernels.trees import leaves
@@ -129,7 +129,7 @@ def test_any_heading_is_the_same_run_up() -> None:
     wanted = made("arq", -15, 2.0)
     d = wanted.contact_position.x
     start, contact = Vec(1.0, 2.0, 1.5), Vec(1.0 - 0.6 * d, 2.0 + 0.8 * d, 1.5)
-    run = run_up(2.0, math.radians(-15), start, contact, limits("arq"))
+    run = run_up(start, RunUpContact(contact, 2.0, math.radians(-15)), limits("arq"))
     assert run.reference.yaw == pytest.approx(math.atan2(0.8, -0.6))
     assert run.contact_time == pytest.approx(wanted.contact_time - 1.0)
     now = target(run.reference, 0.7 * run.contact_time)
@@ -142,7 +142,9 @@ def test_any_heading_is_the_same_run_up() -> None:
 
 def test_a_longer_way_is_gentler() -> None:
     rates = [
-        run_up(3.0, 0.0, Vec(0.0, 0.0, 1.0), Vec(d, 0.0, 1.0), limits("quad")).largest_tilt_rate
+        run_up(
+            Vec(0.0, 0.0, 1.0), RunUpContact(Vec(d, 0.0, 1.0), 3.0, 0.0), limits("quad")
+        ).largest_tilt_rate
         for d in (2.0, 3.0, 4.5)
     ]
     assert rates[0] > rates[1] > rates[2]
@@ -161,16 +163,15 @@ def test_a_longer_way_is_gentler() -> None:
 def test_what_cannot_be_flown_says_why(
     speed: float, pitch: float, distance: float, words: str
 ) -> None:
+    arrival = RunUpContact(Vec(distance, 0.0, 1.0), speed, math.radians(pitch))
     with pytest.raises(InputError, match=words):
-        run_up(
-            speed, math.radians(pitch), Vec(0.0, 0.0, 1.0), Vec(distance, 0.0, 1.0), limits("arq")
-        )
+        run_up(Vec(0.0, 0.0, 1.0), arrival, limits("arq"))
 
 
 def test_the_distance_it_asks_for_is_enough() -> None:
     def attempt(distance: float) -> RunUp:
-        contact = Vec(distance, 0.0, 1.0)
-        return run_up(2.0, math.radians(-45), Vec(0.0, 0.0, 1.0), contact, limits("arq"))
+        arrival = RunUpContact(Vec(distance, 0.0, 1.0), 2.0, math.radians(-45))
+        return run_up(Vec(0.0, 0.0, 1.0), arrival, limits("arq"))
 
     with pytest.raises(InputError) as refused:
         attempt(2.0)

@@ -12,7 +12,7 @@ from builders.cases import nonempty
 from springback.control import approach
 from springback.control.approach import ALIKE, _simplest
 from springback.control.demands import Limits, level_demands
-from springback.control.runup import run_up
+from springback.control.runup import RunUpContact, run_up
 from springback.control.septics import LineMotions, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
@@ -70,12 +70,12 @@ def test_advice_is_looked_for_only_where_it_is_wanted(monkeypatch: pytest.Monkey
         return 2.0 * distance
 
     monkeypatch.setattr(approach, "_least_distance", least)
-    ends = Vec(0.0, 0.0, 1.0), Vec(2.4, 0.0, 1.0)
+    start, arrival = Vec(0.0, 0.0, 1.0), RunUpContact(Vec(2.4, 0.0, 1.0), 8.0, 0.0)
     with pytest.raises(
         InputError, match=r"needs more than the 2.4 m it has; within 2.4 m it needs"
     ):
-        run_up(8.0, 0.0, *ends, LIMITS, advises=False)
+        run_up(start, arrival, LIMITS, advises=False)
     assert not asked
     with pytest.raises(InputError, match=r"needs a distance of 4.8 m, 2.4 m more than the 2.4 m"):
-        run_up(8.0, 0.0, *ends, LIMITS)
+        run_up(start, arrival, LIMITS)
     assert asked == [2.4]

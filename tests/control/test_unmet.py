@@ -9,7 +9,7 @@ from springback.control.rate import turn
 from springback.kernels.vectors import ZERO, Vec, norm
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.ticks import decided
+from springback.simulation.ticks import pilot_output
 
 
 @pytest.mark.parametrize(("roll_rate", "is_too_much"), [(0.2, False), (40.0, True)])
@@ -24,7 +24,9 @@ def test_unmet_is_what_was_asked_less_what_is_given(roll_rate: float, is_too_muc
     )
     setpoint = Vec(roll_rate, 0.0, 0.0)
     before = memory.autopilot._replace(setpoint=setpoint)
-    after = decided(pilot, avionics.systems.period, 1, seen, memory._replace(autopilot=before), 4)
+    after = pilot_output(
+        pilot, avionics.systems.period, 1, seen, memory._replace(autopilot=before), 4
+    )
     own = after.memory.autopilot
     inertia, omega = own.built.tree.inertia, after.memory.estimate.angular_velocity
     asked = turn(pilot.rate, inertia, setpoint, omega, ZERO, before.rate).moment

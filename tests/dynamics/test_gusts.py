@@ -11,9 +11,9 @@ from builders.cases import nonempty
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import (
     Dryden,
-    FilterState,
     Gust,
     GustMemory,
+    Shaped,
     dryden,
     first_gust,
     gust,
@@ -45,7 +45,7 @@ def filters(tick: float) -> tuple[Dryden, np.ndarray]:
 
 def responses(weather: Dryden, ticks: int) -> np.ndarray:
     """What a single unit of noise leads to, tick by tick, shape (ticks, 3)."""
-    memory: Any = GustMemory(0.0, FilterState(0.0, 0.0), FilterState(0.0, 0.0))
+    memory: Any = GustMemory(0.0, Shaped(0.0, 0.0), Shaped(0.0, 0.0))
     rows = []
     for k in range(ticks):
         now: Gust = gust(weather, (1.0, 1.0, 1.0) if k == 0 else (0.0, 0.0, 0.0), memory)
@@ -88,12 +88,12 @@ def test_the_first_gust_is_as_if_the_wind_had_always_blown() -> None:
     weather, _ = filters(0.02)
     columns = [leaves(first_gust(weather, tuple(row)).memory) for row in np.eye(5)]
     start = np.array(columns).T @ np.array(columns)
-    blank = GustMemory(0.0, FilterState(0.0, 0.0), FilterState(0.0, 0.0))
+    blank = GustMemory(0.0, Shaped(0.0, 0.0), Shaped(0.0, 0.0))
     noise = np.array([leaves(gust(weather, tuple(row), blank).memory) for row in np.eye(3)]).T
     silent = (0.0, 0.0, 0.0)
     carried = []
     for row in np.eye(5):
-        memory = GustMemory(row[0], FilterState(row[1], row[2]), FilterState(row[3], row[4]))
+        memory = GustMemory(row[0], Shaped(row[1], row[2]), Shaped(row[3], row[4]))
         carried.append(leaves(gust(weather, silent, memory).memory))
     a = np.array(carried).T
     np.testing.assert_allclose(a @ start @ a.T + noise @ noise.T, start, rtol=1e-9, atol=1e-12)

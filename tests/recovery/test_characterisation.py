@@ -13,14 +13,16 @@ from springback.recovery.characterisation import (
     Characterisation,
     Collision,
     CollisionObservation,
+    CollisionStart,
     characterise,
     contact_point,
-    looked_enough,
+    is_within,
     no_observation,
-    observe,
-    unclipped,
+    observation_after,
+    window_is_over,
 )
-from springback.recovery.line_of_action import level_normal, lever_of, passed, turned_back
+from springback.recovery.detection import CollisionInputs
+from springback.recovery.line_of_action import face_normal, level_normal, lever_of, pass_of
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.wrench import ExternalWrench, RecentImpulse
 from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose
@@ -106,10 +108,13 @@ def characterisation_error(
     blow = blow_of(r, normal, {arm: size * force for arm, size in arms.items()})
     found = no_observation(AIRFRAME)._replace(pressed=pressed, attitude=q, lengths=LENGTHS)
     at = Estimate(Vec(1.0, 2.0, 3.0), q, NONE, NONE)
-    said: Collision = law(
-        look, AIRFRAME, seen(), at, wrench_of(blow), found, Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0)
-    )
+    start = CollisionStart(Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0))
+    said: Collision = law(look, inputs(seen(), at, wrench_of(blow)), found, start)
     return said
+
+
+def inputs(measurement: Measurement, at: Estimate, words: ExternalWrench) -> CollisionInputs:
+    return CollisionInputs(AIRFRAME, measurement, at, words)
 
 
 @pytest.mark.parametrize("friction", [-0.4, -0.1, 0.0, 0.2, 0.4])
@@ -181,7 +186,7 @@ def test_the_accelerometer_points_away_from_the_obstacle() -> None:
     """The wall is where the specific force comes from: the robot is pushed the other way."""
     found = no_observation(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
     at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(RecentImpulse(*(NONE,) * 7))
-    hit = characterise(LOOK, AIRFRAME, seen(), at, words, found, NONE, NONE)
+    hit = characterise(LOOK, inputs(seen(), at, words), found, CollisionStart(NONE, NONE))
     assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
     assert hit.by_fusion == hit.by_wrench == NONE
 
@@ -216,13 +221,13 @@ def test_the_lever_arm_is_moment_over_force() -> None:
 
 
 def test_a_line_through_an_arm_passes_through_the_opposite_one_too_but_meets_the_front() -> None:
-    met = passed(AIRFRAME, LENGTHS, level(45.0), 0.0)
+    met = pass_of(AIRFRAME, LENGTHS, level(45.0), 0.0)
     assert met.one == (1.0, 0.0, 0.0, 0.0)
     assert met.sine == pytest.approx(0.0, abs=1e-12)
 
 
 def test_turning_back_undoes_a_turn_and_a_tilted_plane_keeps_the_level_normal() -> None:
-    assert off(turned_back(level(30.0), math.sin(math.radians(12.0))), level(18.0)) < 1e-9
+    assert off(face_normal(level(30.0), math.sin(math.radians(12.0))), level(18.0)) < 1e-9
     r, normal = rotation(attitude(20.0, -40.0)), level(55.0)
     flat = np.array(r).T @ np.array(normal)
     found = level_normal(r, Vec(float(flat[0]), float(flat[1]), 0.0))
@@ -234,12 +239,13 @@ def test_what_was_strongest_is_kept_and_clipped_readings_say_no_direction() -> N
         rotation(LEVEL), level(0.0), {0: np.zeros(3)}))  # fmt: skip
     so_far = no_observation(AIRFRAME)
     for reading in (40.0, 90.0, 150.0, 60.0):
-        so_far = observe(LOOK, AIRFRAME, seen(Vec(-reading, 0.0, 9.81)), at, nothing, so_far)
+        now = inputs(seen(Vec(-reading, 0.0, 9.81)), at, nothing)
+        so_far = observation_after(LOOK, now, so_far)
     assert so_far.ticks == 4.0
     assert norm(so_far.jolted - Vec(0.0, -90.0, 0.0)) < 1e-9  # body x is world y
     assert so_far.clipped == 3.0  # the third of four
-    assert unclipped(LOOK.limit, Vec(0.0, -100.0, 0.0))
-    assert not unclipped(LOOK.limit, Vec(0.0, 0.0, 150.0))
+    assert is_within(LOOK.limit, Vec(0.0, -100.0, 0.0))
+    assert not is_within(LOOK.limit, Vec(0.0, 0.0, 150.0))
 
 
 def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it() -> None:
@@ -248,7 +254,7 @@ def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it(
 
     def enough(at: int, clipped: float, pressed: float, second: float = 0.0) -> bool:
         found = clear._replace(ticks=float(at), clipped=clipped, pressed=(pressed, 0.0, 0.0, 0.0))
-        return bool(looked_enough(LOOK, found, (1.0, second, 0.0, 0.0), 1e-3 * at))
+        return bool(window_is_over(LOOK, found, (1.0, second, 0.0, 0.0), 1e-3 * at))
 
     window, longer = round(1e3 * LOOK.window), round(1e3 * LOOK.longer)
     assert not enough(window - 1, 0.0, 0.0)
@@ -261,12 +267,12 @@ def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it(
 
 def test_plain_and_compiled_are_twins() -> None:
     @numba.njit
-    def law(a: Any, b: Any, c: Any, d: Any, e: Any, f: Any, g: Any, h: Any) -> Any:
-        return characterise(a, b, c, d, e, f, g, h)
+    def law(a: Any, b: Any, c: Any, d: Any) -> Any:
+        return characterise(a, b, c, d)
 
     @numba.njit
-    def seen_once(a: Any, b: Any, c: Any, d: Any, e: Any, f: Any) -> Any:
-        return observe(a, b, c, d, e, f)
+    def seen_once(a: Any, b: Any, c: Any) -> Any:
+        return observation_after(a, b, c)
 
     for wall, pressed in ((20.0, (0.0,) * 4), (-10.0, (0.0, 6e-3, 0.0, 0.0))):
         arms = {0 if wall > 0.0 else 1: 2.0}
@@ -278,5 +284,6 @@ def test_plain_and_compiled_are_twins() -> None:
     so_far: CollisionObservation = no_observation(AIRFRAME)
     at, force = Estimate(NONE, attitude(30.0), NONE, NONE), seen(Vec(-40.0, 3.0, 9.81))
     words = wrench_of(blow_of(rotation(LEVEL), level(0.0), {0: np.ones(3)}))
-    plain_seen = observe(LOOK, AIRFRAME, force, at, words, so_far)
-    assert leaves(seen_once(LOOK, AIRFRAME, force, at, words, so_far)) == leaves(plain_seen)
+    now = inputs(force, at, words)
+    plain_seen = observation_after(LOOK, now, so_far)
+    assert leaves(seen_once(LOOK, now, so_far)) == leaves(plain_seen)

@@ -14,7 +14,7 @@ from springback.recovery.detection import (
     TriggerMemory,
     compressions,
     horizontal,
-    triggered,
+    trigger_step,
 )
 from springback.recovery.parameters import HallTrigger, TriggerSettings
 from springback.studies.roc import TriggerSignal, alarms, curve, delay, false_alarms
@@ -29,7 +29,7 @@ def trigger(**changes: float) -> Trigger:
 
 
 def run(
-    settings: Trigger, signal: Any, fresh: Any = None, law: Any = triggered
+    settings: Trigger, signal: Any, fresh: Any = None, law: Any = trigger_step
 ) -> tuple[list[int], TriggerMemory]:
     """Ticks of the alarms, and the memory at the end."""
     memory, raised = NOT_TRIGGERED, []
@@ -87,7 +87,9 @@ def test_the_filter_is_a_first_order_low_pass() -> None:
 
 def test_a_stale_sample_changes_nothing() -> None:
     memory = run(trigger(share=0.3), [0.8, 0.4])[1]
-    assert triggered(trigger(share=0.3), 1.0, 50.0, 0.0, memory).memory.filtered == memory.filtered
+    assert (
+        trigger_step(trigger(share=0.3), 1.0, 50.0, 0.0, memory).memory.filtered == memory.filtered
+    )
 
 
 def test_unused_triggers_are_watched_all_the_same() -> None:
@@ -141,4 +143,4 @@ def test_plain_and_compiled_triggers_are_twins() -> None:
 
 
 def _twin(a: Any, b: Any, c: Any, d: Any, e: Any) -> Any:
-    return triggered(a, b, c, d, e)
+    return trigger_step(a, b, c, d, e)

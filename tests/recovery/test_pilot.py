@@ -14,7 +14,7 @@ from springback.results.flight import Flight
 from springback.scenario.avionics import cascade_of
 from springback.scenario.scenario import scenario_from
 from springback.simulation.measures import Outcome
-from springback.simulation.ticks import decided
+from springback.simulation.ticks import pilot_output
 from springback.studies.run_ups import run_up_scenario
 
 GROUND = {"type": "ground", "surface": "wall"}
@@ -86,7 +86,7 @@ def test_the_truth_is_poison_and_nothing_changes() -> None:
             absurd.append(rebuilt(measurement.exact, [1e6] * len(leaves(measurement.exact))))
         seen = measurement._replace(exact=absurd[0])
         thought = own.memory if memory is None else memory
-        said = decided(own.settings, 1e-3, round(1e3 * time), seen, thought, 4)
+        said = pilot_output(own.settings, 1e-3, round(1e3 * time), seen, thought, 4)
         phases.append(said.memory.recovery_state.phase)
         return said.thrust, said.memory
 
@@ -108,7 +108,7 @@ def test_the_observer_waits_for_a_sample() -> None:
 
     def noting(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
         told.append(measurement)
-        said = decided(own.settings, 1e-3, 0, measurement, own.memory, 4)
+        said = pilot_output(own.settings, 1e-3, 0, measurement, own.memory, 4)
         return said.thrust, said.memory
 
     springback.fly(scenario, pilot=noting)
@@ -118,7 +118,7 @@ def test_the_observer_waits_for_a_sample() -> None:
     for fresh in (0.0, 1.0):
         felt = inertial._replace(fresh=fresh, specific_force=Vec(5.0, 0.0, 0.0))
         seen = told[-1]._replace(inertial=felt)
-        after[fresh] = decided(own.settings, 1e-3, 0, seen, own.memory, 4).memory.wrench
+        after[fresh] = pilot_output(own.settings, 1e-3, 0, seen, own.memory, 4).memory.wrench
     assert after[0.0]._replace(thrust=before.thrust) == before
     assert after[1.0].force.x > before.force.x + 0.1
     assert after[1.0].thrust == after[0.0].thrust

@@ -9,7 +9,7 @@ from springback.control.target import target
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
 from springback.recovery.parameters import Answering
-from springback.recovery.response import Staged, TimeOptimal, homeward, planned, rush
+from springback.recovery.response import Staged, TimeOptimal, homeward, recovery_plan, rush
 from springback.sensing.measurement import Estimate
 
 G = 9.81
@@ -40,7 +40,9 @@ def test_pre_impact_asks_for_the_printed_pitch() -> None:
     """From 3.5 m/s to rest 0.1 m back in 0.19 s²/m · v: −66° and +49.6° (printed −66°, +49°)."""
     struck = hit(3.5)
     goal = struck.position - NORTH * 0.1
-    plan = planned(Answering().response(), struck, goal, believed(struck.position, STILL), 2.0, 0.0)
+    plan = recovery_plan(
+        Answering().response(), struck, goal, believed(struck.position, STILL), 2.0, 0.0
+    )
     assert plan.ends == pytest.approx(2.0 + 0.19 * 3.5)
     _, way = sampled(plan.reference, 2.0, plan.ends)
     pitch = np.degrees([math.atan2(w.acceleration.x, G) for w in way])
@@ -52,7 +54,7 @@ def test_pre_impact_asks_for_the_printed_pitch() -> None:
 def test_a_quintic_begins_as_named_and_ends_at_rest(way: str) -> None:
     struck, goal = hit(2.0), Vec(2.4, 0.1, 0.9)
     here = believed(Vec(2.48, 0.05, 0.97), Vec(-0.8, 0.2, 0.1))
-    plan = planned(Answering(way=way).response(), struck, goal, here, 3.0, 0.3)
+    plan = recovery_plan(Answering(way=way).response(), struck, goal, here, 3.0, 0.3)
     first, last = target(plan.reference, 3.0), target(plan.reference, plan.ends + 1e-9)
     begins = (
         (struck.position, struck.velocity)
@@ -66,7 +68,7 @@ def test_a_quintic_begins_as_named_and_ends_at_rest(way: str) -> None:
 
 def test_a_set_point_is_there_at_once() -> None:
     struck, goal = hit(2.0), Vec(2.4, 0.0, 1.0)
-    plan = planned(
+    plan = recovery_plan(
         Answering(way="set-point").response(), struck, goal, believed(goal, STILL), 3.0, 0.0
     )
     soon = target(plan.reference, 3.002)
@@ -91,7 +93,7 @@ def test_the_fastest_way_from_any_motion() -> None:
         p, v, goal = noise_stream.uniform(-2.0, 2.0, 3)
         response = TimeOptimal(6.0, 3.0)
         here = believed(Vec(p, 0.0, 1.0), Vec(v, 0.0, 0.0))
-        plan = planned(response, hit(2.0), Vec(goal, 0.0, 1.0), here, 1.0, 0.0)
+        plan = recovery_plan(response, hit(2.0), Vec(goal, 0.0, 1.0), here, 1.0, 0.0)
         t, way = sampled(plan.reference, 1.0, plan.ends)
         x, u, a = (
             np.array([getattr(w, n).x for w in way])
@@ -134,13 +136,13 @@ def test_homeward_is_as_fast_as_told_and_no_faster() -> None:
 
 
 def test_what_is_no_response_is_refused() -> None:
-    with pytest.raises(TypeError, match="no response"):
-        planned(Vec(0.0, 0.0, 0.0), hit(1.0), STILL, believed(STILL, STILL), 0.0, 0.0)
+    with pytest.raises(TypeError, match="not a response"):
+        recovery_plan(Vec(0.0, 0.0, 0.0), hit(1.0), STILL, believed(STILL, STILL), 0.0, 0.0)
 
 
 def test_staged_holds_where_it_is_after_its_stages() -> None:
     response, here = Answering(way="staged").response(), Vec(2.2, 0.3, 0.8)
     assert isinstance(response, Staged)
-    plan = planned(response, hit(2.0), here, believed(here, Vec(-1.0, 0.0, 0.0)), 4.0, 0.0)
+    plan = recovery_plan(response, hit(2.0), here, believed(here, Vec(-1.0, 0.0, 0.0)), 4.0, 0.0)
     held = target(plan.reference, 4.5)
     assert (held.position, held.velocity) == (here, STILL)

@@ -10,7 +10,7 @@ from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.recovery.characterisation import Collision
 from springback.recovery.parameters import Answering
-from springback.recovery.stages import DAMPING, LEVELLING, OVER, TILTING, Stage, staged
+from springback.recovery.stages import DAMPING, LEVELLING, OVER, TILTING, Stage, stage_command
 from springback.sensing.measurement import Estimate
 
 STILL, NORTH = Vec(0.0, 0.0, 0.0), Vec(1.0, 0.0, 0.0)
@@ -29,7 +29,7 @@ def at(pitch: float, climb: float = 0.0, rate: float = 0.0) -> Estimate:
 
 def asked(stage: float, here: Estimate) -> tuple[Stage, float]:
     """The stage, and the pitch that it asks for."""
-    now = staged(RESPONSE, LAW, HIT, here, 0.0, stage)  # type: ignore[arg-type]
+    now = stage_command(RESPONSE, LAW, HIT, here, 0.0, stage)  # type: ignore[arg-type]
     r = rotation(now.word.attitude)
     return now, math.atan2(r.x.z, r.z.z)
 
@@ -76,7 +76,7 @@ def test_only_the_third_stage_damps_the_climb() -> None:
 def test_turned_about_the_vertical_it_leans_the_same_way() -> None:
     """The direction is the wall's; the yaw is kept beside it."""
     for yaw in np.linspace(-2.0, 2.0, 5):
-        now = staged(RESPONSE, LAW, HIT, at(0.3), float(yaw), TILTING)  # type: ignore[arg-type]
+        now = stage_command(RESPONSE, LAW, HIT, at(0.3), float(yaw), TILTING)  # type: ignore[arg-type]
         r = rotation(now.word.attitude)
         assert (r.x.z, r.y.z) == pytest.approx((-0.6, 0.0))
         left = (r.x.y, r.y.y)  # b_2 is normal to the heading

@@ -16,7 +16,7 @@ from springback.recovery.state_machine import (
     RECOVER,
     RETURN,
     STAGES,
-    Departed,
+    DelayedReference,
     RecoveryState,
     SmoothReturn,
     on_alarm,
@@ -152,7 +152,7 @@ def test_ways_of_legs() -> None:
     recovery_state = on_characterised(
         ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0
     )
-    assert target(Departed(cruise, 7.0), 7.5) == target(cruise, 0.5)
+    assert target(DelayedReference(cruise, 7.0), 7.5) == target(cruise, 0.5)
     after = target(SmoothReturn(recovery_state.recovery), 3.05)
     plain = target(recovery_state.recovery, 3.05)
     assert (after.position, after.acceleration) == (plain.position, plain.acceleration)

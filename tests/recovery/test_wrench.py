@@ -13,7 +13,13 @@ from builders.cases import nonempty
 from springback.control.rate import inertia_at
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec, norm, rotation
-from springback.recovery.wrench import ExternalWrench, Observer, no_wrench, observed_wrench
+from springback.recovery.wrench import (
+    ExternalWrench,
+    Observer,
+    WrenchInputs,
+    no_wrench,
+    wrench_after,
+)
 from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose
 from springback.vehicle.library import VEHICLES
 
@@ -40,8 +46,12 @@ def seen(force: Vec, at: Estimate) -> Measurement:
     return Measurement(Inertial(felt, at.angular_velocity, 1.0), pose, LENGTHS, 1.0, exact)
 
 
+def inputs(measurement: Measurement, at: Estimate) -> WrenchInputs:
+    return WrenchInputs(AIRFRAME, INERTIA, measurement, at, HOVER)
+
+
 def pushed(
-    ticks: int, force: Vec, moment: Vec, attitude: Quat = LEVEL, law: Any = observed_wrench,
+    ticks: int, force: Vec, moment: Vec, attitude: Quat = LEVEL, law: Any = wrench_after,
     **changes: float,
 ) -> list[ExternalWrench]:  # fmt: skip
     """The observer's words under a constant wrench, the robot held in attitude and accelerated.
@@ -58,7 +68,7 @@ def pushed(
     for k in range(1, ticks + 1):
         t = k * TICK
         at = Estimate(zero, attitude, rate * t, spin * t)
-        memory = law(observer, AIRFRAME, INERTIA, seen(force, at), at, HOVER, memory)
+        memory = law(observer, inputs(seen(force, at), at), memory)
         found.append(memory)
     return found
 
@@ -101,7 +111,7 @@ def test_tumbling_freely_is_no_moment() -> None:
     memory = no_wrench(OBSERVER, AIRFRAME, at, HOVER)
     for omega in way.y.T[1:].tolist():
         at = Estimate(zero, LEVEL, zero, Vec(*omega))
-        memory = observed_wrench(OBSERVER, AIRFRAME, INERTIA, seen(zero, at), at, HOVER, memory)
+        memory = wrench_after(OBSERVER, inputs(seen(zero, at), at), memory)
     gyroscopic = np.linalg.norm(np.cross(way.y[:, 0], matrix @ way.y[:, 0]))
     assert gyroscopic > 0.1
     assert norm(memory.moment) < 0.02 * gyroscopic
@@ -147,7 +157,7 @@ def test_between_samples_the_estimate_stands() -> None:
     at = Estimate(Vec(0.0, 0.0, 0.0), LEVEL, Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
     stale = seen(Vec(90.0, 0.0, 0.0), at)
     stale = stale._replace(inertial=stale.inertial._replace(fresh=0.0))
-    after = observed_wrench(OBSERVER, AIRFRAME, INERTIA, stale, at, HOVER, told)
+    after = wrench_after(OBSERVER, inputs(stale, at), told)
     assert after == told
 
 
@@ -161,7 +171,7 @@ def test_plain_and_compiled_observers_are_twins() -> None:
 @functools.cache
 def _twin() -> Any:
     @numba.njit
-    def law(a: Any, b: Any, c: Any, d: Any, e: Any, f: Any, g: Any) -> Any:
-        return observed_wrench(a, b, c, d, e, f, g)
+    def law(a: Any, b: Any, c: Any) -> Any:
+        return wrench_after(a, b, c)
 
     return law

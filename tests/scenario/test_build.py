@@ -14,7 +14,8 @@ import pytest
 import springback
 from springback.control.cascade import Cascade
 from springback.errors import InputError
-from springback.scenario import avionics, build, model
+from springback.scenario import build, model
+from springback.scenario.avionics import BuiltAvionics
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.rotors import Propulsion
@@ -27,7 +28,7 @@ GUIDED = {
 }
 #: What one flight is built of, and where it is found.
 PARTS = (
-    (avionics, "cascade_of"), (build, "build_avionics"), (build, "flight_model"),
+    (build, "cascade_of"), (build, "build_avionics"), (build, "flight_model"),
     (model, "true_body"), (model, "hover_thrusts"), (model, "world_numbers"),
     (Vehicle, "airframe"), (Propulsion, "rotors"),
 )  # fmt: skip
@@ -64,7 +65,7 @@ def test_what_was_checked_is_what_flies() -> None:
     assert scenario.build() is built
     assert scenario.flight_model() == built.model
     assert scenario.start_state() == built.start
-    assert isinstance(built.built_avionics, avionics.BuiltAvionics)
+    assert isinstance(built.built_avionics, BuiltAvionics)
     assert isinstance(built.built_avionics.avionics.systems.pilot, Cascade)
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from builders.user_obstacles import Ball, Pole
+from builders.user_obstacles import Ball, Box, Pole
 from springback import WALL, fly
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.errors import InputError
@@ -44,34 +44,6 @@ def face_distance(face: Face, point: Vec) -> float:
 @kernel
 def face_normal(face: Face, point: Vec) -> Vec:
     return Vec(-math.cos(face.turn) * face.length, -math.sin(face.turn) * face.length, 0.0)
-
-
-class Box(NamedTuple):
-    """A cube with edges, exact outside and inside."""
-
-    centre: Vec
-    half: float
-
-
-@signed_distance.register(Box)  # type: ignore[attr-defined]
-@kernel
-def box_distance(box: Box, point: Vec) -> float:
-    d = point - box.centre
-    x, y, z = abs(d.x) - box.half, abs(d.y) - box.half, abs(d.z) - box.half
-    a, b, c = max(x, 0.0), max(y, 0.0), max(z, 0.0)
-    return math.sqrt(a * a + b * b + c * c) + min(max(x, y, z), 0.0)
-
-
-@outward_normal.register(Box)  # type: ignore[attr-defined]
-@kernel
-def box_normal(box: Box, point: Vec) -> Vec:
-    d = point - box.centre
-    x, y, z = abs(d.x) - box.half, abs(d.y) - box.half, abs(d.z) - box.half
-    if x >= y and x >= z:
-        return Vec(math.copysign(1.0, d.x), 0.0, 0.0)
-    if y >= z:
-        return Vec(0.0, math.copysign(1.0, d.y), 0.0)
-    return Vec(0.0, 0.0, math.copysign(1.0, d.z))
 
 
 class Egg(NamedTuple):
@@ -128,10 +100,11 @@ def test_what_is_wrong_is_refused(shape: Any, words: tuple[str, ...]) -> None:
 
 
 place = st.builds(Vec, st.floats(-5.0, 5.0), st.floats(-5.0, 5.0), st.floats(-5.0, 5.0))
+size = st.floats(0.02, 2.0)
 shapes = st.one_of(
     st.builds(Pole, st.floats(-5.0, 5.0), st.floats(-5.0, 5.0), st.floats(0.02, 2.0)),
     st.builds(Ball, place, st.floats(0.02, 2.0)),
-    st.builds(Box, place, st.floats(0.02, 2.0)),
+    st.builds(Box, st.builds(Vec, size, size, size), place),
     st.builds(Egg, place, st.floats(0.1, 0.3), st.floats(0.1, 0.3)),
     st.just(RIGHT),
 )

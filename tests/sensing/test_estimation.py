@@ -27,6 +27,7 @@ from springback.sensing.measurement import (
 )
 from springback.sensing.parameters import SensorSettings
 from springback.sensing.perfect import PerfectState
+from springback.simulation.ticks import Lanes
 
 RHYTHM = Rhythm(tick=1e-3, interval=1e-3, pose_age=0.0042)
 TRUTH = Estimate(
@@ -102,7 +103,8 @@ def test_lanes_believe_what_each_would_alone(name, fresh):
     ]
     like, width = TreeLayout(avionics_list[0]), len(avionics_list)
     g = np.array([leaves(avionics) for avionics in avionics_list]).T.ravel()
-    believe(like.estimator, like.seen, like.memory, like.estimate, like.tick, g, width, 1)
+    lanes = Lanes(like, g, width, 1, 7.0)
+    believe(like.estimator, like.seen, like.memory, like.estimate, like.tick, lanes)
     for k, avionics in nonempty(enumerate(avionics_list)):
         alone = estimated(estimator, 7.0, avionics.seen, memory)
         for part, expected in ((like.estimate, alone.estimate), (like.memory, alone.memory)):

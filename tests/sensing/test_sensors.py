@@ -17,11 +17,11 @@ from springback.kernels.vectors import Quat, Vec
 from springback.sensing.measurement import (
     Estimate,
     Measurement,
-    Sensed,
+    SensorStep,
     Truth,
     due,
     paced,
-    sensed,
+    sensor_step,
 )
 from springback.sensing.parameters import HallSettings, SensorSettings
 from springback.sensing.sensors import NOISE, Sensors, noise_count, sensors_at_start
@@ -72,11 +72,13 @@ def flight(count: int, arms: int, seed: int) -> list[State]:
 
 def one_tick(
     sensors: Any, tick: float, truth: Truth, noise: tuple[float, ...], memory: Any
-) -> Sensed:
-    return sensed(sensors, tick, truth, noise, memory)
+) -> SensorStep:
+    return sensor_step(sensors, tick, truth, noise, memory)
 
 
-def told(sensors: Sensors, states: list[State], seed: int, step: Any = one_tick) -> list[Sensed]:
+def told(
+    sensors: Sensors, states: list[State], seed: int, step: Any = one_tick
+) -> list[SensorStep]:
     rng, memory, result = np.random.default_rng(seed), sensors_at_start(sensors, states[0], G), []
     count = noise_count(len(states[0].arm_length))
     before = states[0]
@@ -136,7 +138,7 @@ def test_devices_do_not_share_noise() -> None:
         noise = [0.5] * noise_count(4)
         if index is not None:
             noise[index] = -60.0
-        return sensed(sensors, 0.0, truth, tuple(noise), memory).measurement
+        return sensor_step(sensors, 0.0, truth, tuple(noise), memory).measurement
 
     still = answer(None)
 
@@ -162,8 +164,8 @@ def test_memory_is_returned_and_never_changed() -> None:
     memory = sensors_at_start(sensors, states[0], G)
     kept = leaves(memory)
     truth = Truth(states[0], states[1], TICK, G)
-    first = sensed(sensors, 0.0, truth, (0.7,) * noise_count(4), memory)
-    again = sensed(sensors, 0.0, truth, (0.7,) * noise_count(4), memory)
+    first = sensor_step(sensors, 0.0, truth, (0.7,) * noise_count(4), memory)
+    again = sensor_step(sensors, 0.0, truth, (0.7,) * noise_count(4), memory)
     assert first == again
     assert leaves(memory) == kept
 

@@ -17,7 +17,7 @@ import pytest
 from builders.guided_flights import AT_WALL, WALL, Lane, lane, same, tables
 from builders.impacts import towards_wall
 from springback.errors import InputError
-from springback.kernels.compiler import rebound
+from springback.kernels.compiler import with_globals
 from springback.kernels.gpu import cuda
 from springback.kernels.gpu.nvptx import device_function
 from springback.kernels.gpu.private_memory import array_view
@@ -32,13 +32,13 @@ from springback.kernels.layout import TreeLayout, rows
 from springback.kernels.trees import leaves, rebuilt
 from springback.results.flight import as_scenario
 from springback.simulation.executor import advance, to_tick
-from springback.simulation.flight import fly_many, loaded, shape_of, unloaded
+from springback.simulation.flight import flight_buffers, flight_records, fly_many, shape_of
 from springback.simulation.gpu import flying
 from springback.simulation.gpu import thread as threads
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
-from springback.simulation.guided import fly_guided, loaded_avionics
-from springback.simulation.noise import generate
-from springback.simulation.ticks import powered, ticked
+from springback.simulation.guided import avionics_buffers, fly_guided
+from springback.simulation.noise import FlightNoise, generate
+from springback.simulation.ticks import FlightBuffers, drive_rotors, sense_and_decide
 
 WIDTH = 2
 
@@ -59,25 +59,30 @@ class Interpreted:
     launches = 0
 
     def __init__(self, entry: Any, parameters: list[Any]) -> None:
-        plain = {f.__name__: f.py_func for f in (advance, ticked, powered, generate)}
-        plain["to_tick"] = rebound(to_tick.py_func, advance=plain["advance"])
-        self.entry = rebound(entry, **plain)
+        entries = advance, sense_and_decide, drive_rotors, generate
+        plain = {f.__name__: f.py_func for f in entries}
+        plain["to_tick"] = with_globals(to_tick.py_func, advance=plain["advance"])
+        self.entry = with_globals(entry, **plain)
         self.parameters = parameters
 
     def launch(self, count: int, *arguments: Any) -> None:
         Interpreted.launches += 1
         for thread in range(count + 1):  # one too many, as a block may have
-            given, values = list(arguments), []
-            for p in self.parameters:
-                if isinstance(p, TreeLayout):
-                    values.append(p)
-                elif isinstance(p, Constants):
-                    values.append(self.tree(p, given, min(thread, count - 1)))
-                else:
-                    one = given.pop(0)
-                    values.append(one.array if isinstance(one, HeldMemory) else one)
+            given = list(arguments)
+            values = [self.value(p, given, min(thread, count - 1)) for p in self.parameters]
             assert not given
             self.entry(*values, thread)
+
+    def value(self, p: Any, given: list[Any], flight: int) -> Any:
+        """Value of a parameter, from the launch's arguments, which are consumed in order."""
+        if isinstance(p, TreeLayout):
+            return p
+        if isinstance(p, Constants):
+            return self.tree(p, given, flight)
+        if isinstance(p, tuple):
+            return type(p)(*(self.value(one, given, flight) for one in p))
+        one = given.pop(0)
+        return one.array if isinstance(one, HeldMemory) else one
 
     @staticmethod
     def tree(p: Constants, given: list[Any], flight: int) -> Any:
@@ -121,13 +126,13 @@ def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPat
     made = [scene(speed, mass) for speed, mass in ((2.0, 1.0), (1.5, 1.1), (2.5, 1.2))]
     models, starts = [model for model, _ in made], [start for _, start in made]
     shape = shape_of(models[0], starts[0])
-    buffers = loaded(shape, models, starts, WIDTH)
+    buffers = flight_buffers(shape, models, starts, WIDTH)
     shares: list[float] = []
     fly_buffers_on_gpu(shape, buffers, WIDTH, progress=shares.append)
-    flown = unloaded(shape, models, starts, buffers, WIDTH)
+    flown = flight_records(shape, models, starts, buffers, WIDTH)
     there = fly_many(models, starts)
-    assert len({one.record.peak_acceleration for one in there}) == len(made)
-    assert all(one.record.contacts > 0.0 for one in there)
+    assert len({one.record.peaks.acceleration for one in there}) == len(made)
+    assert all(one.record.contacts.total > 0.0 for one in there)
     for one, other in zip(flown, there, strict=True):
         assert leaves(one.motion) == leaves(other.motion)
         assert leaves(one.record) == leaves(other.record)
@@ -146,23 +151,23 @@ def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.Monk
         for flight, speed in enumerate((2.0, 1.0, 3.0))
     ]
     ready = [one.alone for one in flights]
-    first = ready[0]
+    first = ready[0].flight
     shape = shape_of(first.model, first.start)
-    models, starts = [one.model for one in ready], [one.start for one in ready]
-    buffers = loaded(shape, models, starts, WIDTH)
-    onboard = loaded_avionics([one.avionics for one in ready], WIDTH)
-    fly_groups_on_gpu(
-        first.model, first.start, first.avionics, buffers, onboard, flights[0].draws,
-        [one.seed for one in flights], flights=[one.flight for one in flights], width=WIDTH,
-    )  # fmt: skip
-    flown = unloaded(shape, models, starts, buffers, WIDTH)
+    models = [one.flight.model for one in ready]
+    starts = [one.flight.start for one in ready]
+    buffers = flight_buffers(shape, models, starts, WIDTH)
+    onboard = avionics_buffers([one.flight.avionics for one in ready], WIDTH)
+    seeds, numbers = [one.seed for one in flights], [one.flight for one in flights]
+    noise = FlightNoise(flights[0].draws, seeds, numbers)
+    fly_groups_on_gpu(first, FlightBuffers(buffers, onboard, (0,) * WIDTH), noise)
+    flown = flight_records(shape, models, starts, buffers, WIDTH)
     memories = onboard.reshape(len(buffers), -1, WIDTH)
     after, touched = rows(first.avionics.systems), set()
     for k, (one, alone) in enumerate(zip(flown, ready, strict=True)):
         there = fly_guided(*alone, trace=False)
         inside = rebuilt(first.avionics.onboard, memories[k // WIDTH, after:, k % WIDTH])
         assert same(there._replace(flown=one, onboard=inside), there)
-        touched.add(there.flown.record.contacts > 0.0)
+        touched.add(there.flown.record.contacts.total > 0.0)
     assert touched == {True, False}
     assert Interpreted.launches == 2
 
@@ -225,12 +230,12 @@ def test_what_a_gpu_does_not_have_is_said() -> None:
 def test_parts_of_an_entry_point_are_named() -> None:
     """All that an entry point calls by name is given to it; else the processor's would be used."""
     for entry in (threads.fly_impact, threads.fly_ticks):
-        called = {advance, to_tick, ticked, powered, generate} & {
+        called = {advance, to_tick, sense_and_decide, drive_rotors, generate} & {
             threads.__dict__.get(name) for name in entry.__code__.co_names
         }
         names = {one.__name__ for one in called}
         assert names == ({"advance"} if entry is threads.fly_impact else
-                         {"to_tick", "ticked", "powered", "generate"})  # fmt: skip
+                         {"to_tick", "sense_and_decide", "drive_rotors", "generate"})  # fmt: skip
     assert device_function(advance).py_func.__name__ == "advance"
 
 

@@ -23,7 +23,8 @@ from builders.guided_flights import (
 from springback.control.mixing import mixer
 from springback.control.rate import inertia_at
 from springback.simulation import guided
-from springback.simulation.guided import GuidedFlown, fly_guided, noise_table
+from springback.simulation.guided import GuidedFlown, fly_guided
+from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Draw
 
 VARIANTS: dict[str, dict[str, Any]] = {
@@ -43,7 +44,7 @@ def test_plain_python_is_the_compiled_flight(variant: dict[str, Any]) -> None:
     """Motion, record, on-board systems, trajectory and telemetry, bit for bit."""
     flight = ready(tables(0.05, **variant))
     plain, compiled = fly_guided(*flight, executor="python"), fly_guided(*flight)
-    assert plain.flown.record.contacts >= (1.0 if "world" in variant else 0.0)
+    assert plain.flown.record.contacts.total >= (1.0 if "world" in variant else 0.0)
     assert same(plain, compiled)
     for one, other in (
         (plain.flown.trace, compiled.flown.trace),
@@ -58,7 +59,7 @@ def test_allocation_knows_the_arms_as_they_are_read() -> None:
     """Mixer and inertia are kept until a length changes, and then are those of the new lengths."""
     flight = ready(tables(0.05, "kalman", world=WALL, start=AT_WALL))
     flown = fly_guided(*flight, trace=False)
-    airframe = flight.avionics.systems.pilot.airframe
+    airframe = flight.flight.avionics.systems.pilot.airframe
     lengths, built = flown.onboard.measurement.arm_length, flown.onboard.pilot.autopilot.built.tree
     assert min(lengths) < min(arm.length for arm in airframe.arms) - 5e-4
     assert built.mixer == mixer(airframe, lengths)
@@ -87,7 +88,7 @@ def test_a_flight_in_lanes_is_the_flight_alone(
     options: dict[str, int], alone: list[GuidedFlown]
 ) -> None:
     """Whatever flies beside it, on whatever thread, and with lanes to spare."""
-    assert {flown.flown.record.contacts > 0.0 for flown in alone} == {True, False}
+    assert {flown.flown.record.contacts.total > 0.0 for flown in alone} == {True, False}
     for one, other in zip(alone, fly_in_lanes(fleet(), **options), strict=True):
         assert same(one, other)
 
@@ -158,7 +159,7 @@ def test_numbers_that_are_not_drawn_are_not_taken(perfect: str) -> None:
     full = np.where(given.noise == 0.0, 3.0, given.noise)
     assert np.count_nonzero(full - given.noise) > 100
     flights = [
-        fly_guided(*given[:3], noise, trace=False, executor="python")
+        fly_guided(given.flight, noise, trace=False, executor="python")
         for noise in (given.noise, full)
     ]
     assert same(*flights)
@@ -166,9 +167,10 @@ def test_numbers_that_are_not_drawn_are_not_taken(perfect: str) -> None:
 
 def test_biases_and_first_gust_depend_on_seed_and_flight_alone() -> None:
     """Not on the length of the flight; a campaign's flight 17 is that flight by itself."""
-    long, short = (ready(tables(t, air=GUSTY), 17).avionics for t in (2.0, 0.1))
+    long, short = (ready(tables(t, air=GUSTY), 17).flight.avionics for t in (2.0, 0.1))
     assert long == short
-    assert ready(tables(0.1, air=GUSTY), 16).avionics.systems.sensors != short.systems.sensors
+    other = ready(tables(0.1, air=GUSTY), 16).flight.avionics
+    assert other.systems.sensors != short.systems.sensors
 
 
 # -- what a pilot may know ------------------------------------------------------------------------

@@ -11,8 +11,8 @@ from springback.dynamics.gusts import NoGusts
 from springback.kernels.vectors import Vec
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import loaded, shape_of
-from springback.simulation.guided import loaded_avionics
+from springback.simulation.flight import flight_buffers, shape_of
+from springback.simulation.guided import avionics_buffers
 from springback.simulation.loading import PATIENCE, DifferentStructure, Loader
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
@@ -58,9 +58,12 @@ def test_laid_by_differences_is_laid_leaf_by_leaf(width: int, twins: int) -> Non
     loader = Loader(*flights[0], width)
     for one in flights:
         loader.add(*one)
-    laid = loader.laid()
+    laid = loader.flights()
     shape = shape_of(models[0], starts[0])
-    wanted, onboard = loaded(shape, models, starts, width), loaded_avionics(avionics_list, width)
+    wanted, onboard = (
+        flight_buffers(shape, models, starts, width),
+        avionics_buffers(avionics_list, width),
+    )
     assert laid.onboard is not None
     # By their bits: −0 is not 0 here.
     np.testing.assert_array_equal(laid.buffers.view(np.int64), wanted.view(np.int64))
@@ -72,9 +75,9 @@ def test_flights_without_pilots_are_laid_too() -> None:
     loader = Loader(*flights[0], None, 8)
     for model, start in flights:
         loader.add(model, start, None)
-    laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
+    laid, (models, starts) = loader.flights(), zip(*flights, strict=True)
     assert laid.onboard is None
-    np.testing.assert_array_equal(laid.buffers, loaded(laid.shape, models, starts, 8))
+    np.testing.assert_array_equal(laid.buffers, flight_buffers(laid.shape, models, starts, 8))
 
 
 def test_flights_of_another_kind_are_told_apart() -> None:
@@ -104,5 +107,5 @@ def test_flights_of_another_kind_are_told_apart() -> None:
         with pytest.raises(DifferentStructure):
             loader.add(*other)
     assert loader.count == 1
-    wanted = loaded_avionics([avionics], 8)
-    np.testing.assert_array_equal(loader.laid().onboard, wanted)
+    wanted = avionics_buffers([avionics], 8)
+    np.testing.assert_array_equal(loader.flights().onboard, wanted)

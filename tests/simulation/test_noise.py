@@ -9,13 +9,14 @@ import scipy.stats
 from builders.cases import nonempty
 from springback.simulation.noise import (
     Block,
+    NoiseSource,
     Purpose,
     generate,
     noise_table,
     philox,
     plan_of,
     stream,
-    workplace,
+    workspace,
 )
 from springback.simulation.onboard import Draw
 
@@ -61,10 +62,10 @@ def test_any_stretch_for_any_lanes_is_that_of_the_flight_alone() -> None:
     keys = np.arange(5, 5 + lanes, dtype=np.uint64)
     flights = np.arange(lanes, dtype=np.uint64) % 3
     alone = [noise_table(int(k), int(f), 100, DRAWS) for k, f in zip(keys, flights, strict=True)]
-    words, drawn = workplace(stretch * lanes)
+    words, drawn = workspace(stretch * lanes)
     for first in (0, 25, 33, 75):
         out = np.zeros((stretch, 26 * lanes))
-        generate(keys, flights, plan_of(DRAWS), first, out, words, drawn)
+        generate(NoiseSource(keys, flights, plan_of(DRAWS)), first, out, words, drawn)
         for lane, table in nonempty(enumerate(alone)):
             mine = out.reshape(stretch, 26, lanes)[:, :, lane]
             assert np.array_equal(mine, table[first : first + stretch])

@@ -32,10 +32,13 @@ from springback.scenario.avionics import turn_on_normals
 from springback.scenario.build import ReadyFlight
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
+from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
-from springback.simulation.loading import DifferentStructure, Laid, Loader
+from springback.simulation.loading import DifferentStructure, LoadedFlights, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
+from springback.simulation.ticks import FlightBuffers
 
 #: Outcome of a flight whose scenario cannot be flown.
 REFUSED = "refused"
@@ -262,17 +265,16 @@ def _on_gpu() -> _Fly:
 
 def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     """Fly all flights of one kind, and store their results."""
-    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    laid, width, count = kind.loader.flights(), kind.loader.width, len(kind.numbers)
     before = energies(laid.shape, laid.buffers, width, count)
     built_avionics = kind.first.built_avionics
     if built_avionics is None or laid.avionics is None or laid.onboard is None:
         fly.impacts(laid.shape, laid.buffers, width, progress=progress)
     else:
-        fly.guided(
-            laid.model, laid.start, laid.avionics, laid.buffers, laid.onboard,
-            built_avionics.noise, kind.seeds,
-            width=width, progress=progress,
-        )  # fmt: skip
+        flight = GuidedFlight(laid.model, laid.start, laid.avionics)
+        buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)
+        noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
+        fly.guided(flight, buffers, noise, progress=progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
     for number, word in zip(kind.numbers, words, strict=True):
@@ -281,7 +283,9 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         out.measures[name][numbers] = column
 
 
-def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+def _read(
+    laid: LoadedFlights, before: Any, width: int, count: int
+) -> tuple[list[str], dict[str, Array]]:
     """Outcomes and measures of all flights of one kind."""
     shape, buffers = laid.shape, laid.buffers
     work_row = rows(shape.model) + row_of(shape.motion, "work")

@@ -119,7 +119,7 @@ class Campaign:
         found: Callable[[Any], T],
         writes: Sequence[Path] = (),
     ) -> T:
-        """What is found in the answer to a question to all rows, the view ``flights``."""
+        """Result of ``found`` for the answer to a query of all rows, the view ``flights``."""
         files = [(self.folder / part.file).absolute() for part in self.parts]
 
         def ask(connection: Any) -> T:
@@ -169,7 +169,7 @@ class Campaign:
         return self._asked(one_select(sql), (), take)
 
     def count(self, sql: str) -> int:
-        """Number of rows of an answer."""
+        """Number of rows of a result."""
         counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
         return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
 

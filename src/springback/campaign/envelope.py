@@ -35,7 +35,7 @@ AXES = ("speed=1:5:9", "pitch=-60deg:60deg:9")
 TRIALS = 10
 #: The run-up where neither axis nor setting says otherwise [m/s], [deg]: the paper's fastest.
 SPEED, PITCH = 3.5, 0.0
-#: What cannot be given, and what is to be given instead.
+#: Fields that cannot be given, with the alternative.
 FIXED = {
     "seed": "give --seed",
     "vehicle": "give --robot, or a number of the vehicle, such as vehicle.arms.stiffness",
@@ -44,7 +44,7 @@ FIXED = {
 }
 #: About as many flights as are in memory at once (chosen).
 FLIGHTS_AT_ONCE = 320
-#: How a problem with one value of a field begins.
+#: Beginning of a problem with one value of a field.
 VALUE = re.compile(r"^\S+ = \S+: ")
 #: More values along an axis, trials of a cell, or flights in total, are a slip of the pen (chosen).
 MOST_VALUES, MOST_TRIALS, MOST_FLIGHTS = 200, 1000, 1_000_000
@@ -54,13 +54,13 @@ FLIGHT_TIME, RUN_UP_TIME = 0.024, 0.5
 
 
 class EnvelopePlan(NamedTuple):
-    """What is to be flown for an envelope, checked."""
+    """Checked plan of an envelope."""
 
     design: Design
     x: Axis
     y: Axis
     settings: tuple[str, ...]
-    """What is the same in all trials, as it was given."""
+    """Settings of all trials, as given."""
 
     def flight(self, sample: int, robot: int) -> int:
         """Number of the first flight of a robot in a cell."""
@@ -81,7 +81,7 @@ class EnvelopePlan(NamedTuple):
 
 
 class _Words(Source):
-    """The words of a command, which problems of its campaign are blamed on."""
+    """Source of a campaign from a command, whose words appear in its problems."""
 
     def problem_line(self, path: Sequence[str | int], what: str) -> str:
         """A problem in one line, with short names of fields."""
@@ -102,7 +102,7 @@ def plan_envelope(
     seed: int = 0,
     settings: Sequence[str] = (),
 ) -> EnvelopePlan:
-    """Read and check what an envelope is asked over.
+    """Read and check the axes and settings of an envelope.
 
     Args:
         x: First axis, ``name=from:to:count``.
@@ -113,7 +113,7 @@ def plan_envelope(
         settings: ``key=value``, the same in all trials.
 
     Raises:
-        InputError: For what cannot be flown over.
+        InputError: If they are invalid.
     """
     if not 1 <= trials <= MOST_TRIALS:
         raise InputError(f"--trials: must be from 1 to {MOST_TRIALS} (got {trials})")
@@ -146,7 +146,7 @@ def plan_envelope(
 
 
 def _vary(text: str) -> Vary:
-    """What differs along an axis written as ``name=from:to:count``."""
+    """Variation along an axis written as ``name=from:to:count``."""
     name, sign, span = text.partition("=")
     parts = span.split(":")
     if not sign or not name.strip() or len(parts) != 3:
@@ -197,7 +197,7 @@ def fly_envelope(plan: EnvelopePlan, progress: Progress = silent) -> Envelope:
 
     Args:
         plan: From `plan_envelope`.
-        progress: Called with the share done.
+        progress: Called with the fraction done.
     """
     design, x, y = plan.design, plan.x, plan.y
     outcomes: dict[tuple[int, str], Counter[str]] = defaultdict(Counter)
@@ -226,7 +226,7 @@ def fly_envelope(plan: EnvelopePlan, progress: Progress = silent) -> Envelope:
 
 
 def _why(tables: dict[str, Any]) -> str:
-    """Why a trial cannot be flown, with what would do."""
+    """Reason why a trial cannot be flown, with a remedy."""
     try:
         scenario_from(tables)
     except InputError as error:
@@ -235,7 +235,7 @@ def _why(tables: dict[str, Any]) -> str:
 
 
 class EnvelopeCost(NamedTuple):
-    """What an envelope will take."""
+    """Time that an envelope will take."""
 
     cells: int
     flights: int  # at most; cells that cannot be flown fall out
@@ -254,7 +254,7 @@ class EnvelopeCost(NamedTuple):
 
 
 def envelope_cost(plan: EnvelopePlan) -> EnvelopeCost:
-    """What an envelope will take; nothing is flown."""
+    """Time that an envelope will take; nothing is flown."""
     flights, corners = plan.design.flights, plan.corners
     cells = flights // plan.design.plan.repeats
     duration = float(scenario_from(corners[0], False).simulation.duration)

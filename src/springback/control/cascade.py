@@ -16,7 +16,7 @@ from springback.control.position import NO_MEMORY, PositionLaw, PositionMemory, 
 from springback.control.rate import RateLaw, RateMemory, inertia_at, rate_memory, turn
 from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import Rarely, maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
@@ -28,7 +28,7 @@ from springback.sensing.measurement import (
     how_many_due,
 )
 from springback.simulation.onboard import telemetry_of
-from springback.simulation.ticks import decide
+from springback.simulation.ticks import Lanes, decide
 from springback.vehicle.state import Airframe
 
 
@@ -170,8 +170,9 @@ def _apart(a: float, b: float) -> float:
 
 
 @kernel
-def hear(memory: TreeLayout, g: Buffer, w: int, once: int) -> None:
+def hear(memory: TreeLayout, lanes: Lanes) -> None:
     """Deliver the position loops' last commands to the autopilots where they arrive now."""
+    _, g, w, once, _ = lanes
     coming = 0
     for i in range(w * once):
         since = load(memory.tick, g, w, i) - load(memory.offboard.arrival, g, w, i)
@@ -182,12 +183,11 @@ def hear(memory: TreeLayout, g: Buffer, w: int, once: int) -> None:
 
 
 @kernel
-def _point(
-    pilot: TreeLayout, memory: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
+def _point(pilot: TreeLayout, memory: TreeLayout, lanes: Lanes) -> None:
     """Run the attitude loops at their ticks, which nearly always coincide in all lanes."""
+    _, g, w, once, tick = lanes
     own, pace = memory.autopilot, pilot.schedule.attitude
-    turns = how_many_due(pace, g, w, once, tick)
+    turns = how_many_due(pace, lanes)
     for i in range(w * once if turns == w else 0):
         law, at = load(pilot.attitude, g, w, i), load(memory.estimate.attitude, g, w, i)
         store(rate_setpoint(law, load(own.aim, g, w, i), at), own.setpoint, g, w, i)
@@ -199,10 +199,8 @@ def _point(
 
 @kernel
 def fly_on(
-    pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, command: TreeLayout, g: Buffer,
-    w: int, once: int,
-    tick: float,
-) -> None:  # fmt: skip
+    pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, command: TreeLayout, lanes: Lanes
+) -> None:
     """Run the autopilots of all lanes: arriving commands, attitude, rate loop and mixer.
 
     Args:
@@ -210,33 +208,24 @@ def fly_on(
         memory: Layout of its memory, a `CascadeMemory`; changed.
         lengths: Layout of the measured arm lengths.
         command: Layout of the command to the rotors; written.
-        g: Buffer of the on-board state.
-        w: Number of lanes.
-        once: As for `springback.simulation.ticks.look`.
-        tick: Number of the tick.
+        lanes: Of a group.
     """
-    hear(memory, g, w, once)
+    hear(memory, lanes)
+    _, g, w, once, _ = lanes
     own = memory.autopilot
-    _point(pilot, memory, g, w, once, tick)
-    if any_due(pilot.schedule.rate, g, w, once, tick):
-        _rebuild(pilot, own.built.tree, lengths, g, w, once, tick)
-        _turn(pilot, memory, lengths, g, w, once, tick)
+    _point(pilot, memory, lanes)
+    if any_due(pilot.schedule.rate, lanes):
+        _rebuild(pilot, own.built.tree, lengths, lanes)
+        _turn(pilot, memory, lengths, lanes)
     for i in range(w * once):
         store(load(own.thrust, g, w, i), command, g, w, i)
         store(load(memory.tick, g, w, i) + 1.0, memory.tick, g, w, i)
 
 
 @kernel
-def _rebuild(
-    pilot: TreeLayout,
-    built: TreeLayout,
-    lengths: TreeLayout,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
+def _rebuild(pilot: TreeLayout, built: TreeLayout, lengths: TreeLayout, lanes: Lanes) -> None:
     """Recompute quantities that depend on the arm lengths where one has changed."""
+    _, g, w, once, tick = lanes
     changed = 0
     for i in range(w * once):
         now, last = load(lengths, g, w, i), load(built.mixer.lengths, g, w, i)
@@ -250,16 +239,9 @@ def _rebuild(
 
 
 @kernel
-def _turn(
-    pilot: TreeLayout,
-    memory: TreeLayout,
-    lengths: TreeLayout,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
+def _turn(pilot: TreeLayout, memory: TreeLayout, lengths: TreeLayout, lanes: Lanes) -> None:
     """Run rate loop and mixer; where a moment is saturated, ``unmet`` first holds all of it."""
+    _, g, w, once, tick = lanes
     own, built, tight = memory.autopilot, memory.autopilot.built.tree, 0
     for i in range(w * once):
         omega = load(memory.estimate.angular_velocity, g, w, i)
@@ -287,20 +269,19 @@ def _turn(
 
 @decide.register(Cascade)
 @kernel
-def _decide(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
+def _decide(pilot: TreeLayout, lanes: Lanes) -> None:
     """Batch version of `pilot_step`."""
+    avionics, g, w, once, tick = lanes
     memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
-    believe(pilot.estimator, seen, memory.estimator, memory.estimate, memory.tick, g, w, once)
-    if any_due(pilot.schedule.position, g, w, once, tick):
-        hear(memory, g, w, once)  # before the next command replaces it
+    believe(pilot.estimator, seen, memory.estimator, memory.estimate, memory.tick, lanes)
+    if any_due(pilot.schedule.position, lanes):
+        hear(memory, lanes)  # before the next command replaces it
         for i in range(w * once):
             time, at = tick * load(avionics.systems.period, g, w, i), load(memory.estimate, g, w, i)
             settings, before = load(pilot, g, w, i), load(memory.offboard, g, w, i)
             offboard = position_loop(settings, settings.reference, tick, time, at, before)
             store(offboard, memory.offboard, g, w, i)
-    fly_on(pilot, memory, seen.arm_length, avionics.onboard.command, g, w, once, tick)
+    fly_on(pilot, memory, seen.arm_length, avionics.onboard.command, lanes)
 
 
 class CascadeTelemetry(NamedTuple):

@@ -17,7 +17,7 @@ from pydantic import Field, model_validator
 from springback.control.demands import Limits
 from springback.control.polynomials import through
 from springback.control.references import Circle, Hold, Polynomials, SetPoint, Steps
-from springback.control.runup import RunUp, run_up
+from springback.control.runup import RunUp, RunUpContact, RunUpTiming, run_up
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.quantities import Angle, Duration, Length, Position, Speed, Triple, Unit
@@ -182,10 +182,9 @@ class RunUpSettings(Settings):
                 f"wall_distance of a run-up must be more than {x + reach(self.pitch):.4g} m, where "
                 f"the cages are at the start (got {self.wall_distance:g} m)"
             )
-        return run_up(
-            self.speed, self.pitch, Vec(x, y, z), Vec(there, y, z), limits,
-            self.steady, self.beyond, self.begins, advises,
-        )  # fmt: skip
+        contact = RunUpContact(Vec(there, y, z), self.speed, self.pitch)
+        timing = RunUpTiming(self.steady, self.beyond, self.begins)
+        return run_up(Vec(x, y, z), contact, limits, timing, advises)
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:
         """Reference for the kernels."""

@@ -61,40 +61,51 @@ def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
     return max(ends + hulls)
 
 
+class RunUpContact(NamedTuple):
+    """End of a run-up: the contact."""
+
+    position: Vec  # of the main body, world, at the height of the start [m]
+    speed: float  # along the path [m/s]
+    pitch: float  # positive nose down towards the obstacle [rad]
+
+
+class RunUpTiming(NamedTuple):
+    """Times of a run-up [s]."""
+
+    steady: float = 0.1
+    """Before contact, at constant pitch; chosen, about one time constant of an attitude loop."""
+    beyond: float = 0.3
+    """After contact, until the acceleration ends; chosen."""
+    begins: float = 0.0
+
+
 def run_up(
-    speed: float,
-    pitch: float,
     start: Vec,
-    contact: Vec,
+    contact: RunUpContact,
     limits: Limits,
-    steady: float = 0.1,
-    beyond: float = 0.3,
-    begins: float = 0.0,
+    timing: RunUpTiming = RunUpTiming(),  # noqa: B008
     advises: bool = True,
 ) -> RunUp:
-    """A run-up from rest at ``start`` to contact of the main body's position with ``contact``.
+    """A run-up from rest at ``start`` to contact.
 
     The simplest run-up is tried first: one minimum-snap polynomial from rest to the steady phase,
     of the duration that uses the limits least without ever moving back.  If that leaves no room for
     feedback, the knots of a spline are moved to use the limits least.
 
     Args:
-        speed: At contact, along the path [m/s].
-        pitch: At contact, positive nose down towards the obstacle [rad].
         start: World [m].
-        contact: World, at the height of ``start`` [m].
+        contact: Position, speed and pitch at contact.
         limits: Limits of the vehicle.
-        steady: Time before contact in which the pitch no longer changes [s]; 0.1 s is chosen, about
-            one time constant of an attitude loop.
-        beyond: Time after contact for which the acceleration continues [s], chosen.
-        begins: Start time [s].
+        timing: Of its phases.
         advises: If the distance is too short, find one that suffices; slow.
 
     Raises:
         InputError: Naming the limit that is exceeded and by how much: thrust, tilt, or the distance
             that keeps the tilt rate within bounds.
     """
-    way = contact - start
+    end, speed, pitch = contact
+    steady, beyond, begins = timing
+    way = end - start
     distance = math.hypot(way.x, way.y)
     who = f"the run-up to {speed:g} m/s at {math.degrees(pitch):g} deg"
     if speed <= 0.0 or abs(way.z) > 1e-9 or distance == 0.0 or abs(pitch) >= 0.5 * math.pi:
@@ -117,7 +128,7 @@ def run_up(
     return RunUp(
         padded_reference(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
         begins + breaks[touching - 1],
-        contact,
+        end,
         asked.max_thrust,
         asked.tilt,
         asked.tilt_rate,

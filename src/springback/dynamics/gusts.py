@@ -56,7 +56,7 @@ class Dryden(NamedTuple):
     w: Transverse
 
 
-class FilterState(NamedTuple):
+class Shaped(NamedTuple):
     """Memory of a transverse filter."""
 
     driven: float  # d
@@ -67,8 +67,8 @@ class GustMemory(NamedTuple):
     """Memory of all three filters, in units of the intensities."""
 
     u: float
-    v: FilterState
-    w: FilterState
+    v: Shaped
+    w: Shaped
 
 
 class Gust(NamedTuple):
@@ -127,14 +127,14 @@ def dryden(intensity: Vec, scale: Vec, airspeed: float, tick: float, along: Vec)
 
 
 @kernel
-def filter_step(f: Transverse, noise: float, memory: FilterState) -> FilterState:
+def shaped_noise(f: Transverse, noise: float, memory: Shaped) -> Shaped:
     """One tick of a transverse filter."""
     driven = f.decay * memory.driven + noise
-    return FilterState(driven, f.decay * memory.value + f.now * driven + f.before * memory.driven)
+    return Shaped(driven, f.decay * memory.value + f.now * driven + f.before * memory.driven)
 
 
 @kernel
-def stationary(f: Transverse, noise: float, other: float) -> FilterState:
+def shaped_at_first(f: Transverse, noise: float, other: float) -> Shaped:
     """Stationary state of a transverse filter, from two normal numbers.
 
     With V = ⟨d²⟩ = 1 / (1 − a²) the recursion gives ⟨d y⟩ = (a (a b₀ + b₁) V + b₀) V; ⟨y²⟩ = 1.
@@ -144,7 +144,7 @@ def stationary(f: Transverse, noise: float, other: float) -> FilterState:
     common = (a * (a * f.now + f.before) * variance + f.now) * variance
     spread = math.sqrt(variance)
     share = common / spread
-    return FilterState(spread * noise, share * noise + math.sqrt(1.0 - share * share) * other)
+    return Shaped(spread * noise, share * noise + math.sqrt(1.0 - share * share) * other)
 
 
 @kernel
@@ -175,8 +175,8 @@ def _first_calm(weather: NoGusts, noise: tuple[float, ...]) -> Gust:
 @first_gust.register(Dryden)
 @kernel
 def _first_of_dryden(weather: Dryden, noise: tuple[float, ...]) -> Gust:
-    v = stationary(weather.v, noise[1], noise[2])
-    w = stationary(weather.w, noise[3], noise[4])
+    v = shaped_at_first(weather.v, noise[1], noise[2])
+    w = shaped_at_first(weather.w, noise[3], noise[4])
     memory = GustMemory(noise[0], v, w)
     return Gust(gust_velocity(weather, memory), memory)
 
@@ -203,9 +203,6 @@ def _no_gust(weather: NoGusts, noise: tuple[float, ...], memory: Any) -> Gust:
 @kernel
 def _dryden_gust(weather: Dryden, noise: tuple[float, ...], memory: GustMemory) -> Gust:
     u = weather.u.decay * memory.u + weather.u.now * noise[0]
-    v, w = (
-        filter_step(weather.v, noise[1], memory.v),
-        filter_step(weather.w, noise[2], memory.w),
-    )
+    v, w = shaped_noise(weather.v, noise[1], memory.v), shaped_noise(weather.w, noise[2], memory.w)
     then = GustMemory(u, v, w)
     return Gust(gust_velocity(weather, then), then)

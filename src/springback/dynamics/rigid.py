@@ -74,7 +74,7 @@ def _part(arm: Arm, length: float, thrust: float) -> _Part:
 
 
 @kernel
-def as_one_body(
+def rigid_body(
     airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
 ) -> OneBody:
     """A vehicle with its arms locked at given lengths [m], under rotor thrusts [N]."""
@@ -132,7 +132,7 @@ class RigidStep(NamedTuple):
 
 
 @generic
-def one_body_step(
+def rigid_step(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """One classical Runge–Kutta step.
@@ -152,7 +152,7 @@ def one_body_step(
 def runge_kutta_step(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """One step of all integrated quantities under any load; arguments as for `one_body_step`."""
+    """One step of all integrated quantities under any load; arguments as for `rigid_step`."""
     first = flight_rates(body, guide, air, gravity, x)
     second = flight_rates(body, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
     third = flight_rates(body, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
@@ -166,9 +166,9 @@ def runge_kutta_step(
     return RigidStep(first, after)
 
 
-@one_body_step.register(Free)
+@rigid_step.register(Free)
 @kernel
-def _free_step(
+def _flown_freely(
     guide: Free, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     return free_step(air, guide, body, gravity, x, h)
@@ -178,7 +178,7 @@ def _free_step(
 def free_step(
     air: Any, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """Step as by `one_body_step`, for a vehicle without constraint."""
+    """Step as by `rigid_step`, for a vehicle without constraint."""
     return runge_kutta_step(guide, air, body, gravity, x, h)
 
 

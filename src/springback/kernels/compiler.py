@@ -236,7 +236,7 @@ def executor(**options: Any) -> Callable[[F], F]:
     return compile_entry
 
 
-def rebound(function: F, **others: Any) -> F:
+def with_globals(function: F, **others: Any) -> F:
     """A copy of a function with some globals replaced: the same loop around other functions."""
     rebuilt = types.FunctionType(
         function.__code__,

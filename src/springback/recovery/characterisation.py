@@ -1,14 +1,14 @@
-"""Making out a collision: where it was, from where it came, on which arms, and how hard.
+"""Characterisation of a collision: its position, its direction, the arms hit, and its strength.
 
-Three ways side by side, as in `springback.recovery.detection`: from the arms' lengths, from the
-accelerometer, and from the external wrench; and a fourth that fuses them.  Directions f_c⁰ point
-from the robot to the obstacle and are unit vectors in world axes.
+There are three ways, as in `springback.recovery.detection`: from the lengths of the arms, from the
+accelerometer, and from the external wrench; a fourth combines them.  Directions f_c⁰ point from the
+robot to the obstacle and are unit vectors in world axes.
 
-The arms know only along which of them the robot was pressed, so a wall that meets one arm seems to
-stand across it.  Accelerometer and wrench know the contact force, which friction turns away from
-the wall's normal: by up to 22 degrees in flights against the paper's wall, whose μ is 0.8.  Only
-the line of action (`springback.recovery.line_of_action`) tells the normal itself, which is where
-the room is: `fused` asks which cage that line meets, and where.
+The arms reveal only along which of them the robot was pressed, so a wall that touches one arm seems
+to be perpendicular to it.  Accelerometer and wrench measure the contact force, which friction
+deflects from the wall's normal: by up to 22 degrees in flights against the paper's wall, with its μ
+of 0.8.  Only the line of action (`springback.recovery.line_of_action`) reveals the normal itself,
+the direction in which there is free space: `fused` finds which cage that line passes, and where.
 """
 
 from __future__ import annotations
@@ -18,75 +18,79 @@ from typing import NamedTuple
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, select, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Quat, Vec, norm, rotation
-from springback.recovery.detection import compressions, horizontal, jolt
+from springback.recovery.detection import CollisionInputs, compressions, horizontal, jolt
 from springback.recovery.line_of_action import (
     MISSED,
     Pass,
-    across,
     direction_of,
+    face_normal,
     level_normal,
     lever_of,
-    passed,
-    turned_back,
+    pass_of,
+    tangent_normal,
 )
 from springback.recovery.wrench import ExternalWrench
-from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Airframe, Arm, arm_direction
 
-#: Sine of the angle between contact force and normal beyond which one arm alone cannot have been
-#: hit.  Chosen: in flights against the paper's wall it is at most 0.4 for one arm, since cages
-#: stick there, and 0.5 to 1.2, the length of an arm over the radius of its cage, for two.
+#: Sine of the angle between contact force and normal beyond which more than one arm was hit.
+#: Chosen: in flights against the paper's wall it is at most 0.4 for one arm, because cages stick
+#: there, and 0.5 to 1.2, the length of an arm over the radius of its cage, for two.
 ONE_ARM = 0.45
-
-
-#: Compression from which an arm counts as pressed in [m], chosen: ten steps of the Hall sensor.
+#: Compression above which an arm counts as pressed [m], chosen: ten counts of the Hall sensor.
 FELT = 2e-4
 
 
 class Characterisation(NamedTuple):
-    """How to look."""
+    """Settings of the characterisation."""
 
-    window: float  # after the alarm, in which to look [s]
-    longer: float  # and after a clipped reading at least, where one rigid arm was hit [s]
+    window: float  # observation window after the alarm [s]
+    longer: float  # least time after a clipped reading, if one rigid arm was hit [s]
     arms: float  # weight of the direction from the arms, 1 or 0
     acceleration: float  # from the accelerometer
     wrench: float  # from the external force
     fused: float  # from the line of action
-    share: float  # an arm took part if pressed in by this share of the most pressed one
-    level: float  # 1: collisions are with upright things; 0: from anywhere
-    limit: float  # a reading beyond this on any axis is clipped, and says no direction [m/s²]
+    share: float  # an arm was hit if its compression is this share of the largest
+    level: float  # 1: obstacles are upright; 0: normals have any direction
+    limit: float  # a reading beyond this on any axis is clipped, and reveals no direction [m/s²]
 
 
 class CollisionObservation(NamedTuple):
-    """What was seen of a collision while looking."""
+    """Measurements of a collision in its observation window."""
 
-    ticks: float  # so far
+    ticks: float  # of the window so far
     pressed: tuple[float, ...]  # largest compression of each arm [m]
-    jolted: Vec  # horizontal specific force where it was largest, world [m/s²]
-    pushed: Vec  # external force where it was largest, world [N]
-    clipped: float  # tick at which the accelerometer was last at its range, 0 before
+    jolted: Vec  # largest horizontal specific force, world [m/s²]
+    pushed: Vec  # largest external force, world [N]
+    clipped: float  # last tick of the window with a clipped reading, 0 before
     attitude: Quat  # at the alarm
     lengths: tuple[float, ...]  # of the arms at the alarm [m]
 
 
 class Collision(NamedTuple):
-    """What a robot makes out of a collision."""
+    """A collision as the robot estimates it."""
 
     position: Vec  # p_c, of the main body at the alarm, world [m]
     velocity: Vec  # of the main body before, world [m/s]
-    direction: Vec  # f_c⁰ as the robot relies on, world
-    by_arms: Vec  # the same from arms' lengths; zero where they say nothing
+    direction: Vec  # f_c⁰ that the recovery uses, world
+    by_arms: Vec  # the same from the lengths of the arms; zero if they reveal none
     by_acceleration: Vec  # from the accelerometer
-    by_wrench: Vec  # from the external force, summed up
+    by_wrench: Vec  # from the impulse of the external force
     by_fusion: Vec  # the obstacle's normal, from the line of action
     contact_point: Vec  # of robot and obstacle, world [m]
-    arms: tuple[float, ...]  # 1 for each arm that took part
+    arms: tuple[float, ...]  # 1 for each arm that was hit
     intensity: float  # largest external force [N]
+
+
+class CollisionStart(NamedTuple):
+    """Position and velocity of the main body when a collision began."""
+
+    position: Vec  # p_c, at the alarm, world [m]
+    velocity: Vec  # before the collision, world [m/s]
 
 
 @kernel
 def no_observation(airframe: Airframe) -> CollisionObservation:
-    """Nothing seen yet."""
+    """The observation before the first tick of the window."""
     none, upright = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
     unpressed = tree_map(_nothing, (airframe.arms,), ())
     return CollisionObservation(0.0, unpressed, none, none, 0.0, upright, unpressed)
@@ -98,7 +102,7 @@ def _nothing(arm: Arm) -> float:
 
 
 def no_collision(airframe: Airframe) -> Collision:
-    """Before the first collision."""
+    """The collision before the first one."""
     none, arms = Vec(0.0, 0.0, 0.0), (0.0,) * len(airframe.arms)
     return Collision(none, none, none, none, none, none, none, none, arms, 0.0)
 
@@ -109,28 +113,24 @@ def _more(a: float, b: float) -> float:
 
 
 @kernel
-def unclipped(limit: float, force: Vec) -> bool:
-    """Whether an accelerometer's reading is within its range on every axis."""
+def is_within(limit: float, force: Vec) -> bool:
+    """True if an accelerometer's reading is within its range on each axis."""
     inside = (force.x * force.x < limit * limit) & (force.y * force.y < limit * limit)
     return inside & (force.z * force.z < limit * limit)
 
 
 @kernel
-def observe(
-    look: Characterisation,
-    airframe: Airframe,
-    seen: Measurement,
-    at: Estimate,
-    wrench: ExternalWrench,
-    so_far: CollisionObservation,
+def observation_after(
+    look: Characterisation, inputs: CollisionInputs, so_far: CollisionObservation
 ) -> CollisionObservation:
-    """What was seen, after one more tick."""
-    pressed = tree_map(_more, (so_far.pressed, compressions(airframe.arms, seen.arm_length)), ())
-    jolted, pushed = jolt(seen, at), wrench.force - wrench.steady
-    stronger = (jolted @ jolted) > (so_far.jolted @ so_far.jolted)
-    stronger &= unclipped(look.limit, seen.inertial.specific_force)
+    """Observation after one more tick of the window."""
+    airframe, measurement, at, wrench = inputs
+    lengths = measurement.arm_length
+    pressed = tree_map(_more, (so_far.pressed, compressions(airframe.arms, lengths)), ())
+    jolted, pushed = jolt(measurement, at), wrench.force - wrench.steady
+    within = is_within(look.limit, measurement.inertial.specific_force)
+    stronger = ((jolted @ jolted) > (so_far.jolted @ so_far.jolted)) & within
     harder = (pushed @ pushed) > (so_far.pushed @ so_far.pushed)
-    within = unclipped(look.limit, seen.inertial.specific_force)
     new = so_far.ticks < 0.5
     return CollisionObservation(
         so_far.ticks + 1.0,
@@ -139,25 +139,26 @@ def observe(
         select(harder, pushed, so_far.pushed),
         select(within, so_far.clipped, so_far.ticks + 1.0),
         select(new, at.attitude, so_far.attitude),
-        select(new, seen.arm_length, so_far.lengths),
+        select(new, lengths, so_far.lengths),
     )
 
 
 @kernel
-def looked_enough(
+def window_is_over(
     look: Characterisation, so_far: CollisionObservation, arms: tuple[float, ...], elapsed: float
 ) -> bool:
-    """Whether the window is over.
+    """True if the observation window is over.
 
-    Where the accelerometer clipped and one rigid arm was hit it lasts until motion capture has seen
-    the end of the clipping, and so what was lost.  Two arms tell the normal without it; arms that
-    give way lose less; and a robot that leans on the wall had better not wait.
+    If the accelerometer clipped and one rigid arm was hit, the window lasts until motion capture
+    has measured the motion after the clipping, and so the velocity change that was lost.  Two arms
+    reveal the normal without it, compliant arms lose less, and a robot that leans on the wall must
+    not wait.
 
     Args:
         look: Settings.
-        so_far: What was seen.
-        arms: That took part, as far as is known, 1 or 0 each.
-        elapsed: Since the alarm [s].
+        so_far: Observation so far.
+        arms: Arms that were hit as far as is known, 1 or 0 each.
+        elapsed: Time since the alarm [s].
     """
     alone = (so_far.clipped > 0.5) & (maximum(so_far.pressed) <= FELT) & (tree_sum(arms) < 1.5)
     since = elapsed * (1.0 - so_far.clipped / select(so_far.ticks > 0.5, so_far.ticks, 1.0))
@@ -171,46 +172,48 @@ def _pointing(arm: Arm, compression: float) -> Vec:
 
 @kernel
 def _in_front(compression: float, sine: float) -> float:
-    """Arms behind are pressed in by their own inertia, too."""
+    """Compression of an arm in front; arms behind are compressed by their own inertia, too."""
     return select(sine < MISSED, compression, 0.0)
 
 
 @kernel
-def _took_part(compression: float, most: float, share: float) -> float:
+def _is_pressed(compression: float, most: float, share: float) -> float:
     return 1.0 if (compression > FELT) & (compression >= share * most) else 0.0
 
 
 @kernel
-def felt_arms(look: Characterisation, pressed: tuple[float, ...], met: Pass) -> tuple[float, ...]:
-    """Arms in front that were pressed in, 1 or 0 each.
+def pressed_arms(
+    look: Characterisation, pressed: tuple[float, ...], line: Pass
+) -> tuple[float, ...]:
+    """Arms in front that were pressed, 1 or 0 each.
 
     Args:
         look: Settings.
         pressed: Largest compression of each arm [m].
-        met: How the line of action passes the cages.
+        line: Pass of the line of action by the cages.
     """
-    front = tree_map(_in_front, (pressed, met.sines), ())
-    return tree_map(_took_part, (front,), (maximum(front), look.share))
+    front = tree_map(_in_front, (pressed, line.sines), ())
+    return tree_map(_is_pressed, (front,), (maximum(front), look.share))
 
 
 @kernel
-def _tip(arm: Arm, length: float, took_part: float) -> Vec:
-    return arm_direction(arm) * (length * took_part)
+def _tip(arm: Arm, length: float, hit: float) -> Vec:
+    return arm_direction(arm) * (length * hit)
 
 
 @kernel
 def touching_arms(
-    look: Characterisation, pressed: tuple[float, ...], met: Pass
+    look: Characterisation, pressed: tuple[float, ...], line: Pass
 ) -> tuple[float, ...]:
-    """Which arms took part: those pressed in, or where none gives way, those the line meets.
+    """Arms that were hit, 1 or 0 each: those pressed or, if none is, those on the line of action.
 
     Args:
         look: Settings.
         pressed: Largest compression of each arm [m].
-        met: How the line of action passes the cages.
+        line: Pass of the line of action by the cages.
     """
-    felt = felt_arms(look, pressed, met)
-    rigid = select(abs(met.sine) < ONE_ARM, met.one, met.two)
+    felt = pressed_arms(look, pressed, line)
+    rigid = select(abs(line.sine) < ONE_ARM, line.one, line.two)
     return select(tree_sum(felt) > 0.5, felt, rigid)
 
 
@@ -223,16 +226,18 @@ def contact_point(
     arms: tuple[float, ...],
     direction: Vec,
 ) -> Vec:
-    """Where robot and obstacle touch: the cages' points along f_c⁰, their mean for several [m].
+    """Contact point of robot and obstacle: the foremost point of a cage along f_c⁰, world [m].
+
+    It is the mean for several arms:
 
     p + R l_j e_j + r_0 (n − (n·b) b)/‖n − (n·b) b‖ with n = f_c⁰ and b the body's z axis.
 
     Args:
-        airframe: As the pilot believes it to be.
+        airframe: In the pilot's model.
         position: Of the main body [m].
         r: Its attitude.
         lengths: Of the arms [m].
-        arms: 1 for each arm that took part.
+        arms: 1 for each arm that was hit.
         direction: f_c⁰, world.
     """
     count = tree_sum(arms)
@@ -244,11 +249,11 @@ def contact_point(
 
 
 class Bearing(NamedTuple):
-    """What force and moment say of a blow."""
+    """Directions of a collision, from force and moment."""
 
-    force: Vec  # direction from the robot against the impulse of the force, world
-    normal: Vec  # of the obstacle, world; zero where there is none to be told
-    met: Pass
+    force: Vec  # unit vector against the impulse of the force, world
+    normal: Vec  # of the obstacle, world; zero if it cannot be found
+    line: Pass
 
 
 @kernel
@@ -260,75 +265,70 @@ def bearing(
     pressed: tuple[float, ...],
     wrench: ExternalWrench,
 ) -> Bearing:
-    """Direction of a blow, and the normal of the face that dealt it.
+    """Direction of the contact force, and normal of the obstacle's face.
 
-    Where the line of action meets one cage at an angle that friction allows, the normal is turned
-    back by that angle.  Where it passes between two, both were hit, and the normal is that of their
-    common tangent.  Where obstacles are not known to be upright it is not asked for.
+    If the line of action passes one cage at an angle that friction allows, the normal is the
+    direction of the force turned back by that angle.  If it passes between two cages, both were
+    hit, and the normal is that of their common tangent.  Unless obstacles are upright there is no
+    normal.
 
     Args:
         look: Settings.
-        airframe: As the pilot believes it to be.
+        airframe: In the pilot's model.
         r: Attitude.
         lengths: Of the arms [m].
         pressed: Largest compression of each arm [m].
-        wrench: What the observer says.
+        wrench: Estimate of the observer.
     """
     impulse = wrench.recent.impulse
     inward, c = (-impulse) @ r, wrench.recent.carried
     ahead = direction_of(Vec(inward.x, inward.y, 0.0), 0.0)
-    # While it is hit the robot turns: what met which cage is told in its axes of that time.
+    # The robot turns during the collision: the cages are those of the body axes at that time.
     carried = direction_of(Vec(-c.x, -c.y, 0.0), 0.0)
-    met: Pass = passed(airframe, lengths, carried, lever_of(wrench.recent))
-    felt = felt_arms(look, pressed, met)
-    both = (abs(met.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
-    tangent = select(both, across(met.span, ahead), turned_back(ahead, met.sine))
-    normal = level_normal(r, tangent) * look.level
-    return Bearing(direction_of(-impulse, look.level), normal, met)
+    line: Pass = pass_of(airframe, lengths, carried, lever_of(wrench.recent))
+    felt = pressed_arms(look, pressed, line)
+    both = (abs(line.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
+    normal = select(both, tangent_normal(line.span, ahead), face_normal(ahead, line.sine))
+    return Bearing(direction_of(-impulse, look.level), level_normal(r, normal) * look.level, line)
 
 
 @kernel
 def characterise(
     look: Characterisation,
-    airframe: Airframe,
-    seen: Measurement,
-    at: Estimate,
-    wrench: ExternalWrench,
+    inputs: CollisionInputs,
     found: CollisionObservation,
-    position: Vec,
-    velocity: Vec,
+    start: CollisionStart,
 ) -> Collision:
-    """A collision, at the end of the window.
+    """A collision from its observation window.
 
     From the arms: f_c⁰ ∥ R Σ (L − l)_j e_j, after Liu and Karydis (ICRA 2021).  From the
-    accelerometer: against its largest horizontal reading within its range, as McGill's flight code
-    and Air Bumper do.  From the wrench: against the impulse of the external force.  Fused: the
-    obstacle's normal from the line of action.  Where the way that is relied on says nothing, the
-    wrench is asked, and then the velocity.
+    accelerometer: against its largest horizontal reading within its range, as in McGill's flight
+    code and in Air Bumper.  From the wrench: against the impulse of the external force.  Fused: the
+    obstacle's normal from the line of action.  If the chosen way reveals no direction, it is that
+    of the wrench, or else that of the velocity.
 
     Args:
         look: Settings.
-        airframe: As the pilot believes it to be.
-        seen: What the sensors say.
-        at: What the estimator says.
-        wrench: What the observer says.
+        inputs: At the present tick.
         found: Of all ticks of the window.
-        position: p_c, of the main body at the alarm [m].
-        velocity: Before the collision [m/s].
+        start: Of the collision.
     """
+    airframe, measurement, at, wrench = inputs
     r = rotation(at.attitude)
     tips = tree_sum(tree_map(_pointing, (airframe.arms, found.pressed), ()))
     by_arms = direction_of(r @ tips, look.level)
     by_acceleration = direction_of(horizontal(-found.jolted), look.level)
-    told: Bearing = bearing(look, airframe, r, seen.arm_length, found.pressed, wrench)
+    lengths = measurement.arm_length
+    by_wrench: Bearing = bearing(look, airframe, r, lengths, found.pressed, wrench)
+    force, normal = by_wrench.force, by_wrench.normal
     chosen = by_arms * look.arms + by_acceleration * look.acceleration
-    chosen = chosen + told.force * look.wrench + told.normal * look.fused
-    other = select(told.force @ told.force > 0.5, told.force, direction_of(velocity, look.level))
+    chosen = chosen + force * look.wrench + normal * look.fused
+    other = select(force @ force > 0.5, force, direction_of(start.velocity, look.level))
     direction = select(chosen @ chosen > 0.5, chosen, other)
-    arms = touching_arms(look, found.pressed, told.met)
+    arms = touching_arms(look, found.pressed, by_wrench.line)
     first = rotation(found.attitude)
-    point = contact_point(airframe, position, first, found.lengths, arms, direction)
+    point = contact_point(airframe, start.position, first, found.lengths, arms, direction)
     return Collision(
-        position, velocity, direction, by_arms, by_acceleration, told.force, told.normal, point,
+        start.position, start.velocity, direction, by_arms, by_acceleration, force, normal, point,
         arms, norm(found.pushed),
     )  # fmt: skip

@@ -1,7 +1,7 @@
-"""Noticing collisions: three signals, each with a trigger of its own, side by side.
+"""Detection of collisions: three signals, each with its own trigger.
 
-All three are computed in every flight, whatever a vehicle relies on, so that they can be compared
-on one and the same collision; only triggers that are in use raise the alarm.
+All three are computed in every flight, whichever a vehicle uses, so that they can be compared on
+the same collision; only triggers that are in use raise the alarm.
 """
 
 from __future__ import annotations
@@ -13,60 +13,69 @@ from springback.kernels.trees import maximum, select, tree_map
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.wrench import ExternalWrench
 from springback.sensing.measurement import Estimate, Measurement
-from springback.vehicle.state import Arm
+from springback.vehicle.state import Airframe, Arm
 
-#: A time that has not come.
+#: Time of an event that has not happened yet.
 NOT_YET = -1.0
 
 
 class Trigger(NamedTuple):
-    """When a signal is taken for a collision."""
+    """Settings of one trigger."""
 
-    used: float  # 1: it raises the alarm; 0: it is only watched
+    used: float  # 1: it raises the alarm; 0: it is only recorded
     threshold: float  # in the unit of the signal
-    persistence: float  # samples in a row above the threshold; a whole number
-    refractory: float  # after an alarm nothing is noticed for so long [s]
+    persistence: float  # consecutive samples above the threshold, a whole number
+    refractory: float  # time after an alarm without another [s]
     share: float  # of a new sample in the low-pass, from 0 to 1; 1 is no filter
 
 
 class TriggerMemory(NamedTuple):
-    """What a trigger remembers."""
+    """Memory of a trigger."""
 
     filtered: float  # the signal
-    above: float  # samples in a row above the threshold
+    above: float  # consecutive samples above the threshold
     last: float  # time of the last alarm, `NOT_YET` before the first [s]
     first: float  # time of the first alarm [s]
     alarms: float  # so far
 
 
-class Triggered(NamedTuple):
-    """Whether a trigger goes off at this tick, and what it remembers."""
+class TriggerStep(NamedTuple):
+    """Alarm of a trigger, and its memory."""
 
-    alarm: float  # 1 at the tick at which it goes off
+    alarm: float  # 1 at the tick of an alarm, else 0
     memory: TriggerMemory
 
 
 class Detection(NamedTuple):
-    """The triggers."""
+    """Settings of the triggers."""
 
     hall: Trigger  # on the largest compression of an arm [m]
     acceleration: Trigger  # on the horizontal specific force [m/s²]
-    wrench: Trigger  # on the external force, less what is steady of it [N]
+    wrench: Trigger  # on the external force less its steady part [N]
 
 
 class DetectionMemory(NamedTuple):
-    """What the triggers remember."""
+    """Memories of the triggers."""
 
     hall: TriggerMemory
     acceleration: TriggerMemory
     wrench: TriggerMemory
 
 
-class Detected(NamedTuple):
-    """Whether a collision is noticed at this tick."""
+class DetectionStep(NamedTuple):
+    """Alarm, and the memories of the triggers."""
 
-    alarm: float  # 1 at the tick at which a trigger in use goes off
+    alarm: float  # 1 at the tick of an alarm of a trigger in use, else 0
     memory: DetectionMemory
+
+
+class CollisionInputs(NamedTuple):
+    """Inputs of detection and characterisation at a tick."""
+
+    airframe: Airframe  # in the pilot's model
+    measurement: Measurement
+    estimate: Estimate
+    wrench: ExternalWrench
 
 
 NOT_TRIGGERED = TriggerMemory(0.0, 0.0, NOT_YET, NOT_YET, 0.0)
@@ -74,19 +83,19 @@ NOT_DETECTED = DetectionMemory(NOT_TRIGGERED, NOT_TRIGGERED, NOT_TRIGGERED)
 
 
 @kernel
-def triggered(
+def trigger_step(
     trigger: Trigger, time: float, signal: float, fresh: float, memory: TriggerMemory
-) -> Triggered:
+) -> TriggerStep:
     """One trigger at one tick.
 
-    It goes off once the filtered signal has been above the threshold for so many samples in a row,
-    and not again before it has fallen below and the refractory time is over.
+    It raises its alarm once enough consecutive samples of the filtered signal have been above the
+    threshold, and not again until the signal has fallen below it and the refractory time is over.
 
     Args:
         trigger: Settings.
         time: [s].
-        signal: At this tick.
-        fresh: 1 where the signal is a new sample.
+        signal: Signal at this tick.
+        fresh: 1 if the signal is a new sample.
         memory: `NOT_TRIGGERED` at the start.
     """
     filtered = memory.filtered + fresh * trigger.share * (signal - memory.filtered)
@@ -94,11 +103,11 @@ def triggered(
     above = select(filtered > trigger.threshold, counted, 0.0)
     resting = (memory.last >= 0.0) & (time - memory.last < trigger.refractory)
     reached = (above >= trigger.persistence) & (memory.above < trigger.persistence)
-    goes_off = reached & (not resting)
-    last = select(goes_off, time, memory.last)
-    first = select(goes_off & (memory.first < 0.0), time, memory.first)
-    alarm = select(goes_off, 1.0, 0.0)
-    return Triggered(alarm, TriggerMemory(filtered, above, last, first, memory.alarms + alarm))
+    fires = reached & (not resting)
+    last = select(fires, time, memory.last)
+    first = select(fires & (memory.first < 0.0), time, memory.first)
+    alarm = select(fires, 1.0, 0.0)
+    return TriggerStep(alarm, TriggerMemory(filtered, above, last, first, memory.alarms + alarm))
 
 
 @kernel
@@ -108,7 +117,7 @@ def _compression(arm: Arm, length: float) -> float:
 
 @kernel
 def compressions(arms: tuple[Arm, ...], lengths: tuple[float, ...]) -> tuple[float, ...]:
-    """L − l of every arm [m]."""
+    """L − l of each arm [m]."""
     return tree_map(_compression, (arms, lengths), ())
 
 
@@ -119,42 +128,34 @@ def horizontal(a: Vec) -> Vec:
 
 
 @kernel
-def jolt(seen: Measurement, at: Estimate) -> Vec:
+def jolt(measurement: Measurement, at: Estimate) -> Vec:
     """Horizontal part of the measured specific force, world axes [m/s²]."""
-    return horizontal(rotation(at.attitude) @ seen.inertial.specific_force)
+    return horizontal(rotation(at.attitude) @ measurement.inertial.specific_force)
 
 
 @kernel
-def detected(
-    detection: Detection,
-    arms: tuple[Arm, ...],
-    time: float,
-    seen: Measurement,
-    at: Estimate,
-    wrench: ExternalWrench,
-    memory: DetectionMemory,
-) -> Detected:
-    """Look at all three signals at a tick.
+def detection_step(
+    detection: Detection, time: float, inputs: CollisionInputs, memory: DetectionMemory
+) -> DetectionStep:
+    """All three triggers at a tick.
 
     The horizontal specific force is McGill's signal (Chui, Dicker and Sharf 2016; 20 m/s² in their
-    flight code), the external force that of Tomić, Ott and Haddadin (T-RO 2017), whose steady part
+    flight code), the external force that of Tomić, Ott and Haddadin (T-RO 2017); its steady part
     is wind.
 
     Args:
         detection: Settings.
-        arms: As the pilot believes them to be.
         time: [s].
-        seen: What the sensors say.
-        at: What the estimator says.
-        wrench: What the observer says.
+        inputs: At this tick.
         memory: `NOT_DETECTED` at the start.
     """
-    pressed = maximum(compressions(arms, seen.arm_length))
+    measurement, wrench = inputs.measurement, inputs.wrench
+    pressed = maximum(compressions(inputs.airframe.arms, measurement.arm_length))
     a, b, c = detection.hall, detection.acceleration, detection.wrench
-    fresh = seen.inertial.fresh
-    hall = triggered(a, time, pressed, seen.arm_length_fresh, memory.hall)
-    acceleration = triggered(b, time, norm(jolt(seen, at)), fresh, memory.acceleration)
-    force = triggered(c, time, norm(wrench.force - wrench.steady), fresh, memory.wrench)
+    fresh, felt = measurement.inertial.fresh, norm(jolt(measurement, inputs.estimate))
+    hall = trigger_step(a, time, pressed, measurement.arm_length_fresh, memory.hall)
+    acceleration = trigger_step(b, time, felt, fresh, memory.acceleration)
+    force = trigger_step(c, time, norm(wrench.force - wrench.steady), fresh, memory.wrench)
     raised = a.used * hall.alarm + b.used * acceleration.alarm + c.used * force.alarm
-    kept = DetectionMemory(hall.memory, acceleration.memory, force.memory)
-    return Detected(select(raised > 0.5, 1.0, 0.0), kept)
+    after = DetectionMemory(hall.memory, acceleration.memory, force.memory)
+    return DetectionStep(select(raised > 0.5, 1.0, 0.0), after)

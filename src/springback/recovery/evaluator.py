@@ -1,8 +1,8 @@
-"""Who judges a recovery: a witness that sees the truth, which the pilot never does.
+"""The evaluator of recoveries: it knows the true motion, which the pilot never does.
 
-A run is judged from first touch until the robot has come to rest where it wants to be, at p_r or,
-where it could rest there only against the obstacle, at home: touching nothing, less than a distance
-away, slow, and for a while (`RecoverySettings`).
+A run is judged from first touch until the robot has come to rest where it should: at p_r or, where
+it could rest there only against the obstacle, at home.  At rest it touches nothing, is nearer than
+a tolerance and slow, and stays so for a while (`RecoverySettings`).
 """
 
 from __future__ import annotations
@@ -12,59 +12,60 @@ from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.pilot import RecoveryPilotMemory
-from springback.recovery.state_machine import HOVER, LOOK, RECOVER
-from springback.simulation.onboard import ContactReport, evaluated
-from springback.simulation.ticks import evaluate, evaluate_lanes, touch_of
+from springback.recovery.state_machine import HOVER, LOOK, RECOVER, RecoveryState
+from springback.simulation.onboard import evaluator_step
+from springback.simulation.record import Contacts
+from springback.simulation.ticks import Group, contacts_of, evaluate, evaluate_lanes
 from springback.vehicle.state import State
 
 NOT_YET = -1.0
 
 
 class Evaluator(NamedTuple):
-    """What counts as settled."""
+    """Bounds within which a robot has settled."""
 
-    tolerance: float  # from p_r [m]
-    slow: float  # [m/s]
-    dwell: float  # for so long [s]
+    tolerance: float  # distance from p_r [m]
+    slow: float  # speed [m/s]
+    dwell: float  # time within both [s]
 
 
 class Run(NamedTuple):
-    """One collision and what followed, until it settled."""
+    """One collision and the recovery from it, until the robot has settled."""
 
-    touch: float  # first tick in contact [s], `NOT_YET` before
-    place: Vec  # of the main body at first touch, world [m]
-    alarm: float  # of the pilot, `NOT_YET` if there was none since [s]
-    alarm_place: Vec  # of the main body at the last alarm, world [m]
-    settled: float  # rest began [s], `NOT_YET` until it has lasted
-    near: float  # rest may have begun [s]
-    lowest: float  # height of the main body [m]
+    touch: float  # time of the first tick in contact [s], `NOT_YET` before
+    place: Vec  # position of the main body at first touch, world [m]
+    alarm: float  # time of the pilot's alarm since then [s], `NOT_YET` before
+    alarm_place: Vec  # position of the main body at the last alarm, world [m]
+    settled: float  # time at which rest began [s], `NOT_YET` until it has lasted for the dwell time
+    near: float  # time at which rest may have begun [s], `NOT_YET` if not at rest
+    lowest: float  # least height of the main body [m]
     nose_down: float  # largest pitch [rad]
-    nose_up: float  # smallest pitch, so the largest nose up is minus this [rad]
-    excursion: float  # largest level distance from the place of touch [m]
-    path: float  # length of the way flown since [m]
-    contacts: float  # of the vehicle on this run
+    nose_up: float  # smallest pitch; the largest nose-up pitch is minus this [rad]
+    excursion: float  # largest horizontal distance from the place of first touch [m]
+    path: float  # length of the path since then [m]
+    contacts: float  # number of contacts of the vehicle on this run
 
 
 class EvaluatorMemory(NamedTuple):
-    """What the referee has seen."""
+    """Memory of the evaluator."""
 
-    contacts: float  # of the vehicle, counted so far
+    contacts: float  # number of contacts of the vehicle so far
     open: float  # 1 while a run is judged
     position: Vec  # at the last tick [m]
     run: Run  # the last
-    runs: float  # begun
-    recovered: float  # settled
-    false_alarms: float  # without any contact before
+    runs: float  # number of runs begun
+    recovered: float  # number of runs that ended at rest
+    false_alarms: float  # number of alarms without a contact before
     alarm_seen: float  # time of the last alarm that was counted [s]
-    lowest: float  # height over the whole flight [m]
+    lowest: float  # least height over the whole flight [m]
 
 
 def evaluator_at_start(position: Vec) -> EvaluatorMemory:
-    """Before the flight."""
+    """Memory of the evaluator before the flight."""
     run = Run(
         NOT_YET, position, NOT_YET, position, NOT_YET, NOT_YET, position.z, 0.0, 0.0, 0.0, 0.0, 0.0
     )
@@ -73,7 +74,7 @@ def evaluator_at_start(position: Vec) -> EvaluatorMemory:
 
 @kernel
 def pitch_of(up: Vec) -> float:
-    """Pitch in the X–Z plane, positive nose down, over the whole turn [rad]; ``up`` is R e_z."""
+    """Pitch in the X–Z plane, positive nose down, from −π to π [rad]; ``up`` is R e_z."""
     return angle_of(up.x, up.z)
 
 
@@ -83,91 +84,87 @@ def _new_run(time: float, state: State, pitch: float) -> Run:
     return Run(time, p, NOT_YET, p, NOT_YET, NOT_YET, p.z, pitch, pitch, 0.0, 0.0, 0.0)
 
 
+class EvaluatedMotion(NamedTuple):
+    """Motion of the vehicle at a tick, and the state of its recovery."""
+
+    time: float  # [s]
+    state: State
+    pitch: float  # [rad]
+    touching: float  # 1 while any cage, or the hull, touches
+    recovery_state: RecoveryState
+
+
 @kernel
-def _followed(
-    evaluator: Evaluator,
-    time: float,
-    state: State,
-    pitch: float,
-    since: Vec,
-    touching: float,
-    m: RecoveryPilotMemory,
-    run: Run,
-) -> Run:
-    """A run after one more tick."""
-    p, recovery_state = state.position, m.recovery_state
-    gap, way = p - recovery_state.goal, p - run.place
+def _run_after(evaluator: Evaluator, now: EvaluatedMotion, last_position: Vec, run: Run) -> Run:
+    """A run after one more tick; before it, the main body was at ``last_position``."""
+    p, recovery, time, pitch = now.state.position, now.recovery_state, now.time, now.pitch
+    gap, way = p - recovery.goal, p - run.place
     near = gap @ gap < evaluator.tolerance * evaluator.tolerance
-    near &= state.velocity @ state.velocity < evaluator.slow * evaluator.slow
-    near &= (recovery_state.phase >= RECOVER) & (touching < 0.5)
+    near &= now.state.velocity @ now.state.velocity < evaluator.slow * evaluator.slow
+    near &= (recovery.phase >= RECOVER) & (now.touching < 0.5)
     began = select(run.near < 0.0, time, run.near)
     near_since = select(near, began, NOT_YET)
     settled = (near_since >= 0.0) & (time - near_since >= evaluator.dwell)
     away = math.sqrt(way.x * way.x + way.y * way.y)
-    # An alarm a touch before the tick of first touch belongs to it, too.
-    heard = (
-        (recovery_state.log.alarm >= run.touch - EARLY)
-        & (run.alarm < 0.0)
-        & (recovery_state.phase >= LOOK)
-    )
-    alarmed_now = (recovery_state.phase == LOOK) & (recovery_state.since >= time - TINY)
+    # An alarm may come just before the tick of first touch.
+    raised = (recovery.log.alarm >= run.touch - EARLY) & (run.alarm < 0.0)
+    raised &= recovery.phase >= LOOK
+    raised_now = (recovery.phase == LOOK) & (recovery.since >= time - TINY)
     return replace(
         run,
-        alarm=select(heard, recovery_state.log.alarm, run.alarm),
-        alarm_place=select(alarmed_now, p, run.alarm_place),
+        alarm=select(raised, recovery.log.alarm, run.alarm),
+        alarm_place=select(raised_now, p, run.alarm_place),
         settled=select(settled, near_since, NOT_YET),
         near=near_since,
         lowest=select(p.z < run.lowest, p.z, run.lowest),
         nose_down=select(pitch > run.nose_down, pitch, run.nose_down),
         nose_up=select(pitch < run.nose_up, pitch, run.nose_up),
         excursion=select(away > run.excursion, away, run.excursion),
-        path=run.path + norm(p - since),
+        path=run.path + norm(p - last_position),
     )
 
 
 #: Rounding of times [s].
 TINY = 1e-9
-#: A contact between two ticks is seen at the later one; an alarm so much earlier is not false [s].
+#: A contact between two ticks is seen at the later; an alarm this much earlier is not false [s].
 EARLY = 2e-3
 
 
-@evaluated.register(Evaluator)
+@evaluator_step.register(Evaluator)
 @kernel
-def _judged(
+def _evaluator_step(
     evaluator: Evaluator,
     time: float,
     state: State,
-    touch: ContactReport,
-    thought: RecoveryPilotMemory,
+    contacts: Contacts,
+    pilot: RecoveryPilotMemory,
     memory: EvaluatorMemory,
 ) -> EvaluatorMemory:
-    m, p = memory, state.position
+    m, p, recovery = memory, state.position, pilot.recovery_state
     r = rotation(state.attitude)
     pitch = pitch_of(Vec(r.x.z, r.y.z, r.z.z))
-    came = touch.contacts > m.contacts
-    phase = thought.recovery_state.phase
-    # Touching again on the way from a collision is part of it, and undoes its rest.
-    under_way = (phase > LOOK) & (phase < HOVER) & (m.runs > 0.5)
-    begins = came & (m.open < 0.5) & (not under_way)
-    again = came & (m.open < 0.5) & under_way
-    fresh = _new_run(time, state, pitch)
-    run = select(begins, fresh, m.run)
+    touches = contacts.total > m.contacts
+    # A new touch during a recovery belongs to it, and the robot has not come to rest after all.
+    recovering = (recovery.phase > LOOK) & (recovery.phase < HOVER) & (m.runs > 0.5)
+    begins = touches & (m.open < 0.5) & (not recovering)
+    again = touches & (m.open < 0.5) & recovering
+    run = select(begins, _new_run(time, state, pitch), m.run)
     open_now = select(begins | again, 1.0, m.open)
-    watched = _followed(evaluator, time, state, pitch, m.position, touch.touching, thought, run)
-    judged = select(open_now > 0.5, watched, run)
-    counted = judged.contacts + select(came, touch.contacts - m.contacts, 0.0)
-    judged = replace(judged, contacts=counted)
-    settles = (open_now > 0.5) & (judged.settled >= 0.0)
-    alarm = thought.recovery_state.log.alarm
-    caused = (open_now > 0.5) | _lingers(touch, time)
+    motion = EvaluatedMotion(time, state, pitch, contacts.touching, recovery)
+    after = select(open_now > 0.5, _run_after(evaluator, motion, m.position, run), run)
+    new_contacts = select(touches, contacts.total - m.contacts, 0.0)
+    after = replace(after, contacts=after.contacts + new_contacts)
+    settles = (open_now > 0.5) & (after.settled >= 0.0)
+    alarm = recovery.log.alarm
+    caused = (open_now > 0.5) | _is_recent(contacts, time)
     return EvaluatorMemory(
-        contacts=touch.contacts,
+        contacts=contacts.total,
         open=select(settles, 0.0, open_now),
         position=p,
-        run=judged,
+        run=after,
         runs=m.runs + select(begins, 1.0, 0.0),
         recovered=m.recovered + select(settles, 1.0, 0.0) - select(again, 1.0, 0.0),
-        false_alarms=_counted_alarms(m, alarm, caused),
+        false_alarms=_false_alarms(m, alarm, caused),
         alarm_seen=select(alarm > m.alarm_seen, alarm, m.alarm_seen),
         lowest=select(p.z < m.lowest, p.z, m.lowest),
     )
@@ -175,61 +172,49 @@ def _judged(
 
 @evaluate.register(Evaluator)
 @kernel
-def _judge(
-    evaluator: TreeLayout,
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    b: Buffer,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
-    """`evaluated` for all lanes; where no run is open and none begins, little of it."""
-    memory, recovery_state, running = (
-        avionics.onboard.evaluator,
-        avionics.onboard.pilot.recovery_state,
-        0,
-    )
+def _evaluate(evaluator: TreeLayout, group: Group) -> None:
+    """Batch version of `evaluator_step`; where no run is open and none begins, little of it."""
+    avionics, g, w, once, tick = group.lanes
+    memory, recovery = avionics.onboard.evaluator, avionics.onboard.pilot.recovery_state
+    running = 0
     for i in range(w * once):
-        contacts = touch_of(shape, b, w, i).contacts
-        is_open = load(memory.open, g, w, i) > 0.5
+        contacts, is_open = contacts_of(group, i).total, load(memory.open, g, w, i) > 0.5
         running += 1 if is_open | (contacts > load(memory.contacts, g, w, i)) else 0
     for i in range(w * once if running == 0 else 0):
         time, m = tick * load(avionics.systems.period, g, w, i), load(memory, g, w, i)
-        position = load(shape.motion.state.position, b, w, i)
-        alarm, touch = load(recovery_state.log.alarm, g, w, i), touch_of(shape, b, w, i)
-        kept = between_runs(time, position, alarm, touch, m)
-        store(kept, memory, g, w, i)
+        position = load(group.shape.motion.state.position, group.motion, w, i)
+        alarm, contacts_now = load(recovery.log.alarm, g, w, i), contacts_of(group, i)
+        store(between_runs(time, position, alarm, contacts_now, m), memory, g, w, i)
     if running > 0:
-        evaluate_lanes(evaluator, shape, avionics, b, g, w, once, tick)
+        evaluate_lanes(evaluator, group)
 
 
 @kernel
-def _counted_alarms(m: EvaluatorMemory, alarm: float, caused: bool) -> float:
-    """False alarms, this one included."""
+def _false_alarms(m: EvaluatorMemory, alarm: float, caused: bool) -> float:
+    """Number of false alarms after a tick with a last alarm, caused by a contact or not."""
     return m.false_alarms + select((alarm > m.alarm_seen) & (not caused), 1.0, 0.0)
 
 
 @kernel
-def _lingers(touch: ContactReport, time: float) -> bool:
-    """Whether the last contact answers for an alarm: just over, or still under way."""
-    return (touch.last >= 0.0) & (time - touch.last < LINGERING)
+def _is_recent(contacts: Contacts, time: float) -> bool:
+    """True if the last contact is under way or just over, so that it may cause an alarm."""
+    return (contacts.last_touch_time >= 0.0) & (time - contacts.last_touch_time < LINGERING)
 
 
 @kernel
 def between_runs(
-    time: float, position: Vec, alarm: float, touch: ContactReport, m: EvaluatorMemory
+    time: float, position: Vec, alarm: float, contacts: Contacts, m: EvaluatorMemory
 ) -> EvaluatorMemory:
-    """What the referee has seen after a tick without a run."""
+    """Memory of the evaluator after a tick without a run."""
     return replace(
         m,
         position=position,
-        false_alarms=_counted_alarms(m, alarm, _lingers(touch, time)),
+        false_alarms=_false_alarms(m, alarm, _is_recent(contacts, time)),
         alarm_seen=select(alarm > m.alarm_seen, alarm, m.alarm_seen),
         lowest=select(position.z < m.lowest, position.z, m.lowest),
     )
 
 
-#: An alarm this long after the last contact is still of it [s], chosen: sensors, filters, delays.
+#: Time after the last contact in which an alarm still belongs to it [s]; chosen for the delays of
+#: sensors and filters.
 LINGERING = 0.1

@@ -1,7 +1,6 @@
-"""The table ``[recovery]``: how a robot notices, makes out and answers a collision.
+"""The table ``[recovery]``: detection and characterisation of a collision, and the response.
 
-The paper prints L_c alone; of what it leaves open each default names its source or says that it is
-chosen.
+The paper prints only L_c; each other default names its source, or says that it is chosen.
 """
 
 from __future__ import annotations
@@ -24,39 +23,39 @@ from springback.settings import Settings, problem
 Samples = Annotated[int, Field(ge=1, le=1000, strict=True)]
 Bandwidth = Annotated[float, Unit("1/s", above=0.0)]
 
-#: Part of its range within which a reading is taken at its word (chosen: the low-pass behind the
+#: Share of its range within which a reading counts as unclipped (chosen: the low-pass behind the
 #: converter rounds the top of a clipped peak, as for the Kalman filter).
 WITHIN_RANGE = 0.9
-#: Range of an accelerometer that has none [m/s²]; kernels know no infinity.
+#: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 NO_RANGE = 1e6
 
 
 class TriggerSettings(Settings):
-    """What all triggers have."""
+    """Settings that all triggers have."""
 
     used: bool | None = None
-    """Whether it raises the alarm; by default `hall` does where an arm can slide, `acceleration`
-    where none can, as on the paper's robots.  The others are watched all the same."""
+    """Whether it raises the alarm; by default `hall` does if an arm can slide, `acceleration` if
+    none can, as on the paper's robots.  The signals of the others are recorded all the same."""
     persistence: Samples = 1
-    """Samples in a row above the threshold.  Chosen: McGill's flight code asks for one."""
+    """Consecutive samples above the threshold.  Chosen: one, as in McGill's flight code."""
     refractory: Annotated[float, Unit("s", least=0.0)] = 1.0
-    """After an alarm nothing is noticed for so long.  Chosen, half of the 2 s of ASU's XPLORER: the
-    recovery itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
+    """Time after an alarm without another.  Chosen, half of the 2 s of ASU's XPLORER: the recovery
+    itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
     cutoff: Annotated[float, Unit("1/s", least=0.0)] = 0.0
-    """Of a first-order low-pass on the signal [Hz]; 0 is none."""
+    """Corner of a first-order low-pass on the signal [Hz]; 0 for none."""
 
     def share(self, interval: float) -> float:
-        """Of a new sample in the low-pass, for an interval between samples [s]."""
+        """Share of a new sample in the low-pass, for an interval between samples [s]."""
         if self.cutoff == 0.0:
             return 1.0
         lag = 1.0 / (2.0 * math.pi * float(self.cutoff))
         return interval / (interval + lag)
 
     def trigger(self, used: bool, threshold: float, interval: float) -> Trigger:
-        """The numbers.
+        """Trigger for the kernels.
 
         Args:
-            used: By default.
+            used: Default of the setting.
             threshold: In the unit of the signal.
             interval: Between samples [s].
         """
@@ -68,46 +67,48 @@ class TriggerSettings(Settings):
 
 
 class HallTrigger(TriggerSettings):
-    """On the largest compression of an arm."""
+    """Trigger on the largest compression of an arm."""
 
     threshold: Length = 5e-4
-    """Chosen: five times what an arm of 0.05 kg is pressed in by 1 g, m_a g/k_l = 0.1 mm, and
-    twenty-seven steps of the sensor there."""
+    """Chosen: five times the compression of an arm of 0.05 kg by 1 g, m_a g/k_l = 0.1 mm, and
+    twenty-seven counts of the sensor there."""
 
 
 class AccelerationTrigger(TriggerSettings):
-    """On the horizontal part of the specific force, world axes."""
+    """Trigger on the horizontal part of the specific force, world axes."""
 
     threshold: Annotated[float, Unit("m/s^2", above=0.0)] = 20.0
     """McGill-AML/Spiri_recovery, and Air Bumper: 20 m/s²."""
 
 
 class WrenchTrigger(TriggerSettings):
-    """On the external force, less its steady part."""
+    """Trigger on the external force less its steady part."""
 
     threshold: Annotated[float, Unit("N", above=0.0)] = 8.0
-    """Chosen (`springback study detection`): three times the most of 1000 s of circles and steps in
-    gusts, 2.7 N, and yet every hit from 0.25 m/s on is noticed; Tomić et al. print none."""
+    """Chosen (`springback study detection`): three times the largest signal in 1000 s of circles
+    and steps in gusts, 2.7 N, and yet each hit from 0.25 m/s on is detected; Tomić et al. print
+    none."""
 
 
 class ObserverSettings(Settings):
-    """The observer of the external wrench."""
+    """Settings of the observer of the external wrench."""
 
     basis: Literal["acceleration", "momentum"] = "acceleration"
-    """Of the force: the accelerometer (their hybrid form), or the estimated momentum."""
+    """Source of the force: the accelerometer (their hybrid form), or the estimated momentum."""
     force_bandwidth: Bandwidth = 100.0
-    """K_f [1/s]. Chosen: 10 ms, the order of the rise of a collision's force."""
+    """K_f [1/s]. Chosen: 10 ms, the order of the rise time of a collision's force."""
     moment_bandwidth: Bandwidth = 100.0
     """K_m [1/s]. Chosen, as above."""
     steady_bandwidth: Bandwidth = 2.0
-    """What changes slower than this counts as wind [1/s]. Chosen."""
+    """Bandwidth of the steady part, such as wind [1/s]. Chosen."""
     fading: Bandwidth = 5.0
-    """Of the impulses by which a collision is made out [1/s]. Chosen: contacts take 26 to 58 ms,
-    and what a clipped accelerometer loses comes 10 to 30 ms late; both fade little in that time."""
+    """Decay rate of the impulses from which a collision is characterised [1/s]. Chosen: contacts
+    take 26 to 58 ms, and the part that a clipped accelerometer loses comes 10 to 30 ms late; little
+    decays in that time."""
 
 
 class Detecting(Settings):
-    """The triggers."""
+    """Settings of the triggers."""
 
     hall: HallTrigger = HallTrigger()
     acceleration: AccelerationTrigger = AccelerationTrigger()
@@ -115,43 +116,44 @@ class Detecting(Settings):
 
 
 class Looking(Settings):
-    """How a collision is made out."""
+    """Settings of the characterisation of a collision."""
 
     source: Literal["arms", "acceleration", "wrench", "fused"] = "fused"
-    """Of the direction f_c⁰. Chosen (`springback study detection`): `arms` says only along which
-    arm the robot was pressed, `acceleration` and `wrench` where the contact force came from, with
-    its friction; `fused`, from force and moment, the obstacle's normal."""
+    """Source of the direction f_c⁰. Chosen (`springback study detection`): `arms` reveals only
+    along which arm the robot was pressed, `acceleration` and `wrench` the direction of the contact
+    force with its friction, and `fused`, from force and moment, the obstacle's normal."""
     window: Annotated[float, Unit("s", least=0.0)] = 0.012
-    """After the alarm. Chosen: direction errors of both robots are then below 5 degrees
-    (`springback study detection`), and no trial of the paper's tests is lost by the wait."""
+    """Observation window after the alarm. Chosen: direction errors of both robots are then below
+    5 degrees (`springback study detection`), and no trial of the paper's tests fails by the
+    delay."""
     longer: Annotated[float, Unit("s", least=0.0)] = 0.0175
-    """After a clipped reading at least, where one rigid arm was hit. Chosen: motion capture, which
-    tells what is lost, is 10 ms late and speaks every 5 ms."""
+    """Least time after a clipped reading, if one rigid arm was hit. Chosen: motion capture, which
+    measures the velocity change that was lost, is 10 ms late and comes every 5 ms."""
     share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
-    """An arm in front took part if it was pressed in by this share of the most pressed one.
-    Chosen."""
+    """An arm in front was hit if its compression is this share of the largest. Chosen."""
     level: bool = True
     """Whether obstacles are upright, so that f_c⁰ is level, as all of the paper's are."""
 
 
 class Answering(Settings):
-    """The way back."""
+    """Settings of the response."""
 
     way: Literal["pre-impact", "post-impact", "set-point", "time-optimal", "staged"] = "pre-impact"
-    """`pre-impact`: quintic from the place of the alarm with the velocity before it, which gives
-    the paper's pitch of −66° and +49°; `post-impact`: from where the robot is, as it moves;
-    `set-point`: p_r at once; `time-optimal`: bounded acceleration; `staged`: McGill's."""
+    """`pre-impact`: quintic from the position at the alarm with the velocity before it, which gives
+    the paper's pitch of −66° and +49°; `post-impact`: quintic from the present position and
+    velocity; `set-point`: p_r at once; `time-optimal`: bounded acceleration; `staged`: McGill's."""
     distance: Annotated[float, Unit("m", least=0.0)] = 0.1
     """δ = L_c. Paper, section Impact Resilience."""
     pace: Annotated[float, Unit("s^2/m", least=0.0)] = 0.19
-    """Duration of a quintic per speed before the collision: with it the pitch that a quintic from
-    3.5 m/s asks for is −66° and +49.6°, as printed (inferred, not printed)."""
+    """Duration of a quintic per speed before the collision: with it a quintic from 3.5 m/s needs a
+    pitch of −66° and +49.6°, as printed (inferred, not printed)."""
     shortest: Duration = 0.2
-    """Of a quintic. Chosen: one time constant of the attitude loop, and some."""
+    """Least duration of a quintic. Chosen: a little more than a time constant of the attitude
+    loop."""
     acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 12.0
-    """`time-optimal`, along X and along Y. Chosen: what feedback may ask for."""
+    """`time-optimal`: bound along X and along Y. Chosen: the limit of the position loop."""
     vertical_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 4.0
-    """`time-optimal`, along Z. Chosen: a third of the former, for thrust is short when tilted."""
+    """`time-optimal`: bound along Z. Chosen: a third of the former, as tilting costs lift."""
     away: Annotated[float, Unit("m/s^2", above=0.0)] = 0.75 * 9.81
     """`staged`: 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
     damping: Annotated[float, Unit("1/s", least=0.0)] = 5.0
@@ -166,7 +168,7 @@ class Answering(Settings):
     """`staged`: vertical speed at which the third is over."""
 
     def response(self) -> Quintic | TimeOptimal | Staged:
-        """The numbers; their type is the way."""
+        """Response for the kernels; its type is the way."""
         if self.way == "time-optimal":
             return TimeOptimal(self.acceleration, self.vertical_acceleration)
         if self.way == "staged":
@@ -180,24 +182,24 @@ class Answering(Settings):
         return Quintic(0.0 if late else 1.0, 1.0 if late else 0.0, self.pace, self.shortest)
 
 
-#: Duration of a way that is a jump [s], chosen: one tick.
+#: Duration of a jump of the set-point [s], chosen: one tick.
 AT_ONCE = 1e-3
 
 
 class Settling(Settings):
-    """What counts as having come to rest."""
+    """Bounds within which the robot has settled."""
 
     tolerance: Length = 0.1
-    """From where the robot should be. Chosen: the paper's L_c."""
+    """Distance from the goal. Chosen: the paper's L_c."""
     speed: Speed = 0.3
-    """Chosen."""
+    """Speed. Chosen."""
     dwell: Duration = 0.3
-    """Chosen."""
+    """Time within both, for the evaluator. Chosen."""
     stay: Duration = 0.5
-    """How long the robot rests before it goes on, at p_r and at home. Chosen; at least `dwell`."""
+    """Time within both before the pilot goes on, at p_r and at home. Chosen; at least `dwell`."""
     patience: Duration = 2.0
-    """After the end of a way the robot goes on anyway, as where it leans on the wall and cannot get
-    away. Chosen: beyond the 1.5 s in which it settles."""
+    """Time after the end of a reference when the pilot goes on anyway, for example if the robot
+    leans on the wall and cannot get away. Chosen: more than the 1.5 s in which it settles."""
 
     @model_validator(mode="after")
     def _long_enough(self) -> Settling:
@@ -207,7 +209,7 @@ class Settling(Settings):
 
 
 class RecoverySettings(Settings):
-    """A pilot that survives collisions; its run-up is the scenario's reference."""
+    """Settings of a pilot that recovers from collisions; its run-up is the scenario's reference."""
 
     detection: Detecting = Detecting()
     observer: ObserverSettings = ObserverSettings()
@@ -217,19 +219,19 @@ class RecoverySettings(Settings):
     returns: bool = True
     """Whether to fly home from p_r."""
     home: Annotated[Triple, Unit("m")] | None = None
-    """Where to return to; by default the scenario's start."""
+    """Position to return to; by default the scenario's start."""
     home_speed: Speed = 1.0
-    """Largest on the way home. Chosen."""
+    """Largest speed of the return. Chosen."""
     runs: Annotated[int, Field(ge=1, le=1000, strict=True)] = 1
-    """Collisions to make, one run-up after another, without landing."""
+    """Number of collisions, one run-up after another, without landing."""
 
     def triggers(self, compliant: bool, inertial: float, hall: float) -> Detection:
-        """The numbers of the triggers.
+        """Triggers for the kernels.
 
         Args:
-            compliant: Whether an arm can slide.
+            compliant: True if an arm can slide.
             inertial: Interval between inertial samples [s].
-            hall: Between samples of the arms' sensors [s].
+            hall: Interval between samples of the Hall sensors [s].
         """
         d = self.detection
         triggers = Detection(
@@ -238,20 +240,20 @@ class RecoverySettings(Settings):
             d.wrench.trigger(False, d.wrench.threshold, inertial),
         )
         if not any(trigger.used for trigger in triggers):
-            raise problem("uses no trigger, so nothing would ever be noticed", "detection")
+            raise problem("uses no trigger, so no collision would be detected", "detection")
         if triggers.hall.used and not compliant and d.hall.used is not None:
-            raise problem("cannot be used where no arm can slide", "detection.hall.used")
+            raise problem("must be false if no arm can slide", "detection.hall.used")
         return triggers
 
     def wrench_observer(
         self, mass: float, gravity: float, lag: float, tick: float, interval: float
     ) -> Observer:
-        """The numbers of the observer.
+        """Observer for the kernels.
 
         Args:
-            mass: Believed, of the whole vehicle [kg].
+            mass: Of the whole vehicle in the pilot's model [kg].
             gravity: g [m/s²].
-            lag: Time constant of the rotors, believed [s].
+            lag: Time constant of the rotors in the pilot's model [s].
             tick: Of the clock [s].
             interval: Between inertial samples [s].
         """
@@ -276,7 +278,7 @@ class RecoverySettings(Settings):
         )
 
     def looks(self, full_scale: float) -> Characterisation:
-        """The numbers of the characterisation, for an accelerometer's range [m/s²]."""
+        """Characterisation for the kernels, given the accelerometer's range [m/s²]."""
         look = self.characterisation
         return Characterisation(
             window=look.window,
@@ -291,7 +293,7 @@ class RecoverySettings(Settings):
         )
 
     def route(self, start: Vec) -> Route:
-        """The numbers of the journey, from a start [m]."""
+        """Phases of the recovery for the kernels, given the start [m]."""
         s = self.settling
         return Route(
             response=self.response.response(),
@@ -307,6 +309,6 @@ class RecoverySettings(Settings):
         )
 
     def evaluator(self) -> Evaluator:
-        """Who judges by the same bounds, but sees the truth."""
+        """Evaluator for the kernels, with the same bounds for the true motion."""
         s = self.settling
         return Evaluator(s.tolerance, s.speed, s.dwell)

@@ -1,8 +1,8 @@
-"""The pilot that survives: cruise, notice a collision, make it out, recover, return, hover.
+"""The pilot that recovers from collisions: it detects, characterises and answers them.
 
-It is the cascade of `springback.control.cascade` with eyes for collisions: estimator, position,
-attitude and rate loops are the same, and only the reference is that of the journey.  Everything it
-acts on is a measurement or an estimate.
+It is the cascade of `springback.control.cascade` with an observer and triggers: estimator and loops
+are the same, and the phase of the recovery decides which reference they follow.  It acts only on
+measurements and estimates.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 from springback.control.cascade import (
     Cascade,
     CascadeMemory,
-    CascadeTelemetry,
     Offboard,
     fly_on,
     hear,
@@ -20,7 +19,7 @@ from springback.control.cascade import (
 )
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
@@ -28,25 +27,27 @@ from springback.recovery.characterisation import (
     Characterisation,
     Collision,
     CollisionObservation,
+    CollisionStart,
     characterise,
-    looked_enough,
     no_collision,
     no_observation,
-    observe,
+    observation_after,
+    window_is_over,
 )
 from springback.recovery.detection import (
     NOT_DETECTED,
+    CollisionInputs,
     Detection,
     DetectionMemory,
-    detected,
+    detection_step,
 )
 from springback.recovery.response import Staged
-from springback.recovery.stages import staged
+from springback.recovery.stages import stage_command
 from springback.recovery.state_machine import (
     LOOK,
     RECOVER,
     STAGES,
-    Departed,
+    DelayedReference,
     RecoveryState,
     Route,
     SmoothReturn,
@@ -59,13 +60,14 @@ from springback.recovery.state_machine import (
 from springback.recovery.wrench import (
     ExternalWrench,
     Observer,
+    WrenchInputs,
     no_wrench,
-    observed_wrench,
-    renewed_wrench,
+    sampled_wrench,
+    wrench_after,
 )
 from springback.sensing.measurement import Estimate, Measurement, any_due, believe, due
 from springback.simulation.onboard import telemetry_of
-from springback.simulation.ticks import decide
+from springback.simulation.ticks import Lanes, decide
 
 
 class RecoveryPilot(NamedTuple):
@@ -79,9 +81,10 @@ class RecoveryPilot(NamedTuple):
 
 
 class History(NamedTuple):
-    """Velocity at the last ticks of the position loop, by which that before a collision is known.
+    """Estimated velocity at the last two ticks of the position loop.
 
-    The older one is at least a period old: a collision is noticed later than it begins.
+    The older one is at least a period old.  As a collision is detected later than it begins, it is
+    the velocity before the collision.
     """
 
     newer: Vec  # world [m/s]
@@ -89,7 +92,7 @@ class History(NamedTuple):
 
 
 class RecoveryPilotMemory(NamedTuple):
-    """What the pilot remembers."""
+    """Memory of the pilot."""
 
     flight: CascadeMemory
     wrench: ExternalWrench
@@ -98,7 +101,8 @@ class RecoveryPilotMemory(NamedTuple):
     collision: Collision  # the last
     history: History
     recovery_state: RecoveryState
-    alarm: float  # 1 while a flight has something to consider at this tick, else 0
+    alarm: float
+    """1 while a lane has an event to process at this tick, an alarm or the end of a phase."""
 
 
 def recovery_pilot_memory(
@@ -109,7 +113,7 @@ def recovery_pilot_memory(
     Args:
         pilot: Settings.
         flight: Memory of the cascade, from `springback.control.cascade.cascade_memory`.
-        build: How parts are made.
+        build: Builder of the parts.
     """
     start, airframe = flight.estimate, pilot.cascade.airframe
     nothing = build(no_collision, airframe)
@@ -125,186 +129,147 @@ def recovery_pilot_memory(
     )
 
 
-class Worded(NamedTuple):
-    """The position loop after a tick, and the stage of a staged response."""
+class StagedCommand(NamedTuple):
+    """Position loop after a tick, and the stage of a staged response."""
 
     offboard: Offboard
     stage: float
 
 
 @kernel
-def _followed(
-    pilot: RecoveryPilot,
-    tick: float,
-    time: float,
-    at: Estimate,
-    recovery_state: RecoveryState,
-    before: Offboard,
+def _phase_command(
+    pilot: RecoveryPilot, tick: float, time: float, m: RecoveryPilotMemory
 ) -> Offboard:
-    """The way of the leg."""
-    c, phase = pilot.cascade, recovery_state.phase
-    if phase <= LOOK:
-        return position_loop(c, Departed(c.reference, recovery_state.away), tick, time, at, before)
-    if phase <= RECOVER:
-        return position_loop(c, SmoothReturn(recovery_state.recovery), tick, time, at, before)
-    return position_loop(c, SmoothReturn(recovery_state.homeward), tick, time, at, before)
+    """Position loop on the reference of the phase."""
+    c, at, before, state = pilot.cascade, m.flight.estimate, m.flight.offboard, m.recovery_state
+    if state.phase <= LOOK:
+        reference = DelayedReference(c.reference, state.away)
+        return position_loop(c, reference, tick, time, at, before)
+    if state.phase <= RECOVER:
+        return position_loop(c, SmoothReturn(state.recovery), tick, time, at, before)
+    return position_loop(c, SmoothReturn(state.homeward), tick, time, at, before)
 
 
 @kernel
-def _worded_in_stages(
-    response: Staged,
-    pilot: RecoveryPilot,
-    tick: float,
-    time: float,
-    at: Estimate,
-    hit: Collision,
-    recovery_state: RecoveryState,
-    before: Offboard,
-) -> Worded:
-    c = pilot.cascade
-    if recovery_state.phase == STAGES:
-        now = staged(response, c.position, hit, at, before.wanted.yaw, recovery_state.stage)
+def _staged_command(
+    response: Staged, pilot: RecoveryPilot, tick: float, time: float, m: RecoveryPilotMemory
+) -> StagedCommand:
+    c, before, state = pilot.cascade, m.flight.offboard, m.recovery_state
+    if state.phase == STAGES:
+        yaw, at = before.wanted.yaw, m.flight.estimate
+        now = stage_command(response, c.position, m.collision, at, yaw, state.stage)
         arrival = tick + c.schedule.delay
-        return Worded(Offboard(before.position, before.wanted, now.word, arrival), now.stage)
-    return Worded(_followed(pilot, tick, time, at, recovery_state, before), recovery_state.stage)
+        return StagedCommand(Offboard(before.position, before.wanted, now.word, arrival), now.stage)
+    return StagedCommand(_phase_command(pilot, tick, time, m), state.stage)
 
 
 @generic
-def steer(
-    response: TreeLayout,
-    pilot: TreeLayout,
-    avionics: TreeLayout,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
-    """The position loops of all lanes follow the ways of their legs.
+def steer(response: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> None:
+    """Run the position loops of all lanes on the references of their phases.
 
     Args:
-        response: Like its settings, by whose type it is chosen.
-        pilot: Where the settings of the pilot lie.
-        avionics: What lies in ``g``.
-        g: Buffer of what is aboard.
-        w: Lanes.
-        once: As for `springback.simulation.ticks.look`.
-        tick: Number of the tick.
+        response: Layout of its settings, on whose type it dispatches.
+        pilot: Layout of the pilot's settings.
+        lanes: Of a group.
     """
+    avionics, g, w, once, _ = lanes
     memory, flight, cascade = avionics.onboard.pilot, avionics.onboard.pilot.flight, pilot.cascade
-    recovery_state, cruising, recovering, returning = memory.recovery_state, 0, 0, 0
+    state, cruising, recovering, returning = memory.recovery_state, 0, 0, 0
     for i in range(w * once):
-        phase = load(recovery_state.phase, g, w, i)
+        phase = load(state.phase, g, w, i)
         cruising += 1 if phase <= LOOK else 0
         recovering += 1 if (phase > LOOK) & (phase <= RECOVER) else 0
         returning += 1 if phase > RECOVER else 0
-    # Ways are long to follow, and all lanes are nearly always on the same: so one way at a time.
+    # References take long to evaluate, and nearly always all lanes have the same: one at a time.
     for i in range(w * once if cruising > 0 else 0):
-        way = Departed(load(cascade.reference, g, w, i), load(recovery_state.away, g, w, i))
-        now = _steered(pilot, avionics, way, g, w, i, tick)
-        mine, before = load(recovery_state.phase, g, w, i) <= LOOK, load(flight.offboard, g, w, i)
+        start = load(state.away, g, w, i)
+        reference = DelayedReference(load(cascade.reference, g, w, i), start)
+        now, before = _steered(pilot, reference, lanes, i), load(flight.offboard, g, w, i)
+        mine = load(state.phase, g, w, i) <= LOOK
         store(select(mine, now, before), flight.offboard, g, w, i)
     for i in range(w * once if recovering > 0 else 0):
-        now = _steered(
-            pilot, avionics, SmoothReturn(load(recovery_state.recovery, g, w, i)), g, w, i, tick
-        )
-        phase, before = load(recovery_state.phase, g, w, i), load(flight.offboard, g, w, i)
+        way = SmoothReturn(load(state.recovery, g, w, i))
+        now, before = _steered(pilot, way, lanes, i), load(flight.offboard, g, w, i)
+        phase = load(state.phase, g, w, i)
         store(select((phase > LOOK) & (phase <= RECOVER), now, before), flight.offboard, g, w, i)
     for i in range(w * once if returning > 0 else 0):
-        now = _steered(
-            pilot, avionics, SmoothReturn(load(recovery_state.homeward, g, w, i)), g, w, i, tick
-        )
-        mine, before = load(recovery_state.phase, g, w, i) > RECOVER, load(flight.offboard, g, w, i)
+        way = SmoothReturn(load(state.homeward, g, w, i))
+        now, before = _steered(pilot, way, lanes, i), load(flight.offboard, g, w, i)
+        mine = load(state.phase, g, w, i) > RECOVER
         store(select(mine, now, before), flight.offboard, g, w, i)
 
 
 @kernel
-def _steered(
-    pilot: TreeLayout, avionics: TreeLayout, way: Any, g: Buffer, w: int, i: int, tick: float
-) -> Offboard:
-    """The position loop of one lane on some way."""
+def _steered(pilot: TreeLayout, reference: Any, lanes: Lanes, i: int) -> Offboard:
+    """Position loop of one lane on a reference."""
+    avionics, g, w, _, tick = lanes
     flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
     at, before = load(flight.estimate, g, w, i), load(flight.offboard, g, w, i)
-    return position_loop(load(pilot.cascade, g, w, i), way, tick, time, at, before)
+    return position_loop(load(pilot.cascade, g, w, i), reference, tick, time, at, before)
 
 
 @steer.register(Staged)
 @kernel
-def _steer_in_stages(
-    response: TreeLayout,
-    pilot: TreeLayout,
-    avionics: TreeLayout,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
-    memory, flight = avionics.onboard.pilot, avionics.onboard.pilot.flight
+def _steer_in_stages(response: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> None:
+    avionics, g, w, _, tick = lanes
+    memory = avionics.onboard.pilot
     for i in range(w):
         settings, time = load(pilot, g, w, i), tick * load(avionics.systems.period, g, w, i)
-        at, hit = load(flight.estimate, g, w, i), load(memory.collision, g, w, i)
-        recovery_state, before = (
-            load(memory.recovery_state, g, w, i),
-            load(flight.offboard, g, w, i),
-        )
         if due(tick, settings.cascade.schedule.position):
-            plan = settings.route.response
-            said = _worded_in_stages(plan, settings, tick, time, at, hit, recovery_state, before)
-            store(said.offboard, flight.offboard, g, w, i)
-            store(said.stage, memory.recovery_state.stage, g, w, i)
+            m = load(memory, g, w, i)
+            now = _staged_command(settings.route.response, settings, tick, time, m)
+            store(now.offboard, memory.flight.offboard, g, w, i)
+            store(now.stage, memory.recovery_state.stage, g, w, i)
 
 
 @kernel
-def _remembered(pilot: RecoveryPilot, tick: float, at: Estimate, before: History) -> History:
+def _history_after(pilot: RecoveryPilot, tick: float, at: Estimate, before: History) -> History:
     now = History(at.velocity, before.newer)
     return select(due(tick, pilot.cascade.schedule.position), now, before)
 
 
 @kernel
-def _begun(recovery_state: RecoveryState, alarm: float, time: float) -> RecoveryState:
-    """An alarm while the robot looks is of the same collision."""
-    if (alarm > 0.5) & (recovery_state.phase != LOOK):
-        return on_alarm(recovery_state, time)
-    return recovery_state
+def _state_after_alarm(state: RecoveryState, alarm: float, time: float) -> RecoveryState:
+    """State of the recovery; an alarm during the observation window is of the same collision."""
+    if (alarm > 0.5) & (state.phase != LOOK):
+        return on_alarm(state, time)
+    return state
 
 
 @kernel
-def _made_out(
+def _collision(
     pilot: RecoveryPilot,
-    time: float,
-    seen: Measurement,
-    at: Estimate,
+    measurement: Measurement,
     observation: CollisionObservation,
-    wrench: ExternalWrench,
-    before: RecoveryState,
-    recovery_state: RecoveryState,
     m: RecoveryPilotMemory,
 ) -> Collision:
-    """The last collision: where it was noticed, and once the window is over what it was."""
-    new = before.phase != LOOK
-    position = select(new, at.position, m.collision.position)
-    velocity = select(new, m.history.older, m.collision.velocity)
-    return characterise(
-        pilot.look, pilot.cascade.airframe, seen, at, wrench, observation, position, velocity
+    """The last collision, with the place of its alarm, as far as it is observed."""
+    new, at = m.recovery_state.phase != LOOK, m.flight.estimate
+    before = CollisionStart(
+        select(new, at.position, m.collision.position),
+        select(new, m.history.older, m.collision.velocity),
     )
+    inputs = CollisionInputs(pilot.cascade.airframe, measurement, at, m.wrench)
+    return characterise(pilot.look, inputs, observation, before)
 
 
 @kernel
-def _gone(
+def _state_after_window(
     pilot: RecoveryPilot,
     time: float,
-    at: Estimate,
     observation: CollisionObservation,
     hit: Collision,
-    recovery_state: RecoveryState,
-    wanted: Target,
+    state: RecoveryState,
+    flight: CascadeMemory,
 ) -> RecoveryState:
-    if looked_enough(pilot.look, observation, hit.arms, time - recovery_state.since):
-        return on_characterised(pilot.route, recovery_state, hit, at, time, wanted.yaw)
-    return recovery_state
+    if window_is_over(pilot.look, observation, hit.arms, time - state.since):
+        yaw = flight.offboard.wanted.yaw
+        return on_characterised(pilot.route, state, hit, flight.estimate, time, yaw)
+    return state
 
 
 class Considered(NamedTuple):
-    """What a pilot that looks at a collision makes of it."""
+    """Observation, collision and state of the recovery after a tick of the observation window."""
 
     observation: CollisionObservation
     collision: Collision
@@ -313,139 +278,132 @@ class Considered(NamedTuple):
 
 @kernel
 def _considered(
-    pilot: RecoveryPilot,
-    time: float,
-    seen: Measurement,
-    at: Estimate,
-    wrench: ExternalWrench,
-    m: RecoveryPilotMemory,
+    pilot: RecoveryPilot, time: float, measurement: Measurement, m: RecoveryPilotMemory
 ) -> Considered:
-    airframe = pilot.cascade.airframe
-    recovery_state = _begun(m.recovery_state, m.alarm, time)
-    fresh = select((recovery_state.phase == LOOK) & (m.recovery_state.phase == LOOK), 1.0, 0.0)
-    so_far = select(fresh > 0.5, m.observation, no_observation(airframe))
-    observation = observe(pilot.look, airframe, seen, at, wrench, so_far)
-    hit = _made_out(pilot, time, seen, at, observation, wrench, m.recovery_state, recovery_state, m)
-    gone = _gone(pilot, time, at, observation, hit, recovery_state, m.flight.offboard.wanted)
-    return Considered(observation, hit, gone)
+    airframe, before = pilot.cascade.airframe, m.recovery_state
+    state = _state_after_alarm(before, m.alarm, time)
+    goes_on = select((state.phase == LOOK) & (before.phase == LOOK), 1.0, 0.0)
+    so_far = select(goes_on > 0.5, m.observation, no_observation(airframe))
+    inputs = CollisionInputs(airframe, measurement, m.flight.estimate, m.wrench)
+    observation = observation_after(pilot.look, inputs, so_far)
+    hit = _collision(pilot, measurement, observation, m)
+    after = _state_after_window(pilot, time, observation, hit, state, m.flight)
+    return Considered(observation, hit, after)
 
 
 @kernel
-def _observing(pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, i: int) -> Any:
-    """What the observer of one lane goes by: arguments of `observed_wrench`."""
-    memory, flight = avionics.onboard.pilot, avionics.onboard.pilot.flight
-    return (
-        load(pilot.observer, g, w, i),
+def _wrench_inputs(pilot: TreeLayout, lanes: Lanes, i: int) -> WrenchInputs:
+    """Inputs of one lane's observer."""
+    avionics, g, w, _, _ = lanes
+    flight = avionics.onboard.pilot.flight
+    return WrenchInputs(
         load(pilot.cascade.airframe, g, w, i),
         load(flight.autopilot.built.tree.inertia, g, w, i),
         load(avionics.onboard.measurement, g, w, i),
         load(flight.estimate, g, w, i),
         load(flight.autopilot.thrust, g, w, i),
-        load(memory.wrench, g, w, i),
     )
 
 
 @kernel
-def _watch(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> int:
-    """The observers and triggers of all lanes; how many lanes have something to consider."""
-    memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
-    waiting, stirred = 0, 0
+def _detect(pilot: TreeLayout, lanes: Lanes) -> int:
+    """Run observers and triggers of all lanes; returns the number of lanes with a collision."""
+    avionics, g, w, once, tick = lanes
+    memory, measured = avionics.onboard.pilot, avionics.onboard.measurement
+    waiting, collisions = 0, 0
     for i in range(w * once):
-        waiting += 0 if load(seen.inertial.fresh, g, w, i) > 0.5 else 1
-    for i in range(w * once if waiting == 0 else 0):  # the same, without a choice
-        x = _observing(pilot, avionics, g, w, i)
-        store(renewed_wrench(*x), memory.wrench, g, w, i)
+        waiting += 0 if load(measured.inertial.fresh, g, w, i) > 0.5 else 1
+    for i in range(w * once if waiting == 0 else 0):  # all lanes, so without a selection
+        observer, before = load(pilot.observer, g, w, i), load(memory.wrench, g, w, i)
+        after = sampled_wrench(observer, _wrench_inputs(pilot, lanes, i), before)
+        store(after, memory.wrench, g, w, i)
     for i in range(w * once if waiting > 0 else 0):
-        x = _observing(pilot, avionics, g, w, i)
-        store(observed_wrench(*x), memory.wrench, g, w, i)
+        observer, before = load(pilot.observer, g, w, i), load(memory.wrench, g, w, i)
+        after = wrench_after(observer, _wrench_inputs(pilot, lanes, i), before)
+        store(after, memory.wrench, g, w, i)
     for i in range(w * once):
-        airframe, said = load(pilot.cascade.airframe, g, w, i), load(seen, g, w, i)
-        at, wrench = load(memory.flight.estimate, g, w, i), load(memory.wrench, g, w, i)
+        inputs = CollisionInputs(
+            load(pilot.cascade.airframe, g, w, i),
+            load(measured, g, w, i),
+            load(memory.flight.estimate, g, w, i),
+            load(memory.wrench, g, w, i),
+        )
         time = tick * load(avionics.systems.period, g, w, i)
-        triggers, so_far = load(pilot.detection, g, w, i), load(memory.detection, g, w, i)
-        noticed = detected(triggers, airframe.arms, time, said, at, wrench, so_far)
-        store(noticed.memory, memory.detection, g, w, i)
-        store(noticed.alarm, memory.alarm, g, w, i)
-        looks = (noticed.alarm > 0.5) | (load(memory.recovery_state.phase, g, w, i) == LOOK)
-        stirred += 1 if looks else 0
-    return stirred
+        triggers, before = load(pilot.detection, g, w, i), load(memory.detection, g, w, i)
+        now = detection_step(triggers, time, inputs, before)
+        store(now.memory, memory.detection, g, w, i)
+        store(now.alarm, memory.alarm, g, w, i)
+        looks = (now.alarm > 0.5) | (load(memory.recovery_state.phase, g, w, i) == LOOK)
+        collisions += 1 if looks else 0
+    return collisions
 
 
 @kernel
-def _travel(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
-    """The journeys of all lanes that have nothing to consider: mostly, time goes by."""
-    memory, arrived = avionics.onboard.pilot, 0
+def _end_phases(pilot: TreeLayout, lanes: Lanes) -> None:
+    """Begin the next phase in lanes without a collision whose phase is over, which is rare."""
+    avionics, g, w, once, tick = lanes
+    memory, ending = avionics.onboard.pilot, 0
     for i in range(w * once):
         time = tick * load(avionics.systems.period, g, w, i)
-        alarm, recovery_state = load(memory.alarm, g, w, i), load(memory.recovery_state, g, w, i)
-        calm = (alarm < 0.5) & (recovery_state.phase != LOOK)
+        alarm, state = load(memory.alarm, g, w, i), load(memory.recovery_state, g, w, i)
+        calm = (alarm < 0.5) & (state.phase != LOOK)
         route, at = load(pilot.route, g, w, i), load(memory.flight.estimate, g, w, i)
-        passed = phase_end(route, recovery_state, at, time)
-        store(select(calm, passed.near, recovery_state.near), memory.recovery_state.near, g, w, i)
-        store(select(calm, passed.turns, 0.0), memory.alarm, g, w, i)
-        arrived += 1 if calm & (passed.turns > 0.5) else 0
-    for i in range(w if arrived > 0 else 0):
+        end = phase_end(route, state, at, time)
+        store(select(calm, end.near, state.near), memory.recovery_state.near, g, w, i)
+        store(select(calm, end.turns, 0.0), memory.alarm, g, w, i)
+        ending += 1 if calm & (end.turns > 0.5) else 0
+    for i in range(w if ending > 0 else 0):
         if load(memory.alarm, g, w, i) > 0.5:
             time = tick * load(avionics.systems.period, g, w, i)
-            route, recovery_state = load(pilot.route, g, w, i), load(memory.recovery_state, g, w, i)
+            route, state = load(pilot.route, g, w, i), load(memory.recovery_state, g, w, i)
             at, hit = load(memory.flight.estimate, g, w, i), load(memory.collision, g, w, i)
             yaw = load(memory.flight.offboard.wanted.yaw, g, w, i)
-            store(
-                on_phase_end(route, recovery_state, hit, at, time, yaw),
-                memory.recovery_state,
-                g,
-                w,
-                i,
-            )
+            after = on_phase_end(route, state, hit, at, time, yaw)
+            store(after, memory.recovery_state, g, w, i)
 
 
 @decide.register(RecoveryPilot)
 @kernel
-def _decide(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
-    """`pilot_step`, step by step for all lanes; collisions are considered one by one."""
-    memory, seen = avionics.onboard.pilot, avionics.onboard.measurement
+def _decide(pilot: TreeLayout, lanes: Lanes) -> None:
+    """Batch version of `pilot_step`; collisions are processed lane by lane."""
+    avionics, g, w, once, tick = lanes
+    memory, measured = avionics.onboard.pilot, avionics.onboard.measurement
     flight, cascade = memory.flight, pilot.cascade
-    believe(cascade.estimator, seen, flight.estimator, flight.estimate, flight.tick, g, w, once)
-    stirred = _watch(pilot, avionics, g, w, once, tick)
-    for i in range(w if stirred > 0 else 0):
+    believe(cascade.estimator, measured, flight.estimator, flight.estimate, flight.tick, lanes)
+    collisions = _detect(pilot, lanes)
+    for i in range(w if collisions > 0 else 0):
         m = load(memory, g, w, i)
         if m.alarm > 0.5 or m.recovery_state.phase == LOOK:
-            settings, said = load(pilot, g, w, i), load(seen, g, w, i)
+            settings, measurement = load(pilot, g, w, i), load(measured, g, w, i)
             time = tick * load(avionics.systems.period, g, w, i)
-            now = _considered(settings, time, said, m.flight.estimate, m.wrench, m)
+            now = _considered(settings, time, measurement, m)
             store(now.observation, memory.observation, g, w, i)
             store(now.collision, memory.collision, g, w, i)
             store(now.recovery_state, memory.recovery_state, g, w, i)
-            store(1.0, memory.alarm, g, w, i)  # it has travelled
-    _travel(pilot, avionics, g, w, once, tick)
-    if any_due(cascade.schedule.position, g, w, once, tick):
-        hear(flight, g, w, once)  # before it is overtaken by the next word
-        steer(pilot.route.response, pilot, avionics, g, w, once, tick)
+            store(1.0, memory.alarm, g, w, i)  # processed: its phase does not end as well
+    _end_phases(pilot, lanes)
+    if any_due(cascade.schedule.position, lanes):
+        hear(flight, lanes)  # before the next command replaces it
+        steer(pilot.route.response, pilot, lanes)
         for i in range(w * once):
             settings, at = load(pilot, g, w, i), load(flight.estimate, g, w, i)
-            past = _remembered(settings, tick, at, load(memory.history, g, w, i))
-            store(past, memory.history, g, w, i)
-    fly_on(cascade, flight, seen.arm_length, avionics.onboard.command, g, w, once, tick)
+            after = _history_after(settings, tick, at, load(memory.history, g, w, i))
+            store(after, memory.history, g, w, i)
+    fly_on(cascade, flight, measured.arm_length, avionics.onboard.command, lanes)
 
 
 class RecoveryTelemetry(NamedTuple):
-    """What the pilot tells the telemetry."""
+    """Telemetry of the pilot."""
 
     estimate: Estimate
     wanted: Target
     aim: Any
     setpoint: Vec
     phase: float
-    goal: Vec  # p_r, or where the leg leads [m]
-    pressed: float  # the Hall sensors' signal [m]
-    jolt: float  # the accelerometer's [m/s²]
-    push: float  # the wrench's [N]
+    goal: Vec  # p_r, or the goal of another phase [m]
+    pressed: float  # signal of the Hall sensors [m]
+    jolt: float  # signal of the accelerometer [m/s²]
+    push: float  # signal of the wrench [N]
     alarms: tuple[float, float, float]  # of each trigger so far
     force: Vec  # external, world [N]
     moment: Vec  # external, body axes [N m]
@@ -454,11 +412,10 @@ class RecoveryTelemetry(NamedTuple):
 
 @telemetry_of.register(RecoveryPilot)
 @kernel
-def _tells(pilot: RecoveryPilot, memory: RecoveryPilotMemory) -> RecoveryTelemetry:
+def _telemetry(pilot: RecoveryPilot, memory: RecoveryPilotMemory) -> RecoveryTelemetry:
     m, w, d = memory.flight, memory.wrench, memory.detection
-    words = CascadeTelemetry(m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint)
     return RecoveryTelemetry(
-        words.estimate, words.wanted, words.aim, words.setpoint,
+        m.estimate, m.offboard.wanted, m.autopilot.aim, m.autopilot.setpoint,
         memory.recovery_state.phase, memory.recovery_state.goal,
         d.hall.filtered, d.acceleration.filtered, d.wrench.filtered,
         (d.hall.alarms, d.acceleration.alarms, d.wrench.alarms),

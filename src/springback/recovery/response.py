@@ -1,7 +1,7 @@
-"""What to do after a collision: a way back from the obstacle, as a reference or in stages.
+"""The response to a collision: a reference away from the obstacle, or stages before it.
 
-The place to go to is p_r = p_c − δ f_c⁰, eq. (17) of the paper, with δ = L_c.  How to get there is
-a type: `Quintic`, `TimeOptimal` or `Staged`; another is a NamedTuple with `planned` registered.
+Its goal is p_r = p_c − δ f_c⁰, eq. (17) of the paper, with δ = L_c.  The way there is a type:
+`Quintic`, `TimeOptimal` or `Staged`; a new one is a NamedTuple with `recovery_plan` registered.
 """
 
 from __future__ import annotations
@@ -22,41 +22,41 @@ from springback.sensing.measurement import Estimate
 class Quintic(NamedTuple):
     """A quintic to rest at p_r.
 
-    With the velocity before the collision it begins at p_c, as if the wall were not there; with
-    that after it begins where the robot is.  With neither and no time it is a plain set-point.
+    With the velocity before the collision it begins at p_c, as if there were no wall; with the
+    velocity after it, at the present position.  With neither and no duration it is a set-point.
     """
 
     before: float  # weight of the velocity before the collision, 1 or 0
-    after: float  # weight of the velocity that the robot now believes to have, 1 or 0
+    after: float  # weight of the present estimated velocity, 1 or 0
     pace: float  # duration per speed before the collision [s²/m]
-    shortest: float  # duration [s]
+    shortest: float  # least duration [s]
 
 
 class TimeOptimal(NamedTuple):
-    """The fastest way from any moving state to rest at p_r with bounded acceleration."""
+    """The fastest motion from any state to rest at p_r with bounded acceleration."""
 
-    across: float  # along X and along Y [m/s²]
-    upwards: float  # along Z [m/s²]
+    across: float  # bound along X and along Y [m/s²]
+    upwards: float  # bound along Z [m/s²]
 
 
 class Staged(NamedTuple):
-    """Tilt away, level out, stop climbing or falling, and only then hold a place.
+    """Tilt away, level out, stop climbing or falling, and only then hold a position.
 
     Source: Chui, Dicker and Sharf 2016, flight code: a reference acceleration of 0.75 g away from
-    the obstacle in place of the fuzzy rules, a stage is over when its bounds hold.  The stages are
+    the obstacle in place of the fuzzy rules; a stage is over when its bounds hold.  The stages are
     theirs; attitude and rate loops are those of the robot.
     """
 
     away: float  # acceleration of the first stage [m/s²]
     damping: float  # of the vertical speed in the third [1/s]
-    tilt: float  # error at which the first stage is over [rad]
-    level: float  # tilt at which the second is over [rad]
-    rate: float  # largest angular rate at which either is over [rad/s]
-    climb: float  # vertical speed at which the third is over [m/s]
+    tilt: float  # tilt error below which the first stage is over [rad]
+    level: float  # tilt below which the second is over [rad]
+    rate: float  # angular rate below which either is over [rad/s]
+    climb: float  # vertical speed below which the third is over [m/s]
 
 
 class Rush(NamedTuple):
-    """The fastest way of one coordinate: full acceleration, then full braking."""
+    """The fastest motion of one coordinate: full acceleration, then full braking."""
 
     start: float  # [m]
     speed: float  # at the start [m/s]
@@ -67,7 +67,7 @@ class Rush(NamedTuple):
 
 
 class Dash(NamedTuple):
-    """A reference of three rushes, at rest at its goal after them."""
+    """A reference of three rushes, at rest at its goal afterwards."""
 
     x: Rush
     y: Rush
@@ -84,16 +84,16 @@ class DashCoordinate(NamedTuple):
     second: float
 
 
-# -- the fastest way ------------------------------------------------------------------------------
+# -- the fastest motion ---------------------------------------------------------------------------
 
 
 @kernel
 def rush(start: float, speed: float, goal: float, most: float) -> Rush:
-    """Time-optimal from a moving start to rest, acceleration at most a: bang, then bang.
+    """Time-optimal motion from any speed to rest with an acceleration of at most a: bang-bang.
 
-    The textbook solution of the double integrator (Pontryagin et al. 1962): the sign of the first
-    part is that of what is missing after braking at once, d − v|v|/(2a); it ends at the speed w
-    with w² = σ a d + v²/2.
+    The textbook solution of the double integrator (Pontryagin et al. 1962): the sign σ of the first
+    part is that of the distance that is left after braking at once, d − v|v|/(2a); it ends at the
+    speed w with w² = σ a d + v²/2.
     """
     a = most
     missing = goal - start - speed * math.fabs(speed) / (2.0 * a)
@@ -105,7 +105,7 @@ def rush(start: float, speed: float, goal: float, most: float) -> Rush:
 
 
 @kernel
-def _rushed(way: Rush, elapsed: float) -> DashCoordinate:
+def _coordinate(way: Rush, elapsed: float) -> DashCoordinate:
     first = select(elapsed < way.switch, elapsed, way.switch)
     p = way.start + first * (way.speed + 0.5 * way.push * first)
     v = way.speed + way.push * first
@@ -124,8 +124,8 @@ def _rushed(way: Rush, elapsed: float) -> DashCoordinate:
 def _dash(reference: Dash, time: float) -> Target:
     since = time - reference.begins
     elapsed = select(since > 0.0, since, 0.0)
-    x, y = _rushed(reference.x, elapsed), _rushed(reference.y, elapsed)
-    z = _rushed(reference.z, elapsed)
+    x, y = _coordinate(reference.x, elapsed), _coordinate(reference.y, elapsed)
+    z = _coordinate(reference.z, elapsed)
     return Target(
         Vec(x.value, y.value, z.value),
         Vec(x.rate, y.rate, z.rate),
@@ -145,30 +145,30 @@ def _length(way: Rush) -> float:
 
 
 class RecoveryPlan(NamedTuple):
-    """A way, and when it is over."""
+    """A reference, and its end."""
 
     reference: Any
     ends: float  # [s]
 
 
 @generic
-def planned(
+def recovery_plan(
     response: Any, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
 ) -> RecoveryPlan:
-    """A way from a collision to a goal.
+    """Reference from a collision to a goal.
 
     Args:
-        response: Its type is the way.
+        response: Settings, on whose type it dispatches.
         hit: The collision.
         goal: p_r, world [m].
-        at: What the robot believes now.
+        at: Present estimate.
         time: [s].
-        yaw: To keep [rad].
+        yaw: Yaw to hold [rad].
     """
-    raise TypeError(f"{type(response).__name__} is no response; register planned for it")
+    raise TypeError(f"{type(response).__name__} is not a response; register recovery_plan for it")
 
 
-@planned.register(Quintic)
+@recovery_plan.register(Quintic)
 @kernel
 def _quintic(
     response: Quintic, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
@@ -184,7 +184,7 @@ def _quintic(
     )
 
 
-@planned.register(TimeOptimal)
+@recovery_plan.register(TimeOptimal)
 @kernel
 def _time_optimal(
     response: TimeOptimal, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
@@ -198,31 +198,31 @@ def _time_optimal(
     return RecoveryPlan(Dash(x, y, z, time, yaw), time + last)
 
 
-@planned.register(Staged)
+@recovery_plan.register(Staged)
 @kernel
 def _staged(
     response: Staged, hit: Collision, goal: Vec, at: Estimate, time: float, yaw: float
 ) -> RecoveryPlan:
-    """Once the stages are over the robot holds the place where it then is (see the pilot)."""
+    """Hold the present position; the stages come first (`springback.recovery.stages`)."""
     still = Vec(0.0, 0.0, 0.0)
     here = BoundaryCondition(at.position, still, still)
     return RecoveryPlan(quintic(here, here, SHORTEST, time, yaw), time)
 
 
-#: Duration of a way that is none [s], chosen: one tick.
+#: Duration of a motion without a distance [s], chosen: one tick.
 SHORTEST = 1e-3
 
 
 @kernel
 def homeward(here: Vec, home: Vec, speed: float, time: float, yaw: float) -> RecoveryPlan:
-    """A quintic from rest to rest whose largest speed, 15/8 of the mean, is a given one.
+    """A quintic from rest to rest with a given largest speed, which is 15/8 of the mean.
 
     Args:
-        here: Where it begins [m].
-        home: Where it ends [m].
-        speed: Largest [m/s].
-        time: When it begins [s].
-        yaw: To keep [rad].
+        here: Start [m].
+        home: End [m].
+        speed: Largest speed [m/s].
+        time: Start time [s].
+        yaw: Yaw to hold [rad].
     """
     still = Vec(0.0, 0.0, 0.0)
     wanted = 1.875 * norm(home - here) / speed

@@ -1,4 +1,4 @@
-"""McGill's recovery in stages: tilt away, level out, damp the vertical speed."""
+"""McGill's staged recovery: tilt away, level out, damp the vertical speed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TILTING, LEVELLING, DAMPING, OVER = 1.0, 2.0, 3.0, 4.0
 
 
 class Stage(NamedTuple):
-    """The stage, and what it asks of the autopilot."""
+    """A stage, and its command to the autopilot."""
 
     stage: float
     word: AttitudeTarget
@@ -27,25 +27,25 @@ class Stage(NamedTuple):
 
 @kernel
 def _angle(a: Vec, b: Vec) -> float:
-    """Between two unit vectors [rad]."""
+    """Angle between two unit vectors [rad]."""
     return angle_of(norm(a ^ b), a @ b)
 
 
 @kernel
-def staged(
+def stage_command(
     response: Staged, law: PositionLaw, hit: Collision, at: Estimate, yaw: float, stage: float
 ) -> Stage:
     """One period of a stage: a_des = g e_Z − a f_c⁰ − d v_z e_Z, thrust m max(0, a_des·b).
 
-    Tilting has a only, damping has d only, levelling has neither.  A stage is over as soon as its
-    bounds hold at one period (in the flight code at two), and the next one speaks at once.
+    Tilting uses only a, damping only d, levelling neither.  A stage is over as soon as its bounds
+    hold at one period (in the flight code, at two), and the command is that of the next one.
 
     Args:
         response: Bounds.
-        law: The position loop's numbers, for mass and gravity.
+        law: Position law, for mass and gravity.
         hit: The collision.
-        at: What the robot believes.
-        yaw: To keep [rad].
+        at: Estimated motion.
+        yaw: Yaw to hold [rad].
         stage: `TILTING` at first; `OVER` at the end.
     """
     r = rotation(at.attitude)

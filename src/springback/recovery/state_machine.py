@@ -1,8 +1,8 @@
-"""Where a robot stands between one run-up and the next: its legs, and what ends each.
+"""The state of a recovery: its phases, and the events that end them.
 
-CRUISE until the alarm, LOOK until the collision is made out, then STAGES (where a response has
-them), RECOVER until the robot has come to rest at p_r, RETURN to the start, HOVER there; and
-again, as often as runs are asked for.
+CRUISE until the alarm, LOOK until the collision is characterised, then STAGES (if the response has
+them), RECOVER until the robot has come to rest at p_r, RETURN to the start, and from there the next
+run, or HOVER after the last.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
-from springback.recovery.response import RecoveryPlan, Staged, homeward, planned
+from springback.recovery.response import RecoveryPlan, Staged, homeward, recovery_plan
 from springback.recovery.stages import OVER, TILTING
 from springback.sensing.measurement import Estimate
 
@@ -26,111 +26,111 @@ NOT_YET = -1.0
 
 
 class Route(NamedTuple):
-    """Settings of a journey."""
+    """Settings of the recovery's phases."""
 
     response: Any  # Quintic, TimeOptimal, Staged
     distance: float  # δ = L_c, from p_c to p_r [m]
-    tolerance: float  # it has settled this near its goal [m], ...
-    slow: float  # this slow [m/s], ...
-    dwell: float  # for so long [s]
-    patience: float  # and is taken to have settled after so long anyway [s]
+    tolerance: float  # a robot that has settled is within this distance of its goal [m] ...
+    slow: float  # ... and slower than this [m/s] ...
+    dwell: float  # ... for this time [s]
+    patience: float  # time after the end of a reference when a phase ends anyway [s]
     returns: float  # 1: fly back to the start; 0: stay at p_r
-    home: Vec  # where the runs begin [m]
-    speed: float  # largest on the way home [m/s]
-    runs: float  # collisions to make
+    home: Vec  # start of the runs [m]
+    speed: float  # largest speed of the return [m/s]
+    runs: float  # number of collisions
 
 
 class Log(NamedTuple):
-    """When things happened on the last run, by the robot's own belief [s]; `NOT_YET` if not yet."""
+    """Times of the last run's events by the robot's estimates [s]; `NOT_YET` before them."""
 
     alarm: float
     planned: float
     settled: float
     home: float
-    runs: float  # that have come home, all in all
+    runs: float  # number of runs that have returned
 
 
 class RecoveryState(NamedTuple):
-    """Where the robot stands."""
+    """State of the recovery."""
 
     phase: float
-    since: float  # [s]
+    since: float  # start of the phase [s]
     stage: float  # of a staged response
-    away: float  # the run-up began then [s]
-    recovery: Any
-    homeward: Polynomials
-    ends: float  # of the way of this leg [s]
-    goal: Vec  # of this leg [m]
-    near: float  # the goal is near since then [s], `NOT_YET` if it is not
+    away: float  # start of the run-up [s]
+    recovery: Any  # reference to p_r
+    homeward: Polynomials  # reference to the start
+    ends: float  # end of the phase's reference [s]
+    goal: Vec  # of this phase [m]
+    near: float  # time since which the robot is near the goal and slow [s], `NOT_YET` if it is not
     log: Log
 
 
-class Departed(NamedTuple):
-    """A run-up that began at some time."""
+class DelayedReference(NamedTuple):
+    """A reference that begins at some time."""
 
-    cruise: Any
-    away: float  # [s]
+    reference: Any
+    start: float  # [s]
 
 
 class SmoothReturn(NamedTuple):
-    """A way after a collision, without jerk.
+    """A reference after a collision, without its jerk.
 
-    The paper's controller is given p, v, a and yaw, and the robot is then too far from its way for
-    the way's angular velocities to be of use.
+    The paper's controller takes p, v, a and yaw, and after a collision the robot is too far from
+    the reference for its angular velocity to be useful.
     """
 
-    way: Any
+    reference: Any
 
 
-@target.register(Departed)
+@target.register(DelayedReference)
 @kernel
-def _departed(reference: Departed, time: float) -> Target:
-    return target(reference.cruise, time - reference.away)
+def _delayed(reference: DelayedReference, time: float) -> Target:
+    return target(reference.reference, time - reference.start)
 
 
 @target.register(SmoothReturn)
 @kernel
-def _calm(reference: SmoothReturn, time: float) -> Target:
-    now, still = target(reference.way, time), Vec(0.0, 0.0, 0.0)
+def _without_jerk(reference: SmoothReturn, time: float) -> Target:
+    now, still = target(reference.reference, time), Vec(0.0, 0.0, 0.0)
     return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
 
 def recovery_at_start(
     route: Route, nothing: Collision, build: Build = plain_build
 ) -> RecoveryState:
-    """Before the first run-up.
+    """State before the first run-up.
 
     Args:
         route: Settings.
         nothing: A collision that has not happened.
-        build: How parts are made.
+        build: Builder of the parts.
     """
-    away, homewards = build(_no_ways, route.response, route.speed, nothing)
+    back, home = build(_unplanned, route.response, route.speed, nothing)
     log = Log(NOT_YET, NOT_YET, NOT_YET, NOT_YET, 0.0)
-    return RecoveryState(CRUISE, 0.0, TILTING, 0.0, away, homewards, 0.0, route.home, NOT_YET, log)
+    return RecoveryState(CRUISE, 0.0, TILTING, 0.0, back, home, 0.0, route.home, NOT_YET, log)
 
 
-def _no_ways(response: Any, speed: float, nothing: Collision) -> tuple[Any, Polynomials]:
-    """What stands for the ways that are not planned yet: nobody flies them, from here to here."""
+def _unplanned(response: Any, speed: float, nothing: Collision) -> tuple[Any, Polynomials]:
+    """Placeholders for the two references until they are planned; they stay at the origin."""
     here = Vec(0.0, 0.0, 0.0)
     still = Estimate(here, Quat(1.0, 0.0, 0.0, 0.0), here, here)
-    plan = planned(response, nothing, here, still, 0.0, 0.0)
+    plan = recovery_plan(response, nothing, here, still, 0.0, 0.0)
     return plan.reference, homeward(here, here, speed, 0.0, 0.0).reference
 
 
 @generic
-def _first_leg(response: Any) -> float:
-    """The leg after looking."""
+def _first_phase(response: Any) -> float:
+    """The phase after LOOK."""
     return RECOVER
 
 
-@_first_leg.register(object)
+@_first_phase.register(object)
 @kernel
 def _(response: Any) -> float:
     return RECOVER
 
 
-@_first_leg.register(Staged)
+@_first_phase.register(Staged)
 @kernel
 def _stages_first(response: Staged) -> float:
     return STAGES
@@ -138,7 +138,7 @@ def _stages_first(response: Staged) -> float:
 
 @kernel
 def on_alarm(recovery_state: RecoveryState, time: float) -> RecoveryState:
-    """The alarm: look."""
+    """State after an alarm: LOOK."""
     log = Log(time, NOT_YET, NOT_YET, NOT_YET, recovery_state.log.runs)
     return replace(
         recovery_state, phase=LOOK, since=time, stage=TILTING, ends=time, near=NOT_YET, log=log
@@ -154,18 +154,18 @@ def on_characterised(
     time: float,
     yaw: float,
 ) -> RecoveryState:
-    """The collision is made out: p_r = p_c − δ f_c⁰, and a way there."""
+    """State after the characterisation: p_r = p_c − δ f_c⁰, and a reference to it."""
     goal = hit.position - hit.direction * route.distance
-    plan: RecoveryPlan = planned(route.response, hit, goal, at, time, yaw)
+    plan: RecoveryPlan = recovery_plan(route.response, hit, goal, at, time, yaw)
     log = replace(recovery_state.log, planned=time, settled=NOT_YET, home=NOT_YET)
     return replace(
-        recovery_state, phase=_first_leg(route.response), since=time, stage=TILTING,
+        recovery_state, phase=_first_phase(route.response), since=time, stage=TILTING,
         recovery=plan.reference, ends=plan.ends, goal=goal, near=NOT_YET, log=log,
     )  # fmt: skip
 
 
 @kernel
-def _levelled(
+def _after_stages(
     route: Route,
     recovery_state: RecoveryState,
     hit: Collision,
@@ -173,8 +173,8 @@ def _levelled(
     time: float,
     yaw: float,
 ) -> RecoveryState:
-    """The stages are over: stay here."""
-    plan: RecoveryPlan = planned(route.response, hit, at.position, at, time, yaw)
+    """State after the stages: stay here."""
+    plan: RecoveryPlan = recovery_plan(route.response, hit, at.position, at, time, yaw)
     return replace(
         recovery_state, phase=RECOVER, since=time, stage=OVER, recovery=plan.reference,
         ends=time, goal=at.position, near=NOT_YET,
@@ -182,10 +182,10 @@ def _levelled(
 
 
 @kernel
-def _homewards(
+def _after_recovery(
     route: Route, recovery_state: RecoveryState, time: float, yaw: float
 ) -> RecoveryState:
-    """Settled at p_r: fly home, or stay."""
+    """State after settling at p_r: fly home, or stay."""
     j = recovery_state
     goal = select(route.returns > 0.5, route.home, j.goal)
     plan = homeward(j.goal, goal, route.speed, time, yaw)
@@ -196,8 +196,8 @@ def _homewards(
 
 
 @kernel
-def _at_home(route: Route, recovery_state: RecoveryState, time: float) -> RecoveryState:
-    """Settled at home: hover, or set out again."""
+def _after_return(route: Route, recovery_state: RecoveryState, time: float) -> RecoveryState:
+    """State after settling at home: the next run, or hover."""
     runs = recovery_state.log.runs + 1.0
     again = runs < route.runs
     return replace(
@@ -212,7 +212,7 @@ def _at_home(route: Route, recovery_state: RecoveryState, time: float) -> Recove
 
 @kernel
 def _near_since(route: Route, recovery_state: RecoveryState, at: Estimate, time: float) -> float:
-    """Since when the robot has been near its goal, and slow."""
+    """Time since which the robot has been near its goal, and slow."""
     gap = at.position - recovery_state.goal
     near = gap @ gap < route.tolerance * route.tolerance
     near &= at.velocity @ at.velocity < route.slow * route.slow
@@ -221,21 +221,21 @@ def _near_since(route: Route, recovery_state: RecoveryState, at: Estimate, time:
 
 
 class PhaseEnd(NamedTuple):
-    """What a tick without an alarm does to a journey."""
+    """Effect of a tick without an alarm."""
 
-    near: float  # the goal is near since then [s], `NOT_YET` if it is not
-    turns: float  # 1 where the leg is over
+    near: float  # as in `RecoveryState`
+    turns: float  # 1 if the phase is over
 
 
 @kernel
 def phase_end(route: Route, recovery_state: RecoveryState, at: Estimate, time: float) -> PhaseEnd:
-    """A tick without an alarm: is the robot near its goal, and is the leg over?"""
+    """Effect of a tick without an alarm: time near the goal, and end of the phase."""
     j, since = recovery_state, _near_since(route, recovery_state, at, time)
     rested = (since >= 0.0) & (time - since >= route.dwell)
-    weary = time - j.ends > route.patience
-    levelled = (j.phase == STAGES) & (j.stage >= OVER)
-    arrives = ((j.phase == RECOVER) | (j.phase == RETURN)) & (rested | weary)
-    return PhaseEnd(since, select(levelled | arrives, 1.0, 0.0))
+    late = time - j.ends > route.patience
+    staged = (j.phase == STAGES) & (j.stage >= OVER)
+    arrives = ((j.phase == RECOVER) | (j.phase == RETURN)) & (rested | late)
+    return PhaseEnd(since, select(staged | arrives, 1.0, 0.0))
 
 
 @kernel
@@ -247,9 +247,9 @@ def on_phase_end(
     time: float,
     yaw: float,
 ) -> RecoveryState:
-    """The journey where a leg is over (`phase_end`)."""
+    """State at the end of a phase (`phase_end`)."""
     if recovery_state.phase == STAGES:
-        return _levelled(route, recovery_state, hit, at, time, yaw)
+        return _after_stages(route, recovery_state, hit, at, time, yaw)
     if recovery_state.phase == RECOVER:
-        return _homewards(route, recovery_state, time, yaw)
-    return _at_home(route, recovery_state, time)
+        return _after_recovery(route, recovery_state, time, yaw)
+    return _after_return(route, recovery_state, time)

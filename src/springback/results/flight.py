@@ -31,7 +31,7 @@ from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user_obstacles import check_own_obstacles
 from springback.scenario.user_pilots import guarded_pilot, in_words, source_text, validate
 from springback.simulation.flight import Executor, FlightRecord, Trace, check_instants, fly_one
-from springback.simulation.guided import PlainPilot, fly_guided, noise_table, ticks_of
+from springback.simulation.guided import GuidedFlight, PlainPilot, fly_guided, ticks_of
 from springback.simulation.measures import (
     FAILURES,
     MEASURES,
@@ -39,6 +39,7 @@ from springback.simulation.measures import (
     measures_of,
     outcome_of,
 )
+from springback.simulation.noise import noise_table
 
 if TYPE_CHECKING:
     import pandas
@@ -383,7 +384,7 @@ def _fly_guided(
     noise = noise_table(seed, 0, ticks, built_avionics.noise)
     with in_words(own):
         guided = fly_guided(
-            model, start, built_avionics.avionics, noise,
+            GuidedFlight(model, start, built_avionics.avionics), noise,
             pilot=plain, trace=trajectory, executor=executor, progress=progress,
         )  # fmt: skip
     columns, units = _columns(guided.flown)

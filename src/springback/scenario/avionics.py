@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
@@ -36,9 +36,9 @@ from springback.sensing.measurement import Estimate
 from springback.sensing.parameters import BIASES, SensorSettings
 from springback.sensing.sensors import Sensors, draws_of, noise_count, sensors_at_start
 from springback.settings import problem
-from springback.simulation.guided import NO_EVALUATION, avionics_at_start
+from springback.simulation.guided import NO_EVALUATION, AvionicsMemory, avionics_at_start
 from springback.simulation.noise import Purpose, stream
-from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems, Relay
+from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
@@ -351,17 +351,17 @@ def recovery_pilot(
     return RecoveryPilot(cascade, *eyes, route)
 
 
+#: Builds the pilot of a scenario, model and start with a builder of its parts: `cascade_of`.
+MakePilot = Callable[[ScenarioTables, Model, State, Build], CompiledPilot]
+
+
 def build_avionics(
     scenario: ScenarioTables,
     model: Model,
     start: State,
-    *,
-    flight: int = 0,
-    pilot: CompiledPilot | None = None,
-    relay: bool = False,
+    pilot: CompiledPilot | MakePilot = cascade_of,
     biases: Sequence[float] | None = None,
     build: Build = plain_build,
-    advises: bool = True,
 ) -> BuiltAvionics:
     """Build the avionics as they are before the first tick.
 
@@ -369,20 +369,15 @@ def build_avionics(
         scenario: With a reference, or flown by a pilot of the user's own.
         model: Model of the flight.
         start: State at time 0.
-        flight: Number of the flight in a campaign, for its noise.
-        pilot: Pilot in place of the paper's.
-        relay: True for a pilot in plain Python, which runs outside.
-        biases: `turn_on_normals` of the seed and the number, if already known.
+        pilot: Pilot, or the function that builds it.
+        biases: `turn_on_normals` of the flight; by default those of the scenario's seed.
         build: Builder of the parts.
-        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
     """
     s, arms, period = scenario, len(model.airframe.arms), build(_tick, scenario.clock)
     devices = build(devices_of, s.sensors, s.estimator, period, s.vehicle)
-    drawn = turn_on_normals([s.seed], flight)[0] if biases is None else biases
+    drawn = turn_on_normals([s.seed])[0] if biases is None else biases
     sensors = devices.settings.switched_on(devices.sensors, drawn)
-    if relay:
-        pilot = CompiledPilot(Relay(0.0), model.thrust)
-    flown_by = pilot or cascade_of(s, model, start, build, advises)
+    flown_by = pilot if isinstance(pilot, CompiledPilot) else pilot(s, model, start, build)
     air = build(_air_of, s.air, period)
     judged = isinstance(flown_by.settings, RecoveryPilot) and s.recovery is not None
     evaluator: Any = build(RecoverySettings.evaluator, s.recovery) if judged else NoEvaluator(0.0)
@@ -399,9 +394,8 @@ def build_avionics(
         period=period,
     )
     remembered = sensors_at_start(sensors, start, s.world.gravity, build)
-    avionics = avionics_at_start(
-        systems, remembered, flown_by.memory, model, start, noise_count(arms), s.seed, seen
-    )
+    memory = AvionicsMemory(remembered, flown_by.memory, seen)
+    avionics = avionics_at_start(systems, memory, model, start, noise_count(arms), s.seed)
     return BuiltAvionics(avionics, (*devices.noise, air.noise))
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.kernels.memo import Build, plain_build
-from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics
+from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics, cascade_of
 from springback.scenario.checks import (
     blaming_the_clock,
     check_clock,
@@ -19,6 +20,7 @@ from springback.scenario.checks import (
 from springback.scenario.model import flight_model, hover_thrusts, start_state
 from springback.scenario.tables import ScenarioTables
 from springback.settings import problem
+from springback.simulation.onboard import Relay
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
@@ -71,12 +73,11 @@ def build_flight(
     if s.reference is None and not any(model.thrust):
         model = model._replace(thrust=build(hover_thrusts, s.vehicle, s.world.gravity))
     with blaming_the_clock(s):
-        avionics = build_avionics(
-            s, model, start,
-            pilot=pilot if isinstance(pilot, CompiledPilot) else None,
-            relay=pilot == PLAIN_PYTHON,
-            biases=biases, build=build, advises=advises,
-        )  # fmt: skip
+        if pilot == PLAIN_PYTHON:
+            pilot = CompiledPilot(Relay(0.0), model.thrust)
+        makes = partial(cascade_of, advises=advises)
+        flown_by = pilot if isinstance(pilot, CompiledPilot) else makes
+        avionics = build_avionics(s, model, start, flown_by, biases, build)
     return ReadyFlight(s.seed, model, start, avionics)
 
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.trees import select
 from springback.kernels.vectors import (
     ZERO,
@@ -43,6 +43,7 @@ from springback.sensing.measurement import (
     believe,
     estimated,
 )
+from springback.simulation.ticks import Lanes
 
 #: Above this rate of rotation the bias is not updated [rad/s] (PX4, attitude_estimator_q).
 SLOW_SPIN = 0.175
@@ -108,11 +109,15 @@ def _complementary(
 @believe.register(Complementary)
 @kernel
 def _believe(
-    estimator: TreeLayout, seen: TreeLayout, memory: TreeLayout, estimate: TreeLayout,
-    ticks: TreeLayout, g: Buffer, w: int,
-    once: int,
-) -> None:  # fmt: skip
+    estimator: TreeLayout,
+    seen: TreeLayout,
+    memory: TreeLayout,
+    estimate: TreeLayout,
+    ticks: TreeLayout,
+    lanes: Lanes,
+) -> None:
     """Batch version of `_complementary`, step by step; poses are processed where one is fresh."""
+    _, g, w, once, _ = lanes
     posed, waiting = 0, 0
     for i in range(w * once):
         posed += 1 if load(seen.pose.fresh, g, w, i) > 0.5 else 0

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import floor
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, read, store
+from springback.kernels.layout import TreeLayout, load, read, store
 from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
 from springback.kernels.vectors import within
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.onboard import Draw
-from springback.simulation.ticks import motion_of, truth_of
+from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
 
 #: Bisections of the range of lengths in the calibration, from 54 mm to 0.4 mm, after which Newton's
@@ -279,39 +279,19 @@ def _arms_read(
 
 
 @generic
-def read_arms(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer, first: int,
-) -> None:  # fmt: skip
-    """Arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`.
-
-    Args:
-        device: Layout of the settings.
-        shape: Layout of ``b``.
-        avionics: Layout of ``g``.
-        b: Buffer of the motion.
-        g: Buffer of the on-board state.
-        w: Number of lanes.
-        once: 1.
-        tick: Number of the tick.
-        channels: Layout of the noise of the arms of one lane.
-        noise: Noise of all lanes.
-        first: First noise channel of the arms.
-    """
-    _read_arms_one_by_one(device, shape, avionics, b, g, w, once, tick, channels, noise, first)
+def read_arms(device: TreeLayout, group: Group, noise: TickNoise) -> None:
+    """Arm-length sensors of all lanes; arguments as for `springback.simulation.ticks.look`."""
+    _read_arms_one_by_one(device, group, noise)
 
 
 @kernel
-def _read_arms_one_by_one(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer, first: int,
-) -> None:  # fmt: skip
+def _read_arms_one_by_one(device: TreeLayout, group: Group, noise: TickNoise) -> None:
+    avionics, g, w, _, tick = group.lanes
     memory, seen = avionics.onboard.sensors.arm_length, avionics.onboard.measurement
     for i in range(w):
-        truth, drawn = truth_of(shape, avionics, b, g, w, i), read(channels, noise, first, w, i)
-        read_now = arms_read(load(device, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        drawn = read(noise.channels, noise.drawn, noise.first, w, i)
+        truth, before = truth_of(group, i), load(memory, g, w, i)
+        read_now = arms_read(load(device, g, w, i), tick, truth, drawn, before)
         store(read_now.length, seen.arm_length, g, w, i)
         store(read_now.fresh, seen.arm_length_fresh, g, w, i)
         store(read_now.memory, memory, g, w, i)
@@ -319,12 +299,9 @@ def _read_arms_one_by_one(
 
 @read_arms.register(HallSensors)
 @kernel
-def _read_hall_sensors(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer, first: int,
-) -> None:  # fmt: skip
+def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> None:
     """Batch version of `arms_read`; the calibration is searched only where a sample has changed."""
+    avionics, g, w, once, tick = group.lanes
     memory, seen = avionics.onboard.sensors.arm_length.tree.arms, avionics.onboard.measurement
     sampling, moved, delivering, renewed = 0, 0, 0, 0
     for i in range(w * once):
@@ -334,16 +311,17 @@ def _read_hall_sensors(
         delivering += 1 if fresh else 0
         store(select(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
-        arms, lengths = load(memory, g, w, i), motion_of(shape, b, w, i).arm_length
+        arms, lengths = load(memory, g, w, i), state_of(group, i).arm_length
         moved += 1 if maximum(tree_map(_moved, (arms, lengths), ())) > 0.5 else 0
     for i in range(w * once if moved > 0 else 0):  # roots are expensive, and arms seldom move
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
-        lengths = motion_of(shape, b, w, i).arm_length
+        lengths = state_of(group, i).arm_length
         now = tree_map(_sensed, (sensors.spans, arms, lengths), (sensors,))
         store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
-        now = tree_map(_entered, (arms, read(channels, noise, first, w, i)), (sensors,))
+        drawn = read(noise.channels, noise.drawn, noise.first, w, i)
+        now = tree_map(_entered, (arms, drawn), (sensors,))
         store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)

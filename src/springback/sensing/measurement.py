@@ -10,11 +10,12 @@ from typing import Any, NamedTuple
 
 from springback.kernels.angles import floor
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.onboard import Sensed as Sensed
+from springback.simulation.onboard import SensorStep as SensorStep
 from springback.simulation.onboard import Truth as Truth
-from springback.simulation.onboard import sensed as sensed
+from springback.simulation.onboard import sensor_step as sensor_step
+from springback.simulation.ticks import Lanes
 
 
 class Inertial(NamedTuple):
@@ -76,16 +77,14 @@ def due(tick: float, pace: Pace) -> bool:
 
 
 @kernel
-def how_many_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> int:
+def how_many_due(pace: TreeLayout, lanes: Lanes) -> int:
     """Number of lanes in which a device is due at a tick.
 
     Args:
         pace: Layout of its `Pace`.
-        g: Buffer of the on-board state.
-        w: Number of lanes.
-        once: As for `springback.simulation.ticks.look`.
-        tick: Number of the tick.
+        lanes: Of a group.
     """
+    _, g, w, once, tick = lanes
     count = 0
     for i in range(w * once):
         count += 1 if due(tick, load(pace, g, w, i)) else 0
@@ -93,9 +92,9 @@ def how_many_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) ->
 
 
 @kernel
-def any_due(pace: TreeLayout, g: Buffer, w: int, once: int, tick: float) -> bool:
+def any_due(pace: TreeLayout, lanes: Lanes) -> bool:
     """True if a device of any lane is due at a tick; arguments as for `how_many_due`."""
-    return how_many_due(pace, g, w, once, tick) > 0
+    return how_many_due(pace, lanes) > 0
 
 
 class EstimatorStep(NamedTuple):
@@ -120,10 +119,13 @@ def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Es
 
 @generic
 def believe(
-    estimator: TreeLayout, seen: TreeLayout, memory: TreeLayout, estimate: TreeLayout,
-    ticks: TreeLayout, g: Buffer, w: int,
-    once: int,
-) -> None:  # fmt: skip
+    estimator: TreeLayout,
+    seen: TreeLayout,
+    memory: TreeLayout,
+    estimate: TreeLayout,
+    ticks: TreeLayout,
+    lanes: Lanes,
+) -> None:
     """Run the estimators of all lanes on their measurements.
 
     Args:
@@ -132,10 +134,9 @@ def believe(
         memory: Layout of the estimator's memory; changed.
         estimate: Layout of the estimate; written.
         ticks: Layout of the number of the tick.
-        g: Buffer of the on-board state.
-        w: Number of lanes.
-        once: As for `springback.simulation.ticks.look`.
+        lanes: Of a group.
     """
+    _, g, w, _, _ = lanes
     for i in range(w):
         said, remembered = load(seen, g, w, i), load(memory, g, w, i)
         known = estimated(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)

@@ -6,14 +6,14 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, store
+from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.trees import Rarely, select
 from springback.kernels.vectors import Quat, Vec, normalise, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
 from springback.sensing.memory import Line, Nothing, arriving, entered, filled
 from springback.simulation.onboard import Draw
-from springback.simulation.ticks import motion_of, truth_of
+from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
 
 
@@ -173,13 +173,9 @@ def _captured(
 
 
 @generic
-def capture(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
+def capture(device: TreeLayout, group: Group, noise: TickNoise) -> None:
     """Motion capture of all lanes; arguments as for `springback.simulation.ticks.look`."""
-    _capture_lanes(device, shape, avionics, b, g, w, once, tick, channels, noise)
+    _capture_lanes(device, group, noise)
 
 
 @kernel
@@ -190,27 +186,22 @@ def noise_of(drawn: tuple[float, ...]) -> MotionCaptureNoise:
 
 
 @kernel
-def _capture_lanes(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
+def _capture_lanes(device: TreeLayout, group: Group, noise: TickNoise) -> None:
+    avionics, g, w, once, tick = group.lanes
     memory, pose = avionics.onboard.sensors.motion_capture, avionics.onboard.measurement.pose
     for i in range(w * once):
-        truth, drawn = truth_of(shape, avionics, b, g, w, i), noise_of(load(channels, noise, w, i))
-        posed = captured(load(device, g, w, i), tick, truth, drawn, load(memory, g, w, i))
+        drawn = noise_of(load(noise.channels, noise.drawn, w, i))
+        truth, before = truth_of(group, i), load(memory, g, w, i)
+        posed = captured(load(device, g, w, i), tick, truth, drawn, before)
         store(posed.pose, pose, g, w, i)
         store(posed.memory, memory, g, w, i)
 
 
 @capture.register(MotionCapture)
 @kernel
-def _capture_at_times(
-    device: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
+def _capture_at_times(device: TreeLayout, group: Group, noise: TickNoise) -> None:
     """Batch version of `captured`; between exposures and arrivals the last pose only ages."""
+    avionics, g, w, once, tick = group.lanes
     memory, pose = avionics.onboard.sensors.motion_capture.tree, avionics.onboard.measurement.pose
     exposing, delivering, line = 0, 0, memory.line
     for i in range(w * once):
@@ -223,12 +214,9 @@ def _capture_at_times(
         now, before = _exposing(load(device, g, w, i), tick), load(line, g, w, i)
         store(select(now, entered(before, before.newest), before), line, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
-        camera, drawn = load(device, g, w, i), noise_of(load(channels, noise, w, i))
+        camera, drawn = load(device, g, w, i), noise_of(load(noise.channels, noise.drawn, w, i))
         lost, before = load(memory.lost, g, w, i), load(line.newest, g, w, i)
-        sample, now = (
-            _exposed(camera, motion_of(shape, b, w, i), drawn, lost),
-            _exposing(camera, tick),
-        )
+        sample, now = _exposed(camera, state_of(group, i), drawn, lost), _exposing(camera, tick)
         store(select(now, sample, before), line.newest, g, w, i)
         store(select(now, 1.0 - sample.seen, lost), memory.lost, g, w, i)
     for i in range(w * once if delivering > 0 else 0):

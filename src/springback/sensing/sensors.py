@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, rows, store
+from springback.kernels.layout import TreeLayout, load, rows, store
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
 from springback.sensing.inertial import InertialNoise, inertial_at_start, inertial_sample
-from springback.sensing.measurement import Estimate, Measurement, Sensed, Truth, sensed
+from springback.sensing.measurement import Estimate, Measurement, SensorStep, Truth, sensor_step
 from springback.sensing.motion_capture import capture, captured, motion_capture_at_start, noise_of
 from springback.simulation.onboard import Draw
-from springback.simulation.ticks import look, motion_of, truth_of
+from springback.simulation.ticks import Group, TickNoise, look, state_of, truth_of
 from springback.vehicle.state import State
 
 #: Channels of standard normal numbers of motion capture: 0-2 position, 3-5 attitude, 6 gaps ...
@@ -46,7 +46,7 @@ class SensorsMemory(NamedTuple):
 
 
 def noise_count(arm_count: int) -> int:
-    """Number of standard normal numbers that `sensed` uses at each tick.
+    """Number of standard normal numbers that `sensor_step` uses at each tick.
 
     It does not depend on the chosen devices.
     """
@@ -105,53 +105,37 @@ def _inertial_noise(noise: tuple[float, ...]) -> InertialNoise:
     return InertialNoise(white_a, white_g, walk_a, walk_g)
 
 
-@sensed.register(Sensors)
+@sensor_step.register(Sensors)
 @kernel
-def _sensed(
+def _sensor_step(
     sensors: Sensors, tick: float, truth: Truth, noise: tuple[float, ...], memory: SensorsMemory
-) -> Sensed:
+) -> SensorStep:
     posed = captured(sensors.motion_capture, tick, truth, noise_of(noise), memory.motion_capture)
     moved = inertial_sample(sensors.inertial, tick, truth, _inertial_noise(noise), memory.inertial)
     arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
 
     exact = revealed(truth.now, sensors.reveal)
     measurement = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
-    return Sensed(measurement, SensorsMemory(posed.memory, moved.memory, arms.memory))
+    return SensorStep(measurement, SensorsMemory(posed.memory, moved.memory, arms.memory))
 
 
 @look.register(Sensors)
 @kernel
-def _look(
-    sensors: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
-    """Batch version of `sensed`, one device after the other for all lanes."""
-    capture(sensors.motion_capture, shape, avionics, b, g, w, once, tick, channels, noise)
+def _look(sensors: TreeLayout, group: Group, noise: TickNoise) -> None:
+    """Batch version of `sensor_step`, one device after the other for all lanes."""
+    avionics, g, w, once, tick = group.lanes
+    capture(sensors.motion_capture, group, noise)
     memory, seen, revealing = avionics.onboard.sensors.inertial, avionics.onboard.measurement, 0
     for i in range(w * once):
-        truth = truth_of(shape, avionics, b, g, w, i)
-        drawn = _inertial_noise(load(channels, noise, w, i))
-        moved = inertial_sample(
-            load(sensors.inertial, g, w, i), tick, truth, drawn, load(memory, g, w, i)
-        )
+        drawn = _inertial_noise(load(noise.channels, noise.drawn, w, i))
+        truth, before = truth_of(group, i), load(memory, g, w, i)
+        moved = inertial_sample(load(sensors.inertial, g, w, i), tick, truth, drawn, before)
         store(moved.inertial, seen.inertial, g, w, i)
         store(moved.memory, memory, g, w, i)
         revealing += 1 if load(sensors.reveal, g, w, i) > 0.0 else 0
     for i in range(w * once if revealing > 0 else 0):  # otherwise zeros are there
-        state, reveal = motion_of(shape, b, w, i), load(sensors.reveal, g, w, i)
+        state, reveal = state_of(group, i), load(sensors.reveal, g, w, i)
         store(revealed(state, reveal), seen.exact, g, w, i)
     arms = seen.arm_length
-    read_arms(
-        sensors.arm_length,
-        shape,
-        avionics,
-        b,
-        g,
-        w,
-        once,
-        tick,
-        arms,
-        noise,
-        rows(channels) - rows(arms),
-    )
+    own = TickNoise(arms, noise.drawn, rows(noise.channels) - rows(arms))
+    read_arms(sensors.arm_length, group, own)

@@ -1,4 +1,4 @@
-"""What flights have left in their buffers, as columns: one number for each flight."""
+"""Results of flights, read from their buffers as columns: one number for each flight."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from springback.simulation.lanes import Shape
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-def reshaped(like: Any, columns: Any) -> Any:
-    """A tree shaped as ``like`` whose leaves are the columns, taken in order."""
+def tree_from(like: Any, columns: Any) -> Any:
+    """A tree of the structure of ``like`` whose leaves are the columns, in order."""
     stream = iter(columns)
 
     def build(tree: Any) -> Any:
@@ -29,35 +29,35 @@ def reshaped(like: Any, columns: Any) -> Any:
 
 
 def as_columns(tree: Any) -> Any:
-    """The tree of a single flight with columns of one number."""
-    return reshaped(tree, np.array(leaves(tree), dtype=np.float64)[:, None])
+    """The tree of a single flight, with columns of one number as leaves."""
+    return tree_from(tree, np.array(leaves(tree), dtype=np.float64)[:, None])
 
 
 def columns_of(like: Any, buffers: Buffer, row: int, width: int, count: int) -> Any:
-    """A tree of columns, from where such trees lie in the buffers of many flights.
+    """A tree of columns, read from the buffers of many flights.
 
     Args:
-        like: Such a tree.
+        like: A tree of the same structure.
         buffers: Shape (groups, rows x width).
-        row: At which the trees begin; negative from the end.
+        row: First row of the trees; negative from the end.
         width: Lanes in a group.
-        count: Flights; spare lanes are not read.
+        count: Number of flights; spare lanes are not read.
     """
     lanes = buffers.reshape(len(buffers), -1, width)
     first = row if row >= 0 else lanes.shape[1] + row
     block = lanes[:, first : first + rows(like)].transpose(1, 0, 2).reshape(rows(like), -1)
-    return reshaped(like, np.ascontiguousarray(block[:, :count]))
+    return tree_from(like, np.ascontiguousarray(block[:, :count]))
 
 
 @executor(nogil=True)
-def stored(shape: TreeLayout, buffers: Buffer, lanes: tuple[int, ...], out: Buffer) -> None:
-    """Energies of all flights in some buffers.
+def store_energies(shape: TreeLayout, buffers: Buffer, lanes: tuple[int, ...], out: Buffer) -> None:
+    """Write the energies of all flights in some buffers.
 
     Args:
-        shape: What lies in the buffers.
+        shape: Layout of the buffers.
         buffers: Shape (groups, rows x lanes).
         lanes: A tuple as long as a group is wide.
-        out: Gets the leaves of `Energy`, shape (groups, rows x lanes).
+        out: Leaves of `Energy`, shape (groups, rows x lanes); written.
     """
     w, motion = len(lanes), rows(shape.model)
     for group in range(buffers.shape[0]):
@@ -72,5 +72,5 @@ def energies(shape: Shape, buffers: Buffer, width: int, count: int) -> Any:
     """`Energy` of many flights, in columns."""
     like = Energy(0.0, 0.0, 0.0, 0.0, 0.0)
     out = np.zeros((len(buffers), rows(like) * width))
-    stored(TreeLayout(shape), buffers, (0,) * width, out)
+    store_energies(TreeLayout(shape), buffers, (0,) * width, out)
     return columns_of(like, out, 0, width, count)

@@ -1,4 +1,4 @@
-"""One flight, or many: the Python side of the executor."""
+"""Flights without avionics, one or many: the Python side of the executor."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import advance
+from springback.simulation.executor import TrajectoryLog, advance
 from springback.simulation.lanes import Shape, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
 
 Executor = Literal["compiled", "python"]
 
-#: Flights abreast in one group: what fills the vector registers and still fits the first-level
-#: cache, together with what the compiler puts aside there.
+#: Lanes of a group: they fill the vector registers, and their data with the registers that the
+#: compiler spills still fit the first-level cache.
 LANES = 8
-#: Steps between two looks at the clock, the keyboard and the progress bar.
+#: Steps between two checks for an interrupt and updates of the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
-#: Most instants of a trajectory that are kept (chosen: some 2.5 GB with the telemetry and all
+#: Largest number of instants of a trajectory (chosen: some 2.5 GB with the telemetry and all
 #: columns).
 MOST_INSTANTS = 1_000_000
-#: When this process read its first sources [s since the epoch].
+#: Time at which this process read its first sources [s since the epoch].
 BEGUN = time.time()
 
 
 class Trace(NamedTuple):
-    """A trajectory: one row an instant, columns named after the leaves of motion and view."""
+    """A trajectory: one row for each instant, columns named after the leaves of motion and view."""
 
     columns: tuple[str, ...]
     values: Buffer
@@ -52,7 +52,7 @@ class Trace(NamedTuple):
 
 
 class FlightRecord(NamedTuple):
-    """What the executor leaves of one flight."""
+    """Result of one flight."""
 
     model: Model
     start: State
@@ -62,24 +62,24 @@ class FlightRecord(NamedTuple):
 
     @property
     def before(self) -> Energy:
-        """At the start."""
+        """Energy at the start."""
         m = self.model
         return energy(m.airframe, m.world, m.contact_point, self.start)
 
     @property
     def after(self) -> Energy:
-        """At the end."""
+        """Energy at the end."""
         m = self.model
         return energy(m.airframe, m.world, m.contact_point, self.motion.state)
 
 
 def still_work() -> Work:
-    """A ledger with nothing in it."""
+    """Work of a flight that has not begun."""
     return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
 
 
 def shape_of(model: Model, state: State) -> Shape:
-    """The trees of a flight, for the executor."""
+    """Trees of a flight, whose structure is the layout of its buffers."""
     zero = Vec(0.0, 0.0, 0.0)
     arms, obstacles = len(model.airframe.arms), len(model.world.obstacles)
     hulls, apart = len(model.airframe.hull), (0.0,) * obstacles
@@ -91,17 +91,19 @@ def shape_of(model: Model, state: State) -> Shape:
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:
-    """At the origin, level, at rest, arms as given [m]."""
+    """State at the origin, level, at rest, with arms of the given lengths [m]."""
     zero, lengths = Vec(0.0, 0.0, 0.0), tuple(float(x) for x in arm_lengths)
     return State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, (0.0,) * len(lengths))
 
 
-def loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width: int) -> Buffer:
-    """Buffers with every flight in its lane; spare lanes repeat the last flight, already ended."""
+def flight_buffers(
+    shape: Shape, models: Sequence[Model], states: Sequence[State], width: int
+) -> Buffer:
+    """Buffers with each flight in its lane; spare lanes repeat the last flight, already ended."""
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
     record = leaves(shape.record)
-    status, phase = (row_of(shape.record, name) for name in ("status", "phase"))
+    status, phase = (row_of(shape.record.stepping, name) for name in ("status", "phase"))
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
     work, record_row = leaves(shape.motion.work), -len(record)
     spare = len(buffers) * width - len(states)
@@ -119,7 +121,7 @@ def loaded(shape: Shape, models: Sequence[Model], states: Sequence[State], width
 
 
 def first_phase(model: Model, state: State) -> float:
-    """An impact is taken to be on where arms start away from their free length, or moving."""
+    """IMPACT if a sliding arm starts away from its free length or moving, else FREE_FLIGHT."""
     for arm, length, rate in zip(
         model.airframe.arms, state.arm_length, state.arm_rate, strict=True
     ):
@@ -128,10 +130,10 @@ def first_phase(model: Model, state: State) -> float:
     return FREE_FLIGHT
 
 
-def unloaded(
+def flight_records(
     shape: Shape, models: Sequence[Model], states: Sequence[State], buffers: Buffer, width: int
 ) -> list[FlightRecord]:
-    """What the executor has left of every flight."""
+    """Results of each flight, read from the buffers."""
     lanes = buffers.reshape(len(buffers), -1, width)
     model_rows, motion_rows = rows(shape.model), rows(shape.motion)
     record_rows = rows(shape.record)
@@ -147,7 +149,7 @@ def unloaded(
 
 
 def own_types(tree: Any) -> set[type]:
-    """Types in a tree that are not the package's: shapes and pilots of the user's."""
+    """Types in a tree that are not the package's: a user's own obstacles and pilots."""
     found: set[type] = set()
     _gather_types(tree, found)
     named = {cls for cls in found if hasattr(cls, "_fields")}
@@ -162,11 +164,11 @@ def _gather_types(tree: Any, found: set[type]) -> None:
 
 
 def sources(types: set[type]) -> Origin | None:
-    """Files and modules of own types, of what is registered for them, and of the modules beside.
+    """Origin of a user's own types, of the functions registered for them, and of their neighbours.
 
-    None if their kernels had better not be kept: those of a script or of a session, those of a
-    file that was changed while this process runs, which may have read it before, and those that
-    take values from elsewhere which no digest can stand for.
+    It is None if their kernels must not be cached: those of a script or of an interactive session,
+    those of a file that has changed since this process began, which may have read it before, and
+    those that use values from elsewhere of which there is no digest.
     """
     entries = [entry for cls in types for entry in (cls, *implementations(cls))]
     entries = [entry for entry in entries if not entry.__module__.startswith("springback.")]
@@ -185,7 +187,7 @@ def sources(types: set[type]) -> Origin | None:
 
 
 def _beside(files: set[str]) -> set[str]:
-    """Files of loaded modules in the folders of some files or below, but for what is installed."""
+    """Files of loaded modules in the folders of some files or below, without installed ones."""
     folders = tuple(os.path.join(os.path.dirname(file), "") for file in files)
     installed = (sys.prefix + os.sep, sys.base_prefix + os.sep)
     loaded_from = {
@@ -218,54 +220,58 @@ def fly_one(
     """Fly one flight to its end.
 
     Args:
-        model: The flight's numbers.
+        model: Of the flight.
         start: State at time 0.
-        trace: Keep the trajectory: every step of it.
+        trace: Record the trajectory, with each step.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
-        progress: Called now and then with the simulated time [s].
+        progress: Called from time to time with the simulated time [s].
 
     Raises:
-        InputError: If the trajectory has more instants than can be kept.
+        InputError: If the trajectory would have too many instants to be recorded.
     """
     shape = shape_of(model, start)
-    buffers = loaded(shape, [model], [start], 1)
+    buffers = flight_buffers(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
     logs: list[Buffer] = []
     run, like = entry_for(model, executor), TreeLayout(shape)
     record_row = -rows(shape.record)
     while True:
-        log = np.zeros((LOG_ROWS if trace else 0, width))
-        logged = np.zeros(1, dtype=np.int64)
-        flying = run(like, buffers, 0, 1, (0,), log, logged, SLICE, 0.0)
-        logs.append(log[: logged[0]])
+        log = empty_log(LOG_ROWS if trace else 0, width)
+        flying = run(like, buffers, (0,), log, SLICE, 0.0)
+        logs.append(log.rows[: log.used[0]])
         time_now = float(buffers[0, record_row])
         check_instants(sum(map(len, logs)), time_now, model.timing.until)
         if progress is not None:
             progress(time_now)
         if not flying:
             break
-    flown = unloaded(shape, [model], [start], buffers, 1)[0]
+    flown = flight_records(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
     return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
 
 
+def empty_log(rows: int = 0, columns: int = 1) -> TrajectoryLog:
+    """Log for a number of instants; without any, no trajectory is recorded."""
+    return TrajectoryLog(np.zeros((rows, columns)), np.zeros(1, dtype=np.int64))
+
+
 def check_instants(instants: int, reached: float, until: float) -> None:
-    """Stop a flight whose trajectory has become too long to be kept.
+    """Stop a flight whose trajectory has become too long.
 
     Args:
-        instants: Of the trajectory so far, or foreseen.
-        reached: Simulated time by then [s].
-        until: When the flight ends [s].
+        instants: Number of instants of the trajectory so far, or expected.
+        reached: Simulated time of the last [s].
+        until: End of the flight [s].
 
     Raises:
-        InputError: What there is, and what helps.
+        InputError: With the numbers, and with remedies.
     """
     if instants > MOST_INSTANTS:
         raise InputError(
-            f"simulation.duration: of {until:g} s makes a trajectory of more than {MOST_INSTANTS} "
-            f"instants, which are all that can be kept; it has {instants} by {reached:.4g} s; give "
-            "a shorter duration, coarser steps or a slower clock, or in Python trajectory=False"
+            f"simulation.duration: a trajectory has at most {MOST_INSTANTS} instants, and this one "
+            f"has {instants} by {reached:.4g} s of {until:g} s; give a shorter duration, coarser "
+            "steps or a slower clock, or in Python trajectory=False"
         )
 
 
@@ -282,19 +288,19 @@ def fly_many(
     width: int = LANES,
     progress: Callable[[float], None] | None = None,
 ) -> list[FlightRecord]:
-    """Fly many flights of equally shaped models, abreast in lanes, on several threads.
+    """Fly many flights of models of one structure, in lanes and on several threads.
 
     Args:
         models: One for each flight, or a single one for all.
         starts: One state for each flight.
         threads: Defaults to the number of processors.
         width: Lanes in a group.
-        progress: Called now and then with the share of groups done.
+        progress: Called from time to time with the share of groups done.
     """
     shape = shape_of(models[0], starts[0])
-    buffers = loaded(shape, models, starts, width)
+    buffers = flight_buffers(shape, models, starts, width)
     fly_buffers(shape, buffers, width, threads=threads, progress=progress)
-    return unloaded(shape, models, starts, buffers, width)
+    return flight_records(shape, models, starts, buffers, width)
 
 
 def fly_buffers(
@@ -305,16 +311,15 @@ def fly_buffers(
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Fly every group of some buffers to the end, in place."""
+    """Fly all flights to their end, in their buffers."""
     like = TreeLayout(shape)
-    lanes, log, run = (0,) * width, np.zeros((0, 1)), entry_for(shape.model)
+    lanes, run = (0,) * width, entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))
 
     def fly_chunk(first: int) -> int:
         last = min(first + chunk, len(buffers))
-        logged = np.zeros(1, dtype=np.int64)
-        while run(like, buffers, first, last, lanes, log, logged, SLICE, 0.0):
+        while run(like, buffers[first:last], lanes, empty_log(), SLICE, 0.0):
             pass
         return last - first
 

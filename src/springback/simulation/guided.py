@@ -1,7 +1,7 @@
-"""Flights with sensors, a pilot and rotors aboard: the loop over the ticks of their clock.
+"""Flights with sensors, a pilot and rotors: the loop over the ticks of the on-board clock.
 
 The equations of motion are those of `springback.simulation.executor`, called from tick to tick; the
-pilot is compiled apart from them, so that a new pilot does not compile the physics again.
+pilot is compiled separately, so that for a new pilot the physics is not compiled again.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.dynamics.gusts import NoGusts, first_gust
-from springback.kernels.compiler import Origin, executor, rebound, user_executor
-from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
+from springback.kernels.compiler import Origin, executor, user_executor, with_globals
+from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
-from springback.simulation.executor import advance, to_tick
+from springback.simulation.executor import advance, has_space, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
@@ -25,34 +25,49 @@ from springback.simulation.flight import (
     FlightRecord,
     Trace,
     check_instants,
-    loaded,
+    empty_log,
+    flight_buffers,
+    flight_records,
     own_types,
     shape_of,
     sources,
     trace_columns,
-    unloaded,
 )
-from springback.simulation.noise import NoiseStream, Purpose, generate, pregenerated, stream
-from springback.simulation.noise import noise_table as noise_table
+from springback.simulation.noise import (
+    NoiseSource,
+    NoiseStream,
+    Purpose,
+    generate,
+    stored_stream,
+    stream,
+)
 from springback.simulation.onboard import (
     Avionics,
     OnboardState,
     OnboardSystems,
     Truth,
-    sensed,
+    sensor_step,
     telemetry_of,
 )
 from springback.simulation.record import Model
-from springback.simulation.ticks import GUST_NOISE, powered, ticked
+from springback.simulation.ticks import (
+    GUST_NOISE,
+    FlightBuffers,
+    FlightLog,
+    Layouts,
+    drive_rotors,
+    layouts_of,
+    sense_and_decide,
+)
 from springback.vehicle.state import State
 
 #: Normal numbers that gusts take before the first tick.
 FIRST_GUST_NOISE = 5
-#: Memory of a witness that is not there.
+#: Memory of an evaluator if there is none.
 NO_EVALUATION = (0.0,)
-#: What comes next within a tick.
+#: Next part of a tick.
 LOOK, DRIVE, FLY = 0, 1, 2
-#: Ticks between two looks at the keyboard and the progress bar.
+#: Ticks between two checks for an interrupt and updates of the progress bar.
 TICKS = 2_000
 
 Command = tuple[float, ...]
@@ -60,102 +75,83 @@ Command = tuple[float, ...]
 PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
 
 
+class TickRange(NamedTuple):
+    """Ticks to be flown."""
+
+    position: Any
+    """Tick, next part of it, and the first tick in memory of the noise, shape (3,); advanced."""
+    end: int  # tick before which to stop
+    last: int  # last tick of the flight
+    duration: float  # of the flight [s]
+    pause: bool  # return after the pilots have decided
+
+
 @executor(nogil=True)
 def guide(
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    buffers: Buffer,
-    onboard: Buffer,
-    lanes: tuple[int, ...],
-    channels: TreeLayout,
-    gusts: TreeLayout,
-    noise_stream: NoiseStream,
-    next_up: Any,
-    end: int,
-    ticks: int,
-    duration: float,
-    pause: bool,
-    log: Buffer,
-    logged: Any,
-    telemetry: Buffer,
+    layouts: Layouts,
+    buffers: FlightBuffers,
+    noise: NoiseStream,
+    ticks: TickRange,
+    log: FlightLog,
 ) -> None:
-    """Fly some groups on from tick to tick, all together.
+    """Fly some groups from tick to tick, all together.
 
-    It comes back when the ticks are done, when the log is full, and, if asked to pause, as soon as
-    the pilots have decided; called again, it goes on from there.
+    It returns when the ticks are done, when the log is full, and, if asked to pause, as soon as the
+    pilots have decided; called again, it continues from there.
 
     Args:
-        shape: What lies in the buffers of the motion.
-        avionics: What lies in the buffers of what is aboard.
-        buffers: Of the motion, shape (groups, rows x lanes).
-        onboard: Of what is aboard, shape (groups, rows x lanes).
-        lanes: A tuple as long as a group is wide.
-        channels: Noise of the sensors at a tick.
-        gusts: Noise of the gusts at a tick.
-        noise_stream: Normal numbers, those of all ticks or of a stretch after the other.
-        next_up: Tick, what comes next within it, and the tick with which the numbers at hand begin,
-            shape (3,); advanced.
-        end: Tick to stop before.
-        ticks: Of the whole flight.
-        duration: Of the flight [s].
-        pause: Come back after the pilots have decided.
-        log: Trajectory of a single flight, as in `springback.simulation.executor.advance`.
-        logged: Rows of the log in use, shape (1,); advanced.
-        telemetry: Of a single flight, one tick a row; empty for none.
+        layouts: Of the buffers.
+        buffers: Of the groups.
+        noise: Normal numbers of the groups.
+        ticks: Ticks to be flown; their position is advanced.
+        log: Of a single flight.
     """
-    groups, stretch = buffers.shape[0], noise_stream.noise.shape[1]
-    while next_up[0] < end:
-        k = next_up[0]
-        if k - next_up[2] == stretch:
-            next_up[2] = k
-            for group in range(groups):
-                keys, flights = noise_stream.keys[group], noise_stream.flights[group]
-                generate(
-                    keys,
-                    flights,
-                    noise_stream.plan,
-                    k,
-                    noise_stream.noise[group],
-                    noise_stream.words,
-                    noise_stream.drawn,
-                )
-        for group in range(groups):
-            b, g, drawn = buffers[group], onboard[group], noise_stream.noise[group, k - next_up[2]]
-            if next_up[1] == LOOK:
-                ticked(
-                    shape, avionics, b, g, lanes, logged, float(k), channels, drawn, telemetry, k
-                )
-            if next_up[1] == DRIVE or (next_up[1] == LOOK and not pause):
-                n = rows(channels)
-                powered(shape, avionics, b, g, lanes, logged, float(k), duration, gusts, drawn, n)
-        if next_up[1] == LOOK and pause:
-            next_up[1] = DRIVE
+    groups, stretch, at = buffers.motion.shape[0], noise.noise.shape[1], ticks.position
+    while at[0] < ticks.end:
+        k = at[0]
+        if k - at[2] == stretch:
+            at[2] = k
+            keys, flights, plan = noise.source
+            for n in range(groups):
+                source = NoiseSource(keys[n], flights[n], plan)
+                generate(source, k, noise.noise[n], noise.words, noise.drawn)
+        for n in range(groups):
+            group = FlightBuffers(buffers.motion[n], buffers.onboard[n], buffers.lanes)
+            drawn = noise.noise[n, k - at[2]]
+            if at[1] == LOOK:
+                sense_and_decide(layouts, group, k, drawn, log)
+            if at[1] == DRIVE or (at[1] == LOOK and not ticks.pause):
+                drive_rotors(layouts, group, k, drawn, log, ticks.duration)
+        if at[1] == LOOK and ticks.pause:
+            at[1] = DRIVE
             return
-        next_up[1] = FLY
-        early = 0.0 if k + 1 == ticks else 1.0
-        under_way = 1
-        while under_way > 0:
-            under_way = to_tick(shape, buffers, lanes, log, logged, SLICE, early)
-            if log.shape[0] > 0 and logged[0] >= log.shape[0]:
+        at[1] = FLY
+        early = 0.0 if k == ticks.last else 1.0
+        flying = 1
+        while flying > 0:
+            motion, lanes = buffers.motion, buffers.lanes
+            flying = to_tick(layouts.shape, motion, lanes, log.trajectory, SLICE, early)
+            if not has_space(log.trajectory):
                 break
-        if under_way > 0:
+        if flying > 0:
             return
-        next_up[0], next_up[1] = k + 1, LOOK
+        at[0], at[1] = k + 1, LOOK
+
+
+class GuidedFlight(NamedTuple):
+    """A flight with avionics before its first tick."""
+
+    model: Model
+    start: State  # at time 0
+    avionics: Avionics  # from `avionics_at_start`
 
 
 class GuidedFlown(NamedTuple):
-    """What a guided flight leaves."""
+    """Result of a guided flight."""
 
     flown: FlightRecord
     onboard: OnboardState
     telemetry: Trace | None
-
-
-class Entries(NamedTuple):
-    """The functions of this module and the executor, for some types of models and pilots."""
-
-    guide: Any
-    ticked: Any
 
 
 def ticks_of(duration: float, period: float) -> int:
@@ -163,31 +159,35 @@ def ticks_of(duration: float, period: float) -> int:
     return max(1, math.ceil(duration / period - 1e-9))
 
 
-#: Measurements by kind of sensors, to hold a place until tick 0; no pilot reads them.
+class AvionicsMemory(NamedTuple):
+    """Memories of the avionics before tick 0."""
+
+    sensors: Any
+    pilot: Any
+    evaluator: Any
+
+
+#: Placeholders for a measurement before tick 0, by types of the sensors; no pilot reads them.
 _UNREAD: dict[Any, Any] = {}
 
 
 def avionics_at_start(
     systems: OnboardSystems,
-    sensors: Any,
-    pilot: Any,
+    memory: AvionicsMemory,
     model: Model,
     start: State,
     channels: int,
     seed: int,
-    evaluator: Any = NO_EVALUATION,
 ) -> Avionics:
-    """What is aboard before the first tick, the rotors at the thrust that the model starts with.
+    """Avionics before tick 0, with the rotors at the thrust that the model starts with.
 
     Args:
         systems: Settings.
-        sensors: Memory of the sensors.
-        pilot: Memory of the pilot.
+        memory: Of sensors, pilot and evaluator.
         model: Of the flight.
         start: State at time 0.
         channels: Normal numbers that the sensors take at each tick.
         seed: Of the wind before the first tick.
-        evaluator: Memory of the witness.
     """
     gusts: Any = 0.0
     if not isinstance(systems.weather, NoGusts):
@@ -195,22 +195,19 @@ def avionics_at_start(
         gusts = first_gust(systems.weather, before).memory
     kind = (type(systems.sensors), *map(type, systems.sensors), len(start.arm_length))
     if kind not in _UNREAD:
-        truth = Truth(start, start, systems.period, model.world.gravity)
-        seen = sensed(systems.sensors, 0.0, truth, (0.0,) * channels, sensors)
-        _UNREAD[kind] = seen.measurement
-    first = _UNREAD[kind]
+        truth, noise = Truth(start, start, systems.period, model.world.gravity), (0.0,) * channels
+        first = sensor_step(systems.sensors, 0.0, truth, noise, memory.sensors)
+        _UNREAD[kind] = first.measurement
     onboard = OnboardState(
-        start, first, sensors, pilot, model.thrust, model.thrust, evaluator, gusts
-    )
+        start, _UNREAD[kind], memory.sensors, memory.pilot, model.thrust, model.thrust,
+        memory.evaluator, gusts,
+    )  # fmt: skip
     return Avionics(systems, onboard)
 
 
-def loaded_avionics(avionics_list: list[Avionics], width: int) -> Buffer:
-    """Buffers of what is aboard, lane by lane; spare lanes repeat the last flight."""
-    groups, columns = (
-        -(-len(avionics_list) // width),
-        [leaves(avionics) for avionics in avionics_list],
-    )
+def avionics_buffers(avionics_list: list[Avionics], width: int) -> Buffer:
+    """Buffers of avionics, lane by lane; spare lanes repeat the last flight."""
+    groups, columns = -(-len(avionics_list) // width), [leaves(one) for one in avionics_list]
     buffers = zeros(groups, len(columns[0]), width)
     for k in range(groups * width):
         group, lane = divmod(k, width)
@@ -218,37 +215,37 @@ def loaded_avionics(avionics_list: list[Avionics], width: int) -> Buffer:
     return buffers.reshape(groups, -1)
 
 
-def entries_for(model: Model, avionics: Avionics, executor: Executor = "compiled") -> Entries:
-    """The loop over the ticks for a model and a cabin: compiled, or the same as plain Python."""
+def guide_for(model: Model, avionics: Avionics, executor: Executor = "compiled") -> Any:
+    """`guide` for a model and avionics: compiled, or the same in plain Python."""
     plain = {name: _plain(entry) for name, entry in _PARTS.items()}
     if executor == "python":
-        plain["to_tick"] = rebound(plain["to_tick"], **plain)
-        return Entries(rebound(plain["guide"], **plain), plain["ticked"])
-    own_model, own_cabin = own_types(model), own_types(avionics)
-    if not own_model | own_cabin:
-        return Entries(guide, ticked)
-    files = sources(own_model | own_cabin)
-    return _own_entries(frozenset(own_model), frozenset(own_cabin), files)
+        plain["to_tick"] = with_globals(plain["to_tick"], **plain)
+        return with_globals(plain["guide"], **plain)
+    own_model, own_avionics = own_types(model), own_types(avionics)
+    if not own_model | own_avionics:
+        return guide
+    files = sources(own_model | own_avionics)
+    return _own_guide(frozenset(own_model), frozenset(own_avionics), files)
 
 
 @functools.cache
-def _own_entries(
-    own_model: frozenset[type], own_cabin: frozenset[type], files: Origin | None
-) -> Entries:
-    """The functions for types of the user's, of some origin."""
+def _own_guide(
+    own_model: frozenset[type], own_avionics: frozenset[type], files: Origin | None
+) -> Any:
+    """`guide` for a user's own types; without any in the model, the package's physics is used."""
     plain, parts = {name: _plain(entry) for name, entry in _PARTS.items()}, dict(_PARTS)
-    parts["ticked"] = user_executor(plain["ticked"], files, nogil=True)
-    parts["powered"] = user_executor(plain["powered"], files, nogil=True)
+    for name in ("sense_and_decide", "drive_rotors"):
+        parts[name] = user_executor(plain[name], files, nogil=True)
     if own_model:
         parts["advance"] = user_executor(plain["advance"], files, nogil=True)
-        between = rebound(plain["to_tick"], advance=parts["advance"])
+        between = with_globals(plain["to_tick"], advance=parts["advance"])
         parts["to_tick"] = user_executor(between, files, nogil=True)
-    loop = user_executor(rebound(plain["guide"], **parts), files, nogil=True)
-    return Entries(loop, parts["ticked"])
+    return user_executor(with_globals(plain["guide"], **parts), files, nogil=True)
 
 
 _PARTS: dict[str, Any] = {
-    "advance": advance, "to_tick": to_tick, "ticked": ticked, "powered": powered, "guide": guide,
+    "advance": advance, "to_tick": to_tick, "sense_and_decide": sense_and_decide,
+    "drive_rotors": drive_rotors, "guide": guide,
 }  # fmt: skip
 
 
@@ -257,106 +254,96 @@ def _plain(entry: Any) -> Any:
 
 
 def fly_guided(
-    model: Model,
-    start: State,
-    avionics: Avionics,
+    flight: GuidedFlight,
     noise: Buffer,
     *,
     pilot: PlainPilot | None = None,
-    memory: Any = None,
     trace: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
 ) -> GuidedFlown:
-    """Fly one flight with a pilot aboard to its end.
+    """Fly one flight with avionics to its end.
 
     Args:
-        model: The flight's numbers.
-        start: State at time 0.
-        avionics: What is aboard, from `avionics_at_start`.
+        flight: Before its first tick.
         noise: Normal numbers of the flight, shape (ticks, channels), from `noise_table`.
-        pilot: In plain Python, in place of the one aboard, which is then a `Relay`.
-        memory: What the plain pilot remembers at first.
-        trace: Keep the trajectory and the telemetry.
+        pilot: In plain Python, in place of the one of the avionics, which is then a `Relay`; its
+            memory is None at first.
+        trace: Record trajectory and telemetry.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
-        progress: Called now and then with the simulated time [s].
+        progress: Called from time to time with the simulated time [s].
 
     Raises:
-        InputError: If the trajectory has more instants than can be kept.
+        InputError: If the trajectory would have too many instants to be recorded.
     """
-    shape, duration = shape_of(model, start), model.timing.until
-    check_instants(len(noise) if trace else 0, duration, duration)
-    buffers, avionics_list = loaded(shape, [model], [start], 1), loaded_avionics([avionics], 1)
-    entries, ticks = entries_for(model, avionics, executor), len(noise)
-    channels, gusts = (
-        TreeLayout((0.0,) * (noise.shape[1] - GUST_NOISE)),
-        TreeLayout((0.0,) * GUST_NOISE),
-    )
-    noise_stream = pregenerated(noise)
-    like, like_cabin = TreeLayout(shape), TreeLayout(avionics)
+    model, start, avionics = flight
+    shape, duration, count = shape_of(model, start), model.timing.until, len(noise)
+    check_instants(count if trace else 0, duration, duration)
+    motion, onboard = flight_buffers(shape, [model], [start], 1), avionics_buffers([avionics], 1)
+    buffers, run = FlightBuffers(motion, onboard, (0,)), guide_for(model, avionics, executor)
+    layouts = layouts_of(shape, avionics, noise.shape[1] - GUST_NOISE)
+    numbers, at = stored_stream(noise), np.zeros(3, dtype=np.int64)
     head = (*_telemetry_columns(avionics),) if trace else ()
-    seat = _seat(avionics, avionics_list[0]) if pilot is not None else None
-    telemetry = np.zeros((ticks if trace else 0, len(head)))
-    next_up = np.zeros(3, dtype=np.int64)
-    logs, record_row = [], -rows(shape.record)
-    while next_up[0] < ticks:
-        log = np.zeros((LOG_ROWS if trace else 0, len(trace_columns(shape)) if trace else 1))
-        logged = np.zeros(1, dtype=np.int64)
-        end = min(ticks, int(next_up[0]) + TICKS)
-        while next_up[0] < end and (not trace or logged[0] < len(log)):
-            before = tuple(next_up)
-            entries.guide(
-                like, like_cabin, buffers, avionics_list, (0,), channels, gusts, noise_stream,
-                next_up, end, ticks, duration, pilot is not None, log, logged, telemetry,
-            )  # fmt: skip
-            if pilot and seat and next_up[1] == DRIVE and tuple(next_up) != before:
-                memory = _asked(pilot, avionics, seat, float(next_up[0]), memory)
-                if trace:  # the page of this tick has been written before the pilot spoke
-                    telemetry[next_up[0], 1 : 1 + len(seat[1])] = seat[1]
-        logs.append(log[: logged[0]])
-        time_now = float(buffers[0, record_row])
+    mailbox = _mailbox(avionics, onboard[0]) if pilot is not None else None
+    telemetry = np.zeros((count if trace else 0, len(head)))
+    logs, record_row, memory = [], -rows(shape.record), None
+    while at[0] < count:
+        size = (LOG_ROWS, len(trace_columns(shape))) if trace else (0, 1)
+        log = FlightLog(empty_log(*size), telemetry)
+        end = min(count, int(at[0]) + TICKS)
+        ticks = TickRange(at, end, count - 1, duration, pilot is not None)
+        while at[0] < end and has_space(log.trajectory):
+            before = tuple(at)
+            run(layouts, buffers, numbers, ticks, log)
+            if pilot and mailbox and at[1] == DRIVE and tuple(at) != before:
+                memory = _call(pilot, avionics, mailbox, float(at[0]), memory)
+                if trace:  # the row of this tick was written before the pilot's call
+                    telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
+        logs.append(log.trajectory.rows[: log.trajectory.used[0]])
+        time_now = float(motion[0, record_row])
         check_instants(sum(map(len, logs)), time_now, duration)
         if progress is not None:
             progress(time_now)
-    onboard = rebuilt(avionics.onboard, avionics_list[0, rows(avionics.systems) :])
-    flown = unloaded(shape, [model], [start], buffers, 1)[0]
+    after = rebuilt(avionics.onboard, onboard[0, rows(avionics.systems) :])
+    flown = flight_records(shape, [model], [start], motion, 1)[0]
     if not trace:
-        return GuidedFlown(flown, onboard, None)
+        return GuidedFlown(flown, after, None)
     flown = flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
-    return GuidedFlown(flown, onboard, Trace(head, telemetry))
+    return GuidedFlown(flown, after, Trace(head, telemetry))
 
 
-def _seat(avionics: Avionics, buffer: Buffer) -> tuple[Buffer, Buffer, Buffer]:
-    """Where measurement, command and the relay's memory lie in a buffer."""
+class _Mailbox(NamedTuple):
+    """Parts of an on-board buffer through which a plain pilot is called."""
+
+    measurement: Buffer
+    command: Buffer
+    relay: Buffer  # memory of the `Relay`
+
+
+def _mailbox(avionics: Avionics, buffer: Buffer) -> _Mailbox:
     onboard, after = avionics.onboard, rows(avionics.systems)
     firsts = {name: after + row_of(onboard, name) for name in ("measurement", "command", "pilot")}
-    seen, said, relayed = (buffer[k : k + rows(getattr(onboard, n))] for n, k in firsts.items())
-    return seen, said, relayed
+    return _Mailbox(*(buffer[k : k + rows(getattr(onboard, n))] for n, k in firsts.items()))
 
 
-def _asked(
-    pilot: PlainPilot,
-    avionics: Avionics,
-    seat: tuple[Buffer, Buffer, Buffer],
-    tick: float,
-    memory: Any,
+def _call(
+    pilot: PlainPilot, avionics: Avionics, mailbox: _Mailbox, tick: float, memory: Any
 ) -> Any:
-    """Ask a plain pilot, and put its command aboard."""
-    seen, said, relayed = seat
-    measurement = rebuilt(avionics.onboard.measurement, seen.tolist())
+    """Call a plain pilot and write its command; returns its memory."""
+    measurement = rebuilt(avionics.onboard.measurement, mailbox.measurement.tolist())
     command, memory = pilot(tick * avionics.systems.period, measurement, memory)
-    thrusts = [float(thrust) for thrust in command]
-    if len(thrusts) != len(said):
-        raise ValueError(f"the pilot commands {len(thrusts)} rotors of {len(said)}")
-    said[:] = relayed[:] = thrusts
+    thrusts, rotors = [float(thrust) for thrust in command], len(mailbox.command)
+    if len(thrusts) != rotors:
+        raise ValueError(f"the pilot commands {len(thrusts)} rotors, the vehicle has {rotors}")
+    mailbox.command[:] = mailbox.relay[:] = thrusts
     return memory
 
 
 def _telemetry_columns(avionics: Avionics) -> list[str]:
     """Names of the columns of the telemetry."""
-    words = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
+    own = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
     parts = {
         "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
-        "measurement": avionics.onboard.measurement, "told": words,
+        "measurement": avionics.onboard.measurement, "told": own,
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]

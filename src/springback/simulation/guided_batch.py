@@ -1,86 +1,62 @@
-"""Guided flights abreast: lanes of flights through the loop over the ticks, groups on threads."""
+"""Many guided flights at once: groups of lanes through the loop over the ticks, on threads."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from springback.kernels.layout import Buffer, TreeLayout
-from springback.simulation.flight import shape_of
-from springback.simulation.guided import (
-    TICKS,
-    entries_for,
-    ticks_of,
-)
-from springback.simulation.noise import on_the_fly
-from springback.simulation.onboard import Avionics, Draw
-from springback.simulation.record import Model
-from springback.simulation.ticks import GUST_NOISE
-from springback.vehicle.state import State
+from springback.simulation.flight import empty_log, shape_of
+from springback.simulation.guided import TICKS, GuidedFlight, TickRange, guide_for, ticks_of
+from springback.simulation.noise import FlightNoise, drawn_stream
+from springback.simulation.ticks import GUST_NOISE, FlightBuffers, FlightLog, layouts_of
 
-#: Guided flights abreast in one group: those that fill a vector register of 512 bits.
+#: Lanes of a group of guided flights: those that fill a vector register of 512 bits.
 GUIDED_LANES = 8
-#: Groups that fly together, so that flights in contact can change into one (chosen: what is aboard
-#: of so many fills a cache of 1 MB).
+#: Groups that fly together, so that flights in contact can be gathered in one of them (chosen: the
+#: avionics of so many fit a cache of 1 MB).
 TOGETHER = 8
-#: Ticks for which normal numbers are dealt at once (chosen).
+#: Ticks for which normal numbers are drawn at once (chosen).
 STRETCH = 25
 
 
 def fly_groups(
-    model: Model,
-    start: State,
-    avionics: Avionics,
-    buffers: Buffer,
-    onboard: Buffer,
-    draws: Sequence[Draw],
-    seeds: Sequence[int],
+    flight: GuidedFlight,
+    buffers: FlightBuffers,
+    noise: FlightNoise,
     *,
-    flights: Sequence[int] | None = None,
-    width: int = GUIDED_LANES,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Fly groups that lie ready in buffers to their end, in place.
+    """Fly groups of guided flights to their end, in their buffers.
 
     Args:
-        model: Like those of the flights, of their duration.
-        start: Like their states.
-        avionics: Like what is aboard, with their clock.
-        buffers: Of the motion, shape (groups, rows x width), see `springback.simulation.flight`.
-        onboard: Of what is aboard, shape (groups, rows x width), leaf by leaf, lane by lane.
-        draws: When which normal numbers are drawn.
-        seeds: One for each flight.
-        flights: Their numbers, for their luck; 0 by default.
-        width: Lanes in a group.
+        flight: Of the same structure, duration and clock as all flights.
+        buffers: Of all flights.
+        noise: Of all flights.
         threads: Defaults to the number of processors.
-        progress: Called now and then with the share done.
+        progress: Called from time to time with the share of flights done.
     """
-    duration, numbers = model.timing.until, flights or [0] * len(seeds)
-    ticks, shape = ticks_of(duration, avionics.systems.period), shape_of(model, start)
-    guide, lanes, nothing = entries_for(model, avionics).guide, (0,) * width, np.zeros((0, 1))
-    channels = sum(draw.channels for draw in draws) - GUST_NOISE
-    sensing, gusts = TreeLayout((0.0,) * channels), TreeLayout((0.0,) * GUST_NOISE)
+    model, start, avionics = flight
+    duration, width = model.timing.until, len(buffers.lanes)
+    ticks, guide = ticks_of(duration, avionics.systems.period), guide_for(model, avionics)
+    channels = sum(draw.channels for draw in noise.draws) - GUST_NOISE
+    layouts = layouts_of(shape_of(model, start), avionics, channels)
 
     def fly(first: int) -> None:
-        last = min(first + TOGETHER, len(buffers))
-        mine = slice(first * width, last * width)
-        noise_stream = on_the_fly(seeds[mine], numbers[mine], draws, width, min(STRETCH, ticks))
-        next_up = np.array([0, 0, -noise_stream.noise.shape[1]], dtype=np.int64)
-        logged = np.zeros(1, dtype=np.int64)
-        while next_up[0] < ticks:
-            guide(
-                TreeLayout(shape), TreeLayout(avionics), buffers[first:last], onboard[first:last],
-                lanes, sensing,
-                gusts, noise_stream, next_up, min(ticks, int(next_up[0]) + TICKS), ticks,
-                duration, False,
-                nothing, logged, nothing,
-            )  # fmt: skip
+        groups = slice(first, first + TOGETHER)
+        part = noise.part(slice(first * width, (first + TOGETHER) * width))
+        numbers = drawn_stream(part, width, min(STRETCH, ticks))
+        mine = FlightBuffers(buffers.motion[groups], buffers.onboard[groups], buffers.lanes)
+        at = np.array([0, 0, -numbers.noise.shape[1]], dtype=np.int64)
+        log = FlightLog(empty_log(), np.zeros((0, 1)))
+        while at[0] < ticks:
+            end = min(ticks, int(at[0]) + TICKS)
+            guide(layouts, mine, numbers, TickRange(at, end, ticks - 1, duration, False), log)
 
-    batches = range(0, len(buffers), TOGETHER)
+    batches = range(0, len(buffers.motion), TOGETHER)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         for done, _ in enumerate(pool.map(fly, batches), start=1):
             if progress is not None:

@@ -1,11 +1,12 @@
-"""Lanes: where the parts of a flight lie in a buffer, and how flights change their lanes.
+"""Lanes: the layout of a group of flights in a buffer, and swaps of flights between lanes.
 
-A group of flights lies in one flat buffer, lane by lane within each row: model, motion, weighted
-sum, rate, for a single flight the view, record.  Flat, with constant offsets, because that is what
-compilers vectorise.
+A group of flights is one flat buffer, lane by lane within each row: model, motion, weighted sum,
+rate, for a single flight the view, and record.  It is flat, with constant offsets, so that the
+compiler can vectorise.
 
-A step costs a group the same however many of its lanes take it.  So flights change lanes with those
-of other groups, that those abreast take the same kind of step; no number of theirs depends on it.
+A step costs a group the same however many of its lanes take it.  So flights are swapped with those
+of other groups until all flights of a group take the same kind of step; their results do not depend
+on it.
 """
 
 from __future__ import annotations
@@ -25,13 +26,13 @@ from springback.simulation.record import (
     Record,
 )
 
-#: What a lane does next. As its record says, it is steered, it flies as one body, or it looks about
-#: for room to; it waits for its neighbours at a tick; it has ended.
+#: Next action of a lane. By its record: a full step, a step as one rigid body, or a check of the
+#: clearance for one; or it waits for its neighbours at a tick, or has ended.
 STEERS, CRUISES, LOOKS, WAITS, ENDED = STEERED, CRUISING, MAY_LOOK, 3.0, -1.0
 
 
 class Shape(NamedTuple):
-    """Trees that tell the executor what lies in a buffer; their numbers do not matter."""
+    """Trees whose structure is the layout of a buffer; their numbers do not matter."""
 
     model: Model
     motion: Motion
@@ -40,16 +41,16 @@ class Shape(NamedTuple):
 
 
 class Places(NamedTuple):
-    """Rows of a buffer at which its parts begin."""
+    """First rows of the parts of a buffer."""
 
     motion: int
     total: int  # weighted sum of the stages' rates
     rate: int  # of the state, at the stage before
     seen: int  # the view, of a single flight only
-    mark: int  # what each lane does next
-    home: int  # of several lanes, the lane in which each flight began, counted through the groups
-    kept: int  # of several lanes, motion and record of those that are not to be steered
-    record: int  # it begins with time, step, status, phase, request, cruising, room
+    mark: int  # next action of each lane
+    home: int  # of several lanes, the first lane of each flight, counted through the groups
+    kept: int  # of several lanes, copy of motion and record during a full step
+    record: int  # it begins with `springback.simulation.record.Stepping`
     step: int
     status: int
     phase: int
@@ -62,7 +63,7 @@ class Places(NamedTuple):
 
 @kernel
 def places(shape: TreeLayout | Shape, w: int) -> Places:
-    """Rows at which the parts of a buffer of ``w`` lanes begin; the model is the first."""
+    """First rows of the parts of a buffer of ``w`` lanes; the model is the first part."""
     motion = rows(shape.model)
     total = motion + rows(shape.motion)
     rate = total + rows(shape.motion)
@@ -87,13 +88,13 @@ def places(shape: TreeLayout | Shape, w: int) -> Places:
         r + 4,
         r + 5,
         r + 6,
-        r + row_of(shape.record, "engaged"),
+        r + row_of(shape.record, "contacts") + row_of(shape.record.contacts, "engaged"),
         end,
     )
 
 
 def buffer_rows(shape: Shape, width: int) -> int:
-    """Number of rows that one flight takes in a buffer of some width."""
+    """Number of rows of a buffer of some width."""
     return places(shape, width).end
 
 
@@ -104,10 +105,10 @@ def empty_groups(shape: Shape, flights: int, width: int) -> Buffer:
 
 @kernel
 def next_of(shape: TreeLayout, b: Buffer, w: int, i: int, early: float) -> float:
-    """What a lane does next.
+    """Next action of a lane.
 
-    A flight that is to be left as it arrives is not to be looked at while its neighbours fly on: a
-    flight alone is next looked at when its new tick has begun.
+    With ``early``, a flight that has reached the end of a tick waits for its neighbours: for a
+    flight alone, too, the next check comes after the new tick has begun.
     """
     at, until = places(shape, w), row_of(shape.model, "timing")  # its first field
     far = b[until * w + i] - b[at.record * w + i] > ARRIVED
@@ -117,7 +118,7 @@ def next_of(shape: TreeLayout, b: Buffer, w: int, i: int, early: float) -> float
 
 
 class LaneCounts(NamedTuple):
-    """How many lanes of a group do what next; the others have ended."""
+    """Number of lanes of a group by their next action; the others have ended."""
 
     steering: int
     cruising: int
@@ -135,7 +136,7 @@ def _number(b: Buffer, row: int, w: int, wanted: float) -> int:
 
 @kernel
 def classify(shape: TreeLayout, b: Buffer, w: int, early: float) -> LaneCounts:
-    """Mark every lane with what it does next, and count."""
+    """Mark each lane with its next action, and count."""
     mark = places(shape, w).mark
     for i in range(w):
         b[mark * w + i] = next_of(shape, b, w, i, early)
@@ -149,7 +150,7 @@ def classify(shape: TreeLayout, b: Buffer, w: int, early: float) -> LaneCounts:
 
 @kernel
 def swap(shape: TreeLayout, b: Buffer, i: int, other: Buffer, j: int, w: int) -> None:
-    """Let the flights in two lanes change places."""
+    """Swap the flights in two lanes."""
     at = places(shape, w)
     for k in range(at.total):  # model and motion
         b[k * w + i], other[k * w + j] = other[k * w + j], b[k * w + i]
@@ -160,35 +161,34 @@ def swap(shape: TreeLayout, b: Buffer, i: int, other: Buffer, j: int, w: int) ->
 
 
 @kernel
-def number_lanes(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
-    """Give every flight the number of its lane, so that it finds home again."""
+def number_lanes(shape: TreeLayout, buffers: Buffer, w: int) -> None:
+    """Number the flights by their lanes, for `restore_order`."""
     home = places(shape, w).home
-    for n in range((last - first) * w):
-        buffers[first + n // w][home * w + n % w] = n
+    for n in range(buffers.shape[0] * w):
+        buffers[n // w][home * w + n % w] = n
 
 
 @kernel
-def restore_order(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
-    """Bring every flight back to the lane in which it began."""
+def restore_order(shape: TreeLayout, buffers: Buffer, w: int) -> None:
+    """Swap the flights back to their first lanes."""
     home = places(shape, w).home
-    for n in range((last - first) * w):
-        b, i = buffers[first + n // w], n % w
+    for n in range(buffers.shape[0] * w):
+        b, i = buffers[n // w], n % w
         while b[home * w + i] != n:
             m = int(b[home * w + i])
-            swap(shape, b, i, buffers[first + m // w], m % w, w)
+            swap(shape, b, i, buffers[m // w], m % w, w)
 
 
 @kernel
 def farthest_from_end(
-    shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int, wanted: float, early: float
+    shape: TreeLayout, buffers: Buffer, first: int, w: int, wanted: float, early: float
 ) -> int:
-    """Of the flights in some groups that do next what is wanted, the one with most time left.
+    """Lane, from some group on, of the flight with most time left and the wanted next action.
 
     Args:
-        shape: What lies in the buffers.
-        buffers: One group a row.
+        shape: Layout of the buffers.
+        buffers: One row for each group.
         first: Index of the first group.
-        last: Index past the last group.
         w: Lanes of a group.
         wanted: `STEERS` or `CRUISES`.
         early: As for `springback.simulation.executor.advance`.
@@ -198,7 +198,7 @@ def farthest_from_end(
     """
     at, until = places(shape, w), row_of(shape.model, "timing")
     found, most = -1, -1.0
-    for group in range(first, last):
+    for group in range(first, buffers.shape[0]):
         b = buffers[group]
         for i in range(w):
             left = b[until * w + i] - b[at.record * w + i]
@@ -209,17 +209,17 @@ def farthest_from_end(
 
 @kernel
 def refill(
-    shape: TreeLayout, buffers: Buffer, group: int, last: int, w: int, wanted: float, early: float
+    shape: TreeLayout, buffers: Buffer, group: int, w: int, wanted: float, early: float
 ) -> bool:
-    """Fill the lanes of a group that do something else next with flights of later groups.
+    """Fill the lanes of a group that have another next action with flights of later groups.
 
     Returns:
-        Whether later groups may have more of what is wanted.
+        True if later groups may have more such flights.
     """
     b = buffers[group]
     for i in range(w):
         if next_of(shape, b, w, i, early) != wanted:
-            found = farthest_from_end(shape, buffers, group + 1, last, w, wanted, early)
+            found = farthest_from_end(shape, buffers, group + 1, w, wanted, early)
             if found < 0:
                 return False
             swap(shape, b, i, buffers[found // w], found % w, w)
@@ -228,7 +228,7 @@ def refill(
 
 @kernel
 def stash(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """Put motion and record of all lanes aside: marked lanes are not to be steered."""
+    """Copy motion and record of all lanes before a full step, which not all of them take."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving * w):
         b[at.kept * w + k] = b[at.motion * w + k]
@@ -238,7 +238,7 @@ def stash(shape: TreeLayout, b: Buffer, w: int) -> None:
 
 @kernel
 def unstash(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """Give the lanes that do not steer their motion and record back."""
+    """Restore motion and record of the lanes that do not take the full step."""
     at, moving = places(shape, w), rows(shape.motion)
     for k in range(moving):
         for i in range(w):

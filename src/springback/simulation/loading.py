@@ -1,9 +1,9 @@
-"""Flights laid into buffers, fast: only what differs from one of their kind is laid anew.
+"""Fast loading of flights into buffers: only their differences from a similar flight are written.
 
-Flights that were made ready together share most branches of their trees, the very objects.  So a
-tree is compared with that of a flight before it branch by branch, and only the leaves that are not
-shared are written.  `springback.simulation.flight.loaded` and
-`springback.simulation.guided.loaded_avionics` say the same slowly.
+Flights that are built together share most branches of their trees as objects.  So each tree is
+compared branch by branch with that of an earlier flight, and only the leaves of branches that are
+not shared are written.  `springback.simulation.flight.flight_buffers` and
+`springback.simulation.guided.avionics_buffers` are the slow equivalents.
 """
 
 from __future__ import annotations
@@ -16,32 +16,32 @@ import numpy as np
 
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import function_of
-from springback.simulation.flight import first_phase, loaded, shape_of
-from springback.simulation.guided import loaded_avionics
+from springback.simulation.flight import first_phase, flight_buffers, shape_of
+from springback.simulation.guided import avionics_buffers
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
 
-#: Flights that differ in a larger share of their leaves from the one they are compared with had
-#: better be compared with another, one of their own robot perhaps (chosen) ...
+#: If a flight differs from the one it is compared with in a larger share of its leaves, later ones
+#: are compared with this one (chosen) ...
 MOST_DIFFERENT = 0.25
-#: ... but not more often than once in so many flights, for its column takes long (chosen).
+#: ... but at most once in so many flights, because its column takes long (chosen).
 PATIENCE = 16
 
 
-class DifferentStructure(Exception):  # it says what is so, and nobody meets it
-    """A flight is of another kind than the first."""
+class DifferentStructure(Exception):  # internal: it is always caught
+    """A flight has another structure than the first."""
 
 
 class Comparison:
-    """Compares trees with a first one of their type, by a function that is generated for it.
+    """Comparison of trees with a first one of their type, by a generated function.
 
     A loop over branches would take three times as long.
     """
 
     def __init__(self, tree: tuple[Any, ...]) -> None:
-        """With a tree; what compares is generated when it is first asked for."""
+        """Comparison with a tree; its function is generated on first use."""
         self._rows: list[range] = []
         self._row, self._names = 0, 0
         self._scope: dict[str, Any] = {"Unlike": DifferentStructure}
@@ -50,12 +50,12 @@ class Comparison:
         self._differing: Callable[..., None] | None = None
 
     def gather(self, tree: tuple[Any, ...], found: list[int], values: list[float]) -> None:
-        """What is not that of the first tree.
+        """Append the differences from the first tree.
 
         Args:
             tree: Of another flight.
-            found: Gets the numbers of the parts that differ.
-            values: Gets their leaves.
+            found: Numbers of the parts that differ; appended to.
+            values: Their leaves; appended to.
 
         Raises:
             DifferentStructure: If the trees are of different types.
@@ -68,7 +68,7 @@ class Comparison:
         self._differing(tree, self._tree, found, values)
 
     def begin(self, tree: tuple[Any, ...]) -> None:
-        """Compare with another first tree, of the same type, from here on."""
+        """Compare with another first tree of the same type from now on."""
         self._tree = tree
 
     def rows(self, found: Sequence[int]) -> list[int]:
@@ -76,7 +76,7 @@ class Comparison:
         return [row for number in found for row in self._rows[number]]
 
     def _compare(self, tree: tuple[Any, ...], mine: str, first: str, indent: str) -> None:
-        """Lines that compare one branch, which is known not to be the first's very object."""
+        """Append lines that compare one branch, which is not the same object as the first's."""
         kind = type(tree)
         self._scope[f"{kind.__name__}_{id(kind)}"] = kind
         wrong = f"{mine}.__class__ is not {kind.__name__}_{id(kind)}"
@@ -98,7 +98,7 @@ class Comparison:
                 self._take(f"({a},)", 1, indent + "    ")
 
     def _take(self, values: str, count: int, indent: str) -> None:
-        """Lines that take the leaves of one part."""
+        """Append lines that take the leaves of one part."""
         self._lines.append(f"{indent}found.append({len(self._rows)}); values += {values}")
         self._rows.append(range(self._row, self._row + count))
         self._row += count
@@ -114,10 +114,10 @@ class _Alike(NamedTuple):
 
 
 class Differences:
-    """What differs from some flight's column, flight by flight, for one kind of buffer."""
+    """Differences of flights from the column of one of them, for one kind of buffer."""
 
     def __init__(self) -> None:
-        """Of no flights yet; columns are to come first."""
+        """No flights yet; a column must come first."""
         self._columns: list[Buffer] = []
         self._alike: list[_Alike] = []
         self._patterns: dict[tuple[int, ...], int] = {}
@@ -125,21 +125,21 @@ class Differences:
         self._values: list[list[float]] = []
 
     def begin(self, column: Buffer) -> None:
-        """Flights to come are like the one of this column, shape (rows,), but for what is added."""
+        """Take the differences of later flights from this column, shape (rows,)."""
         self._columns.append(column)
 
     def add(self, found: list[int], values: list[float]) -> None:
-        """One more flight: parts that are not those of the column's, and their leaves."""
+        """Add a flight: the parts that differ from the column, and their leaves."""
         pattern = (len(self._columns) - 1, *found)
         self._of.append(self._patterns.setdefault(pattern, len(self._patterns)))
         self._values.append(values)
 
     def add_alike(self, rows: Sequence[int], values: Buffer) -> None:
-        """Many more flights, which differ from the column in some rows.
+        """Add many flights that differ from the column in the same rows.
 
         Args:
-            rows: Where they differ.
-            values: What stands there, shape (flights, rows).
+            rows: Rows in which they differ.
+            values: Their values there, shape (flights, rows).
         """
         numbers = np.arange(len(self._of), len(self._of) + len(values))
         self._alike.append(_Alike(len(self._columns) - 1, numbers, np.array(rows, int), values))
@@ -149,7 +149,7 @@ class Differences:
     def buffers(
         self, out: Buffer, width: int, rows_of: Callable[[Sequence[int]], list[int]]
     ) -> None:
-        """Lay all flights into buffers of shape (groups, rows x width); spare lanes as the last."""
+        """Write all flights to buffers, shape (groups, rows x width); spare lanes as the last."""
         count, lanes = len(self._of), out.reshape(len(out), -1, width)
         of, pieces = np.array(self._of), [*self._alike]
         for (column, *pattern), number in self._patterns.items():
@@ -165,7 +165,7 @@ class Differences:
         lanes[-1, :, (count - 1) % width + 1 :] = lanes[-1, :, (count - 1) % width, None]
 
 
-class Laid(NamedTuple):
+class LoadedFlights(NamedTuple):
     """Flights of one kind in their buffers."""
 
     shape: Shape
@@ -178,20 +178,20 @@ class Laid(NamedTuple):
 
 
 class Loader:
-    """Takes flights of one kind, and lays them into buffers."""
+    """Flights of one kind, to be written to buffers."""
 
     def __init__(self, model: Model, start: State, avionics: Avionics | None, width: int) -> None:
-        """Of the first flight, which is to be added like all others."""
+        """No flights yet: the first one is added like all others."""
         self.model, self.start, self.avionics, self.width = model, start, avionics, width
         self.count = 0
         self._shape = shape_of(model, start)
         end = buffer_rows(self._shape, width)
         record = end - rows(self._shape.record)
-        self._status = record + row_of(self._shape.record, "status")
-        self._phase = record + row_of(self._shape.record, "phase")
+        self._status = record + row_of(self._shape.record.stepping, "status")
+        self._phase = record + row_of(self._shape.record.stepping, "phase")
         self._phases: list[float] = []
         self._flights, self._both = Differences(), Comparison((model, start))
-        self._cabins, self._aboard = (
+        self._onboard, self._avionics = (
             Differences(),
             Comparison(avionics if avionics is not None else ()),
         )
@@ -199,17 +199,19 @@ class Loader:
         self._begin(model, start, avionics)
 
     def _begin(self, model: Model, start: State, avionics: Avionics | None) -> None:
-        """Compare with another flight from here on."""
-        column = loaded(self._shape, [model], [start], self.width).reshape(-1, self.width)[:, 0]
+        """Compare with another flight from now on."""
+        column = flight_buffers(self._shape, [model], [start], self.width).reshape(-1, self.width)[
+            :, 0
+        ]
         self._flights.begin(column)
         self._both.begin((model, start))
         if avionics is not None:
-            self._cabins.begin(loaded_avionics([avionics], 1)[0])
-            self._aboard.begin(avionics)
+            self._onboard.begin(avionics_buffers([avionics], 1)[0])
+            self._avionics.begin(avionics)
         self._begun = self.count
 
     def add(self, model: Model, start: State, avionics: Avionics | None) -> None:
-        """One more flight.
+        """Add a flight.
 
         Raises:
             DifferentStructure: If it is of another kind; nothing is added then.
@@ -220,14 +222,14 @@ class Loader:
         if (avionics is None) != (self.avionics is None):
             raise DifferentStructure
         if avionics is not None:
-            self._aboard.gather(avionics, found[1], values[1])
+            self._avionics.gather(avionics, found[1], values[1])
         if len(values[0]) + len(values[1]) > self._few and self.count - self._begun >= PATIENCE:
             self._begin(model, start, avionics)
             self.add(model, start, avionics)
             return
         self._flights.add(found[0], values[0])
         if avionics is not None:
-            self._cabins.add(found[1], values[1])
+            self._onboard.add(found[1], values[1])
         self._phases.append(first_phase(model, start))
         self.count += 1
 
@@ -239,26 +241,26 @@ class Loader:
         flights: tuple[Sequence[int], Buffer],
         onboard: tuple[Sequence[int], Buffer],
     ) -> None:
-        """Many more flights, which differ in the same leaves from one of this kind.
+        """Add many flights that differ in the same leaves from one of this kind.
 
         Args:
-            model: Of the flight that they are like.
-            start: Likewise; they begin in the same phase.
+            model: Of that flight.
+            start: Likewise; they all begin in the same phase.
             avionics: Likewise.
-            flights: Numbers of the leaves of model and start in which they differ, and what stands
-                there, shape (flights, leaves).
-            onboard: The same for what is aboard.
+            flights: Numbers of the leaves of model and start in which they differ, and their
+                values, shape (flights, leaves).
+            onboard: The same for the avionics.
         """
         self._begin(model, start, avionics)
         self._flights.add_alike(*flights)
         if avionics is not None:
-            self._cabins.add_alike(*onboard)
+            self._onboard.add_alike(*onboard)
         count = len(flights[1])
         self._phases += [first_phase(model, start)] * count
         self.count += count
 
-    def laid(self) -> Laid:
-        """All flights in their buffers; spare lanes repeat the last flight, already ended."""
+    def flights(self) -> LoadedFlights:
+        """Buffers of all flights; spare lanes repeat the last flight, already ended."""
         width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
         self._flights.buffers(buffers, width, self._both.rows)
         groups, spare = len(buffers), -self.count % width
@@ -269,5 +271,5 @@ class Loader:
         onboard = None
         if self.avionics is not None:
             onboard = zeros(groups, rows(self.avionics) * width)
-            self._cabins.buffers(onboard, width, self._aboard.rows)
-        return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)
+            self._onboard.buffers(onboard, width, self._avionics.rows)
+        return LoadedFlights(self._shape, self.model, self.start, self.avionics, buffers, onboard)

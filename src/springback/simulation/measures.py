@@ -1,4 +1,4 @@
-"""The measures of a flight by name and unit, and its outcome in a sentence."""
+"""Measures of a flight by name and unit, and its outcome in a sentence."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from springback.simulation.record import NOT_FINITE, Record
 
 
 class Outcome(Enum):
-    """How a flight ended; the value is the sentence."""
+    """Outcome of a flight; the value is its sentence."""
 
     NOT_FINITE = "the simulation diverged; the last good state is kept"
     HIT_GROUND = "touched the ground"
@@ -28,44 +28,44 @@ class Outcome(Enum):
 
     @property
     def word(self) -> str:
-        """Short name, as it stands in files."""
+        """Short name, used in files."""
         return self.name.lower()
 
 
 def outcome_of(record: Record) -> Outcome:
-    """The outcome of a flight; where several apply, the worst."""
+    """Outcome of a flight; if several apply, the worst."""
     return outcomes_of(as_columns(record))[0]
 
 
 def outcomes_of(record: Any) -> list[Outcome]:
-    """The outcomes of many flights, from a `Record` whose leaves are columns."""
+    """Outcomes of many flights, from a `Record` whose leaves are columns."""
     claims = [
-        (Outcome.NOT_FINITE, record.status == NOT_FINITE),
-        (Outcome.HIT_GROUND, record.ground_time >= 0.0),
-        (Outcome.ARM_BOTTOMED, record.bottomed_time >= 0.0),
-        (Outcome.IN_CONTACT, record.touching > 0.0),
-        (Outcome.SEPARATED, record.contacts > 0.0),
+        (Outcome.NOT_FINITE, record.stepping.status == NOT_FINITE),
+        (Outcome.HIT_GROUND, record.contacts.ground_time >= 0.0),
+        (Outcome.ARM_BOTTOMED, record.contacts.bottomed_time >= 0.0),
+        (Outcome.IN_CONTACT, record.contacts.touching > 0.0),
+        (Outcome.SEPARATED, record.contacts.total > 0.0),
     ]
     return first_claimed(claims, Outcome.NO_CONTACT)
 
 
 def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list[Outcome]:
-    """Of every flight, the first outcome whose claim holds."""
+    """For each flight, the first outcome whose claim holds."""
     said = [otherwise, *(outcome for outcome, _ in claims)]
     numbers = range(1, len(said))
     chosen = np.select([claim for _, claim in claims], list(numbers), 0)
     return [said[k] for k in chosen.tolist()]
 
 
-#: An energy ledger that leaves no more than this share of the largest energy closes.
+#: An energy ledger closes if its residual is at most this share of the largest energy ...
 CLOSED = 1e-4
-#: Less than this is the rounding of heights and speeds of what stands still [J].
+#: ... or less than this, the rounding of heights and speeds of a vehicle at rest [J].
 ROUNDING = 1e-9
-#: Outcomes of a flight without a recovery that are no success.
+#: Outcomes of a flight without a pilot that are no success.
 FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
-#: Unit and meaning of every measure.  Those of the first impact, from its first touch until its
-#: arms have settled, stand apart from those of the whole flight.
+#: Unit and meaning of each measure.  Those of the first impact are from its first touch until the
+#: arms have settled, the others of the whole flight.
 MEASURES = {
     "restitution_at_separation": ("", "|v_n| of the main body, last separation / first touch"),
     "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
@@ -81,7 +81,7 @@ MEASURES = {
         "of the main body past its place at first touch, into the obstacle, until last separation",
     ),
     "impact_peak_acceleration": ("m/s^2", "first impact: largest |dv/dt| of the main body"),
-    "impact_peak_acceleration_time": ("s", "when"),
+    "impact_peak_acceleration_time": ("s", "time of it"),
     "impact_peak_specific_force": (
         "m/s^2",
         "first impact: largest specific force of the main body, gravity included",
@@ -99,7 +99,7 @@ MEASURES = {
     ),
     "contact_duration": ("s", "whole flight: total time in contact, all contacts"),
     "peak_acceleration": ("m/s^2", "whole flight: largest |dv/dt| of the main body"),
-    "peak_acceleration_time": ("s", "when"),
+    "peak_acceleration_time": ("s", "time of it"),
     "peak_specific_force": (
         "m/s^2",
         "whole flight: largest specific force of the main body, gravity included",
@@ -115,29 +115,29 @@ MEASURES = {
     "impulse_x": ("N s", "of all contact forces, world X"),
     "impulse_y": ("N s", "of all contact forces, world Y"),
     "impulse_z": ("N s", "of all contact forces, world Z"),
-    "contacts": ("", "times that the vehicle came into contact, one by one"),
-    "body_contacts": ("", "times that the main body itself came into contact; it needs a hull"),
-    "impacts": ("", "contacts closer together than the dwell time are one impact"),
+    "contacts": ("", "number of times that the vehicle came into contact"),
+    "body_contacts": ("", "number of times that the main body came into contact; needs a hull"),
+    "impacts": ("", "number of impacts: contacts closer together than the dwell time are one"),
     "bottomed_time": ("s", "an arm reached the end of its stroke"),
-    "ground_time": ("s", "something touched the ground"),
+    "ground_time": ("s", "a cage or the hull touched the ground"),
     "end_time": ("s", "end of the simulation"),
     "steps": ("", "Runge-Kutta steps taken"),
-    "energy_start": ("J", "kinetic energy and what is stored, gravity above the start"),
+    "energy_start": ("J", "kinetic and stored energy, gravity above the start"),
     "energy_end": ("J", "the same at the end"),
     "energy_kinetic": ("J", "kinetic energy at the end"),
     "energy_gravity": ("J", "gravitational energy at the end, above the start"),
     "energy_springs": ("J", "in arm springs at the end"),
     "energy_stops": ("J", "in end stops at the end"),
     "energy_contact": ("J", "in contacts at the end"),
-    "work_thrust": ("J", "put in by the rotors"),
-    "loss_arm": ("J", "taken by arm dampers"),
-    "loss_stop": ("J", "taken by end stops"),
-    "loss_contact": ("J", "taken by contact damping"),
-    "loss_friction": ("J", "taken by friction"),
+    "work_thrust": ("J", "done by the rotors"),
+    "loss_arm": ("J", "dissipated by arm dampers"),
+    "loss_stop": ("J", "dissipated by end stops"),
+    "loss_contact": ("J", "dissipated by contact damping"),
+    "loss_friction": ("J", "dissipated by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
-    "loss_air": ("J", "taken by the air; negative where wind gives"),
-    "ledger_residual": ("", "unaccounted for, as a share of the largest of the energies"),
-    "ledger_open": ("", "1 where that is more than 1e-4, and 1e-9 J: do not trust the numbers"),
+    "loss_air": ("J", "lost to the air; negative where wind does work"),
+    "ledger_residual": ("", "unaccounted energy, as a share of the largest energy"),
+    "ledger_open": ("", "1 if that is more than 1e-4 and 1e-9 J: the flight cannot be trusted"),
 }  # fmt: skip
 
 
@@ -148,7 +148,7 @@ def scalars_of(columns: dict[str, Array]) -> dict[str, float | None]:
 
 
 def where(happened: Any, value: Array) -> Array:
-    """A value where something happened, else NaN."""
+    """A value where an event happened, else NaN."""
     return np.where(happened, value, np.nan)
 
 
@@ -162,8 +162,8 @@ def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
 
 
 def _body_contacts(record: Any) -> Array:
-    """NaN without a hull: nobody knows then."""
-    return next(iter(record.hull_contacts), np.full_like(record.contacts, np.nan))
+    """Number of contacts of the main body; NaN without a hull, because it is unknown then."""
+    return next(iter(record.contacts.hull), np.full_like(record.contacts.total, np.nan))
 
 
 def _largest(first: Array, *others: Array) -> Array:
@@ -173,66 +173,69 @@ def _largest(first: Array, *others: Array) -> Array:
 
 
 def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
-    """Every measure of many flights, in the order of `MEASURES`; NaN for what did not happen.
+    """Measures of many flights, in the order of `MEASURES`; NaN for events that did not happen.
 
     Args:
-        record: A `Record` whose leaves are columns, one number for each flight, as are all others'.
+        record: A `Record` whose leaves are columns, a number for each flight; all others likewise.
         work: `Work` since the start.
         before: `Energy` at the start.
         after: `Energy` at the end.
     """
-    m, w = record, work
+    w, first, contacts, stepping = work, record.first_impact, record.contacts, record.stepping
+    peaks, impact = record.peaks, record.impact_peaks
     ground_level = before.gravity
     start, end = before.total - ground_level, after.total - ground_level
     losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
     fallen, kinetic = np.abs(after.gravity - ground_level), _largest(before.kinetic, after.kinetic)
     scale = _largest(kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen)
-    touched = m.touch_time >= 0.0
-    left, back = m.separation_time >= 0.0, m.return_time >= 0.0
+    touched = first.touch_time >= 0.0
+    left, back = first.separation_time >= 0.0, first.return_time >= 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
         left_over = end - start - w.thrust + losses
         residual = np.where(scale > 0.0, left_over / scale, 0.0)
         closes = (np.abs(residual) <= CLOSED) | (np.abs(left_over) <= ROUNDING)
     values: dict[str, Any] = {
-        "restitution_at_separation": _ratio(m.separation_speed, m.touch_speed, left),
-        "restitution_at_return": _ratio(m.return_speed, m.touch_speed, back),
+        "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
+        "restitution_at_return": _ratio(first.return_speed, first.touch_speed, back),
         "restitution_of_mass_centre": _ratio(
-            m.separation_mass_centre_speed, m.touch_mass_centre_speed, left
+            first.separation_mass_centre_speed,
+            first.touch_mass_centre_speed,
+            left,
         ),
-        "touch_time": _time(m.touch_time),
-        "touch_speed": where(touched, m.touch_speed),
-        "separation_time": _time(m.separation_time),
-        "return_time": _time(m.return_time),
-        "contact_time": where(left, m.separation_time - m.touch_time),
-        "time_to_return": where(back, m.return_time - m.touch_time),
-        "travel": m.travel,
-        "impact_peak_acceleration": where(touched, m.impact_peak_acceleration),
-        "impact_peak_acceleration_time": _time(m.impact_peak_acceleration_time),
-        "impact_peak_specific_force": where(touched, m.impact_peak_specific_force),
-        "impact_peak_angular_rate": where(touched, m.impact_peak_angular_rate),
-        "impact_peak_normal_force": where(touched, m.impact_peak_normal_force),
-        "impact_penetration": where(touched, m.impact_penetration),
-        "impact_arm_stroke": where(touched, m.impact_arm_stroke),
-        "impact_arm_extension": where(touched, m.impact_arm_extension),
-        "contact_duration": m.contact_duration,
-        "peak_acceleration": m.peak_acceleration,
-        "peak_acceleration_time": m.peak_acceleration_time,
-        "peak_specific_force": m.peak_specific_force,
-        "peak_angular_rate": m.peak_angular_rate,
-        "peak_normal_force": m.peak_normal_force,
-        "penetration": m.peak_penetration,
-        "arm_stroke": m.peak_compression,
-        "arm_extension": m.peak_extension,
+        "touch_time": _time(first.touch_time),
+        "touch_speed": where(touched, first.touch_speed),
+        "separation_time": _time(first.separation_time),
+        "return_time": _time(first.return_time),
+        "contact_time": where(left, first.separation_time - first.touch_time),
+        "time_to_return": where(back, first.return_time - first.touch_time),
+        "travel": first.travel,
+        "impact_peak_acceleration": where(touched, impact.acceleration),
+        "impact_peak_acceleration_time": _time(impact.acceleration_time),
+        "impact_peak_specific_force": where(touched, impact.specific_force),
+        "impact_peak_angular_rate": where(touched, impact.angular_rate),
+        "impact_peak_normal_force": where(touched, impact.normal_force),
+        "impact_penetration": where(touched, impact.penetration),
+        "impact_arm_stroke": where(touched, impact.compression),
+        "impact_arm_extension": where(touched, impact.extension),
+        "contact_duration": contacts.duration,
+        "peak_acceleration": peaks.acceleration,
+        "peak_acceleration_time": peaks.acceleration_time,
+        "peak_specific_force": peaks.specific_force,
+        "peak_angular_rate": peaks.angular_rate,
+        "peak_normal_force": peaks.normal_force,
+        "penetration": peaks.penetration,
+        "arm_stroke": peaks.compression,
+        "arm_extension": peaks.extension,
         "impulse_x": w.impulse.x,
         "impulse_y": w.impulse.y,
         "impulse_z": w.impulse.z,
-        "contacts": m.contacts,
-        "body_contacts": _body_contacts(m),
-        "impacts": m.impacts,
-        "bottomed_time": _time(m.bottomed_time),
-        "ground_time": _time(m.ground_time),
-        "end_time": m.time,
-        "steps": m.steps,
+        "contacts": contacts.total,
+        "body_contacts": _body_contacts(record),
+        "impacts": contacts.impacts,
+        "bottomed_time": _time(contacts.bottomed_time),
+        "ground_time": _time(contacts.ground_time),
+        "end_time": stepping.time,
+        "steps": stepping.steps,
         "energy_start": start,
         "energy_end": end,
         "energy_kinetic": after.kinetic,
@@ -254,6 +257,6 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
 
 
 def measures_of(flown: FlightRecord) -> dict[str, float | None]:
-    """Every measure of a flight, in the order of `MEASURES`; None for what did not happen."""
+    """Measures of a flight, in the order of `MEASURES`; None for events that did not happen."""
     trees = flown.record, flown.motion.work, flown.before, flown.after
     return scalars_of(measure_columns(*(as_columns(tree) for tree in trees)))

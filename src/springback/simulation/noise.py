@@ -1,11 +1,11 @@
-"""Luck: the normal numbers of a flight, a pure function of seed, flight, tick and channel.
+"""Noise: the normal numbers of a flight, a pure function of seed, flight, tick and channel.
 
 Philox4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as 1, 2, 3, SC 2011)
-turns a counter and a key into four words, and Box and Muller (Annals of Mathematical Statistics 29,
-1958) turn two words into two normal numbers.  Nothing is stored and nothing drawn in order: any
-stretch of any flight's luck can be dealt alone, and that of many flights abreast.
+turns a counter and a key into four words, and the method of Box and Muller (Annals of Mathematical
+Statistics 29, 1958) turns two words into two normal numbers.  There is no sequence to keep: any
+ticks of any flight can be drawn by themselves, and many flights side by side in lanes.
 
-All other random numbers come from `stream`: what is drawn once for a flight, a trial or a plan.
+All other random numbers, drawn once for a flight, a trial or a plan, come from `stream`.
 """
 
 from __future__ import annotations
@@ -30,46 +30,46 @@ _M0, _M1 = np.uint64(0xD2511F53), np.uint64(0xCD9E8D57)
 _K0, _K1 = np.uint64(0x9E3779B9), np.uint64(0xBB67AE85)
 ROUNDS = 10
 _LOW, _HALF = np.uint64(0xFFFFFFFF), np.uint64(32)
-#: A word as a part of one.
+#: Scale from a word to the unit interval.
 _PART = 2.0**-32
-#: Streams of a flight beside those of its devices, which are numbered by their channels.
+#: Streams for each channel; the blocks of four of a device take those of its first channel.
 STREAMS = 16
 
 
 class Purpose(IntEnum):
-    """What random numbers that are drawn once are for; part of the key of each stream."""
+    """Purpose of random numbers that are drawn once; part of the key of each stream."""
 
     POINTS = 0
-    """Of a random design."""
+    """Points of a random design."""
     JITTER = 1
-    """Of the points of a Latin hypercube within their layers."""
+    """Positions of the points of a Latin hypercube within their layers."""
     SCRAMBLE = 2
-    """Of a Sobol' sequence."""
+    """Scrambling of a Sobol' sequence."""
     SEEDS = 3
-    """Of a campaign's flights."""
+    """Seeds of a campaign's flights."""
     SCATTER = 4
-    """Of a campaign's flights."""
+    """Scatter of a campaign's flights."""
     DRAWN = 5
-    """Values of fields that a grid has no levels of."""
+    """Values of fields for which a grid has no levels."""
     SHUFFLE = 6
-    """Of the layers of a Latin hypercube."""
+    """Order of the layers of a Latin hypercube."""
     TURN_ON = 7
     """Biases of a flight's sensors."""
     GUST = 8
-    """Of the wind before a flight's first tick."""
+    """Wind before a flight's first tick."""
     TRIAL = 9
     """Scatter and seed of a trial."""
 
 
 def stream(seed: int, purpose: Purpose, *which: int) -> np.random.Generator:
-    """Random numbers of one purpose, independent of all others.
+    """Random numbers for one purpose, independent of all others.
 
     Generator and key of each purpose are those with which published results were flown.
 
     Args:
         seed: Of a flight, of trials or of a plan.
-        purpose: What they are for.
-        *which: Which of that purpose: the number of a flight, a repeat, a dimension.
+        purpose: Their purpose.
+        *which: Number of a flight, a repeat or a dimension, if the purpose has several streams.
     """
     kind: Any = np.random.Philox
     key: tuple[int, ...] = (purpose, *which)
@@ -126,8 +126,8 @@ def normals(word: Any, other: Any) -> Normals:
 
 
 @kernel
-def shuffle(n: int, keys: Words, flights: Words, ticks: Words, stream: Any, words: Any) -> None:
-    """Four words each for n keys, flights and ticks in one stream."""
+def fill_words(n: int, keys: Words, flights: Words, ticks: Words, stream: Any, words: Any) -> None:
+    """Write four words each for n keys, flights and ticks of one stream."""
     a, b, c, d = words
     for i in range(np.uint64(n)):  # never below zero, so the compiler need not ask
         key, flight = keys[i], flights[i]
@@ -137,8 +137,8 @@ def shuffle(n: int, keys: Words, flights: Words, ticks: Words, stream: Any, word
 
 
 @kernel
-def pair_up(n: int, a: Words, b: Words, first: Buffer, second: Buffer) -> None:
-    """Two normal numbers of every two words."""
+def fill_normals(n: int, a: Words, b: Words, first: Buffer, second: Buffer) -> None:
+    """Write two normal numbers for every two words."""
     for i in range(np.uint64(n)):
         two = normals(a[i], b[i])
         second[i] = two.second
@@ -146,10 +146,10 @@ def pair_up(n: int, a: Words, b: Words, first: Buffer, second: Buffer) -> None:
 
 
 @kernel
-def sort_in(
+def place_channel(
     out: Buffer, channel: int, w: int, begins: int, every: int, times: int, drawn: Buffer
 ) -> None:
-    """Lay the numbers of one channel, tick by tick, lane by lane, where they belong."""
+    """Write the numbers of one channel, tick by tick and lane by lane, to their places."""
     lanes, place = np.uint64(w), np.uint64(channel * w)
     for k in range(np.uint64(times)):
         row = out[np.uint64(begins) + k * np.uint64(every)]
@@ -157,23 +157,27 @@ def sort_in(
             row[place + i] = drawn[k * lanes + i]
 
 
+class NoiseSource(NamedTuple):
+    """What determines the normal numbers of some flights."""
+
+    keys: Any  # seed of each lane, shape ([groups,] lanes), unsigned
+    flights: Any  # number of each lane's flight, likewise
+    plan: Any  # of `plan_of`
+
+
 @executor(nogil=True)
-def generate(
-    keys: Words, flights: Words, draws: Any, first: int, out: Buffer, words: Words, drawn: Buffer
-) -> None:
-    """Normal numbers of a group of flights over some ticks.
+def generate(source: NoiseSource, first: int, out: Buffer, words: Words, drawn: Buffer) -> None:
+    """Generate the normal numbers of a group of flights over some ticks.
 
     Args:
-        keys: Seed of every lane, shape (lanes,).
-        flights: Number of every lane's flight, shape (lanes,).
-        draws: First channel, number of channels and period [ticks] of every device, shape
-            (devices, 3); period 0 draws nothing.
+        source: Of the group.
         first: Number of the first tick.
-        out: Shape (ticks, channels x lanes), channel by channel, lane by lane.  What is not drawn
-            at a tick is left as it is.
-        words: To work in, shape (7, ticks x lanes).
-        drawn: To work in, shape (2, ticks x lanes).
+        out: Shape (ticks, channels x lanes), channel by channel, lane by lane.  Numbers that are
+            not drawn at a tick are left as they are.
+        words: Workspace, shape (7, ticks x lanes).
+        drawn: Workspace, shape (2, ticks x lanes).
     """
+    keys, flights, draws = source
     w, ticks = len(keys), out.shape[0]
     key, flight, tick = words[4], words[5], words[6]
     four, one, other = (words[0], words[1], words[2], words[3]), drawn[0], drawn[1]
@@ -187,18 +191,21 @@ def generate(
                 key[k * w + i], flight[k * w + i], tick[k * w + i] = keys[i], flights[i], now
         end, n = channel + count, times * w
         for block in range((count + 3) // 4):
-            shuffle(n, key, flight, tick, np.uint64(STREAMS * channel + block), four)
+            fill_words(n, key, flight, tick, np.uint64(STREAMS * channel + block), four)
             for pair in range(2):
                 at = channel + 4 * block + 2 * pair
                 if at < end:
-                    pair_up(n, words[2 * pair], words[2 * pair + 1], one, other)
-                    sort_in(out, at, w, begins, every, times, one)
+                    fill_normals(n, words[2 * pair], words[2 * pair + 1], one, other)
+                    place_channel(out, at, w, begins, every, times, one)
                 if at + 1 < end:
-                    sort_in(out, at + 1, w, begins, every, times, other)
+                    place_channel(out, at + 1, w, begins, every, times, other)
 
 
 def plan_of(draws: Sequence[Draw]) -> Any:
-    """First channel, number of channels and period of every device, shape (devices, 3), int64."""
+    """First channel, number of channels and period of each device, shape (devices, 3), int64.
+
+    The period is in ticks; a device of period 0 draws nothing.
+    """
     first, lines = 0, []
     for channels, every in draws:
         lines.append((first, channels, every))
@@ -207,80 +214,93 @@ def plan_of(draws: Sequence[Draw]) -> Any:
 
 
 def key_of(seed: int) -> int:
-    """A seed as 64 bits; larger ones are hashed by NumPy's SeedSequence."""
+    """A seed as 64 bits; NumPy's SeedSequence hashes larger ones."""
     if seed < 2**64:
         return seed
     return int(np.random.SeedSequence(seed).generate_state(1, np.uint64)[0])
 
 
 def noise_table(seed: int, flight: int, ticks: int, draws: tuple[Draw, ...]) -> Buffer:
-    """Standard normal numbers of one flight, shape (ticks, channels); zeros where none are taken.
+    """Standard normal numbers of one flight, shape (ticks, channels); zeros where none are drawn.
 
-    They depend on the seed, the number of the flight and the pace of each device alone.  So flight
-    17 of a campaign meets the same luck when flown by itself, and a device the same when another
-    one is exchanged.
+    They depend only on the seed, the number of the flight and the period of each device.  So
+    flight 17 of a campaign has the same noise when flown by itself, and a device the same when
+    another device is replaced.
 
     Args:
         seed: Of a campaign, or of a flight flown alone.
         flight: Its number in the campaign.
-        ticks: Of the clock.
-        draws: Of every device, in the order of their channels.
+        ticks: Number of ticks of the flight.
+        draws: Of each device, in the order of their channels.
     """
     table = np.zeros((ticks, sum(draw.channels for draw in draws)))
     keys, numbers = (np.array([k], dtype=np.uint64) for k in (key_of(seed), flight))
-    words, drawn = workplace(min(ticks, STRETCH))
-    plan = plan_of(draws)
+    words, drawn = workspace(min(ticks, STRETCH))
+    source = NoiseSource(keys, numbers, plan_of(draws))
     for first in range(0, ticks, STRETCH):
-        generate(keys, numbers, plan, first, table[first : first + STRETCH], words, drawn)
+        generate(source, first, table[first : first + STRETCH], words, drawn)
     return table
 
 
-#: Ticks of a single flight that are dealt at once (chosen: they fit the cache).
+#: Ticks of a single flight that are drawn at once (chosen: they fit the cache).
 STRETCH = 512
 
 
-def workplace(numbers: int) -> tuple[Words, Buffer]:
-    """Memory that `generate` works in, for a number of ticks times lanes."""
+def workspace(numbers: int) -> tuple[Words, Buffer]:
+    """Workspace of `generate`, for a number of ticks times lanes."""
     return zeros(7, numbers).view(np.uint64), zeros(2, numbers)
 
 
 class NoiseStream(NamedTuple):
-    """Normal numbers for some groups of flights: at hand, and how to come by more."""
+    """Normal numbers of some groups of flights: those in memory, and the source of more."""
 
-    keys: Words  # seeds, shape (groups, lanes)
-    flights: Words  # their numbers, likewise
-    plan: Any  # of `plan_of`
-    noise: Any  # at hand, shape (groups, ticks, channels x lanes)
-    words: Words  # to work in
-    drawn: Buffer  # to work in
+    source: NoiseSource
+    noise: Any  # in memory, shape (groups, ticks, channels x lanes)
+    words: Words  # workspace
+    drawn: Buffer  # workspace
 
 
-def pregenerated(noise: Buffer) -> NoiseStream:
-    """Of a single flight, all numbers from its first tick to its last, shape (ticks, channels)."""
-    words, drawn = workplace(0)
+def stored_stream(noise: Buffer) -> NoiseStream:
+    """Stream of a single flight with all numbers in memory, shape (ticks, channels)."""
     none = np.zeros((1, 1), dtype=np.uint64)
-    plan = np.zeros((0, 3), dtype=np.int64)
-    return NoiseStream(none, none, plan, np.ascontiguousarray(noise)[None], words, drawn)
+    source = NoiseSource(none, none, np.zeros((0, 3), dtype=np.int64))
+    return NoiseStream(source, np.ascontiguousarray(noise)[None], *workspace(0))
 
 
-def on_the_fly(
-    seeds: Sequence[int], flights: Sequence[int], draws: Sequence[Draw], width: int, stretch: int
-) -> NoiseStream:
-    """Of some groups, a stretch after the other; spare lanes share the luck of the last flight.
+class FlightNoise(NamedTuple):
+    """Noise of some flights: devices that draw numbers, and seed and number of each flight."""
+
+    draws: Sequence[Draw]
+    seeds: Sequence[int]
+    flights: Sequence[int]  # their numbers in a campaign
+
+    def part(self, flights: slice) -> FlightNoise:
+        """Noise of some of these flights."""
+        return FlightNoise(self.draws, self.seeds[flights], self.flights[flights])
+
+    def source(self, count: int) -> NoiseSource:
+        """Source for a number of lanes; spare ones draw the noise of the last flight."""
+        keys = [key_of(seed) for seed in self.seeds]
+        spare = count - len(keys)
+        numbers = [*self.flights, *[self.flights[-1]] * spare]
+        return NoiseSource(
+            np.array(keys + keys[-1:] * spare, dtype=np.uint64),
+            np.array(numbers, dtype=np.uint64),
+            plan_of(self.draws),
+        )
+
+
+def drawn_stream(noise: FlightNoise, width: int, stretch: int) -> NoiseStream:
+    """Stream of some groups that draws its numbers some ticks at a time.
 
     Args:
-        seeds: One for each flight.
-        flights: Their numbers.
-        draws: Of every device.
+        noise: Of the flights.
         width: Lanes of a group.
-        stretch: Ticks at hand at a time.
+        stretch: Number of ticks in memory.
     """
-    groups = -(-len(seeds) // width)
-    spare = groups * width - len(seeds)
-    keys = np.array([key_of(s) for s in seeds] + [key_of(seeds[-1])] * spare, dtype=np.uint64)
-    numbers = np.array([*flights] + [flights[-1]] * spare, dtype=np.uint64)
-    channels = sum(draw.channels for draw in draws)
-    noise = zeros(groups, stretch, channels * width)
-    shape = (groups, width)
-    places = workplace(stretch * width)
-    return NoiseStream(keys.reshape(shape), numbers.reshape(shape), plan_of(draws), noise, *places)
+    shape = -(-len(noise.seeds) // width), width
+    keys, flights, plan = noise.source(shape[0] * width)
+    source = NoiseSource(keys.reshape(shape), flights.reshape(shape), plan)
+    channels = sum(draw.channels for draw in noise.draws)
+    table = zeros(shape[0], stretch, channels * width)
+    return NoiseStream(source, table, *workspace(stretch * width))

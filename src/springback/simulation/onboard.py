@@ -1,16 +1,16 @@
-"""What flies along: sensors, a pilot, rotors, and the weather around them, tick by tick.
+"""On-board systems, tick by tick: sensors, a pilot, an evaluator and rotors; and the weather.
 
-Everything aboard lives on a clock of equal ticks.  At each tick the sensors look, the pilot
-decides, the rotors follow, and the equations of motion carry the vehicle to the next tick with the
-thrust that the rotors give on average.  The flight knows sensors and pilots only as functions of
-their type; a new one is a NamedTuple of floats with `sensed` or `pilot_step` registered for it::
+They all run on a clock of equal ticks.  At each tick the sensors measure, the pilot decides and
+the rotors follow; the equations of motion then carry the vehicle to the next tick with the mean
+thrust of the rotors over it.  Sensors and pilots are functions of their type: a new one is a
+NamedTuple of floats with `sensor_step` or `pilot_step` registered for it::
 
     class Bang(NamedTuple): ...
 
     @pilot_step.register(Bang)
     @kernel
     def _(pilot, time, measurement, memory):
-        return Piloted(thrusts, memory)
+        return PilotOutput(thrusts, memory)
 """
 
 from __future__ import annotations
@@ -19,12 +19,13 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec
+from springback.simulation.record import Contacts
 from springback.vehicle.rotors import Lag, Rotors
 from springback.vehicle.state import State
 
 
 class Truth(NamedTuple):
-    """The motion over the last tick, for sensors only."""
+    """True motion over the last tick, for sensors only."""
 
     before: State  # at the tick before
     now: State
@@ -32,39 +33,39 @@ class Truth(NamedTuple):
     gravity: float  # g along −Z [m/s²]
 
 
-class Sensed(NamedTuple):
-    """A measurement, and what the sensors remember."""
+class SensorStep(NamedTuple):
+    """A measurement, and the memory of the sensors."""
 
     measurement: Any
     memory: Any
 
 
 @generic
-def sensed(
+def sensor_step(
     sensors: Any, tick: float, truth: Truth, noise: tuple[float, ...], memory: Any
-) -> Sensed:
-    """What the sensors say at a tick.
+) -> SensorStep:
+    """Measurement at a tick.
 
     Args:
         sensors: Settings of the sensors, a NamedTuple.
         tick: Number of the tick, from 0; a whole number.
-        truth: The motion over the last tick.
+        truth: True motion over the last tick.
         noise: Independent standard normal numbers, drawn for this tick; zeros for a device that
-            takes none now.
-        memory: What the sensors remember; returned anew, never changed in place.
+            draws none at this tick.
+        memory: Memory of the sensors; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(sensors).__name__} is no set of sensors; register sensed for it")
+    raise TypeError(f"{type(sensors).__name__} is not a set of sensors; register sensor_step")
 
 
 class Draw(NamedTuple):
     """Normal numbers of one device, drawn together."""
 
     channels: int
-    every: int  # ticks from one draw to the next, the first at tick 0; 0: it takes none
+    every: int  # ticks from one draw to the next, the first at tick 0; 0: it draws none
 
 
 class PilotOutput(NamedTuple):
-    """What a pilot commands, and what it remembers."""
+    """Command and memory of a pilot."""
 
     thrust: tuple[float, ...]  # command to each rotor [N]
     memory: Any
@@ -72,120 +73,94 @@ class PilotOutput(NamedTuple):
 
 @generic
 def pilot_step(pilot: Any, time: float, measurement: Any, memory: Any) -> PilotOutput:
-    """What a pilot does at a tick.
+    """Command of a pilot at a tick.
 
     Args:
         pilot: Settings of the pilot, a NamedTuple.
         time: Since the start [s].
-        measurement: What the sensors say, `springback.sensing.measurement.Measurement`.
-        memory: What the pilot remembers; returned anew, never changed in place.
+        measurement: Output of the sensors, `springback.sensing.measurement.Measurement`.
+        memory: Memory of the pilot; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(pilot).__name__} is no pilot; register pilot_step for it")
+    raise TypeError(f"{type(pilot).__name__} is not a pilot; register pilot_step for it")
 
 
 @generic
 def telemetry_of(pilot: Any, memory: Any) -> Any:
-    """A pilot's telemetry at a tick: a tree of floats, for people to look at.
-
-    Pilots that are not registered tell nothing.
-    """
+    """Telemetry of a pilot at a tick, a tree of floats; a zero for pilots that register none."""
     return (0.0,)
 
 
 @telemetry_of.register(object)
 @kernel
-def _tells_nothing(pilot: Any, memory: Any) -> Any:
+def _no_telemetry(pilot: Any, memory: Any) -> Any:
     return (0.0,)
 
 
-class ContactReport(NamedTuple):
-    """What a witness is told of contacts."""
-
-    touching: float  # 1 while any cage touches
-    contacts: float  # times that the vehicle came into contact
-    last: float  # instant of the last touch, −1 before the first [s]
-    ground: float  # instant at which a cage touched the ground, −1 if none did [s]
-
-
 class NoEvaluator(NamedTuple):
-    """Nobody looks on."""
+    """No evaluator."""
 
     unused: float
 
 
 @generic
-def evaluated(
-    evaluator: Any, time: float, state: State, touch: ContactReport, thought: Any, memory: Any
+def evaluator_step(
+    evaluator: Any, time: float, state: State, contacts: Contacts, pilot: Any, memory: Any
 ) -> Any:
-    """What a witness remembers after a tick.
+    """Memory of an evaluator after a tick.
 
-    A witness sees the truth and the pilot's memory, keeps account, and is seen by nobody: no pilot
-    can read it.
+    It knows the true state and the pilot's memory; no pilot can read it.
 
     Args:
-        evaluator: Settings of the witness, a NamedTuple.
+        evaluator: Settings of the evaluator, a NamedTuple.
         time: Since the start [s].
-        state: Of the vehicle.
-        touch: Contacts so far.
-        thought: What the pilot remembers after this tick.
-        memory: Of the witness; returned anew.
+        state: True state of the vehicle.
+        contacts: Contacts so far, from the record of the flight.
+        pilot: Memory of the pilot after this tick.
+        memory: Memory of the evaluator; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(evaluator).__name__} is no witness; register witnessed for it")
-
-
-@evaluated.register(NoEvaluator)
-@kernel
-def _nobody(
-    evaluator: NoEvaluator,
-    time: float,
-    state: State,
-    touch: ContactReport,
-    thought: Any,
-    memory: Any,
-) -> Any:
-    return memory
+    raise TypeError(f"{type(evaluator).__name__} is not an evaluator; register evaluator_step")
 
 
 class Relay(NamedTuple):
-    """A pilot that sits outside: plain Python puts its commands aboard, tick by tick."""
+    """Stand-in for a pilot in plain Python, whose commands are written from outside."""
 
     unused: float
 
 
 @pilot_step.register(Relay)
 @kernel
-def _relayed(pilot: Relay, time: float, measurement: Any, memory: Any) -> PilotOutput:
+def _relay(pilot: Relay, time: float, measurement: Any, memory: Any) -> PilotOutput:
     return PilotOutput(memory, memory)
 
 
 class OnboardSystems(NamedTuple):
-    """Everything aboard that does not change during a flight."""
+    """Settings of the avionics, constant over a flight."""
 
     sensors: Any
     pilot: Any
     rotors: Rotors
     lag: Lag  # of their thrust, over a tick
-    evaluator: Any  # NoWitness, or a type registered with witnessed
-    weather: Any  # Calm or Dryden
+    evaluator: Any  # NoEvaluator, or a type registered with evaluator_step
+    weather: Any  # NoGusts or Dryden
     mean_wind: Vec  # world [m/s]
     period: float  # of the clock [s]
 
 
 class OnboardState(NamedTuple):
-    """Everything aboard that changes from tick to tick."""
+    """State of the avionics, which changes from tick to tick."""
 
     before: State  # at the tick before
     measurement: Any
-    sensors: Any  # what they remember
-    pilot: Any  # what it remembers
+    sensors: Any  # their memory
+    pilot: Any  # its memory
     command: tuple[float, ...]  # to each rotor [N]
     thrust: tuple[float, ...]  # of each rotor at the tick [N]
-    evaluator: Any  # what it remembers
-    weather: Any  # what it remembers
+    evaluator: Any  # its memory
+    weather: Any  # its memory
 
 
 class Avionics(NamedTuple):
-    """What is aboard."""
+    """Avionics of a flight: settings and state."""
 
     systems: OnboardSystems
     onboard: OnboardState

@@ -1,7 +1,7 @@
-"""Contact forces and energies along a trajectory, evaluated again by the flight's own laws.
+"""Contact forces and energies along a trajectory, evaluated again by the same kernels.
 
-A trajectory has lengths of arms and sums of forces; where each cage touches, and how each force
-points, follows from the states by the same kernels that flew it.
+A trajectory holds lengths of arms and sums of forces; contact points and the force on each cage
+follow from its states by the laws of the flight.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ NO_FORCE = 1e-9
 
 
 class PartLoad(NamedTuple):
-    """What one cage, or the hull, feels of all obstacles."""
+    """Load of all obstacles on one cage, or on the hull."""
 
     force: Vec  # on it, world [N]
     normal: float  # sum of the f_n [N]
     friction: Vec  # sum of the f_f, world [N]
-    point: Vec  # where the normal forces act, the mean weighted with them; world [m], times N
+    point: Vec  # sum of contact points, each times its f_n, world [N m]
 
 
 class Instant(NamedTuple):
-    """What is asked at one instant."""
+    """Inputs at one instant."""
 
     airframe: Airframe
     world: World
@@ -49,7 +49,7 @@ class Instant(NamedTuple):
 
 
 class Evaluation(NamedTuple):
-    """What is answered."""
+    """Loads and energy at one instant."""
 
     parts: tuple[PartLoad, ...]  # cages, then the hull if there is one
     stored: Energy
@@ -59,7 +59,7 @@ class Evaluation(NamedTuple):
 def _cage_load(
     obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
 ) -> PartLoad:
-    """One cage against one obstacle, in body axes from the main body."""
+    """Load of one obstacle on one cage, in body axes from the main body."""
     return _load(cage_contact(obstacle, contact_point, radius, arm, omega, vertical))
 
 
@@ -123,7 +123,7 @@ def _evaluate(at: Instant) -> Evaluation:
 
 @executor(nogil=True)
 def _evaluate_all(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
-    """`Evaluation` at every instant; a row of each buffer is the leaves of one."""
+    """Write `Evaluation` for each instant; the rows of the buffers hold the leaves."""
     for i in range(instants.shape[0]):
         write(_evaluate(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
 
@@ -139,7 +139,7 @@ class LoadHistory(NamedTuple):
 
 
 def _states(columns: Mapping[str, Array], arms: int, places: Places) -> Array:
-    """Leaves of `State`, a row an instant."""
+    """Leaves of `State`, one row for each instant."""
     names = [*"xyz", *(f"q{p}" for p in "wxyz"), *(f"v{a}" for a in "xyz"), *("wx", "wy", "wz")]
     names += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
     return np.stack([columns[name][places] for name in names], axis=1)
@@ -151,7 +151,7 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
     Args:
         model: Of the flight.
         columns: Its trajectory.
-        places: Of the instants.
+        places: Rows of the instants.
     """
     arms = len(model.airframe.arms)
     states = _states(columns, arms, places)

@@ -1,10 +1,11 @@
-"""A tick of the onboard clock: sensors look, pilots decide, evaluators judge, rotors follow.
+"""A tick of the on-board clock: sensors measure, pilots decide, evaluators judge, rotors follow.
 
-Each is done for all flights of a group, lane by lane.  Sensors, pilots and evaluators of a user's
-own are asked one flight at a time, by the functions of `springback.simulation.onboard`.  Types that
-register a `look`, `decide` or `evaluate` of their own do better: they go over the lanes several
-times, each time with something short and without branches, which the compiler lays abreast in
-vector registers, and attend to single lanes only where something rare has happened.
+Each stage is done for all flights of a group, lane by lane.  A user's own sensors, pilots and
+evaluators are called for one flight at a time, through the functions of
+`springback.simulation.onboard`.  Types that register a `look`, `decide` or `evaluate` of their own
+are faster: they go over the lanes several times, each time with something short and without
+branches, which the compiler packs into vector registers, and treat single lanes only where
+something rare has happened.
 """
 
 from __future__ import annotations
@@ -16,126 +17,168 @@ import numpy as np
 from springback.dynamics.air import in_wind
 from springback.dynamics.gusts import gust
 from springback.kernels.compiler import executor, generic, guard, kernel
-from springback.kernels.layout import Buffer, TreeLayout, load, read, row_of, rows, store, write
+from springback.kernels.layout import (
+    Buffer,
+    TreeLayout,
+    load,
+    read,
+    row_of,
+    rows,
+    store,
+    write,
+)
 from springback.kernels.trees import leaves, select, square
+from springback.simulation.executor import TrajectoryLog
 from springback.simulation.lanes import places
 from springback.simulation.onboard import (
-    ContactReport,
     NoEvaluator,
     PilotOutput,
     Truth,
-    evaluated,
+    evaluator_step,
     pilot_step,
-    sensed,
+    sensor_step,
     telemetry_of,
 )
-from springback.simulation.record import FINISHED, FLYING, NOT_FINITE
+from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Contacts
 from springback.vehicle.rotors import lagged_thrusts
 from springback.vehicle.state import State
 
 #: Normal numbers that gusts take at each tick, after those of the sensors.
 GUST_NOISE = 3
-#: Squares of finite commands [N] add up to less than this (chosen: far beyond any).
+#: Limit of the sum of squares of finite commands [N²] (chosen: far beyond any).
 ABSURD = 1e30
 
 
+class Layouts(NamedTuple):
+    """Layouts of the buffers of guided flights, and of the noise at a tick."""
+
+    shape: TreeLayout  # of the motion's buffers
+    avionics: TreeLayout  # of the on-board buffers
+    channels: TreeLayout  # noise of the sensors of one flight
+    gusts: TreeLayout  # noise of the gusts of one flight
+
+
+class FlightBuffers(NamedTuple):
+    """Buffers of guided flights: of some groups, or of one."""
+
+    motion: Buffer  # shape ([groups,] rows x lanes)
+    onboard: Any  # the same; `springback.kernels.layout.Parted` on a GPU
+    lanes: tuple[int, ...]  # as long as a group is wide
+
+
+class FlightLog(NamedTuple):
+    """Trajectory and telemetry of a single flight; empty if they are not recorded."""
+
+    trajectory: TrajectoryLog
+    telemetry: Buffer  # one tick a row
+
+
+class Lanes(NamedTuple):
+    """On-board systems of a group at a tick: all that a pilot can reach."""
+
+    avionics: TreeLayout  # layout of ``onboard``
+    onboard: Any  # as in `FlightBuffers`
+    width: int
+    once: int
+    """1, which the compiler does not know: it would unroll a loop of known length, not pack it."""
+    tick: float  # number of the tick
+
+
+class Group(NamedTuple):
+    """A group of flights at a tick: all that sensors and evaluators can reach.
+
+    Executors make it: a kernel counts no references, so it must not return arrays.
+    """
+
+    lanes: Lanes
+    shape: TreeLayout  # layout of ``motion``
+    motion: Buffer
+
+
+class TickNoise(NamedTuple):
+    """Normal numbers of a group at a tick."""
+
+    channels: TreeLayout  # like those of one lane
+    drawn: Buffer  # channel by channel, lane by lane
+    first: int  # first channel of ``channels``
+
+
+def layouts_of(shape: Any, avionics: Any, channels: int) -> Layouts:
+    """Layouts of guided flights whose sensors take some channels of noise."""
+    sensors, gusts = (0.0,) * channels, (0.0,) * GUST_NOISE
+    return Layouts(*map(TreeLayout, (shape, avionics, sensors, gusts)))
+
+
 @kernel
-def motion_of(shape: TreeLayout, b: Buffer, w: int, i: int) -> State:
+def state_of(group: Group, i: int) -> State:
     """State of one lane."""
-    state: State = load(shape.motion.state, b, w, i)
+    state: State = load(group.shape.motion.state, group.motion, group.lanes.width, i)
     return state
 
 
 @kernel
-def truth_of(
-    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int, i: int
-) -> Truth:
-    """The motion of one lane over the last tick."""
+def truth_of(group: Group, i: int) -> Truth:
+    """Motion of one lane over the last tick."""
+    avionics, g, w = group.lanes.avionics, group.lanes.onboard, group.lanes.width
     period = load(avionics.systems.period, g, w, i)
     before = load(avionics.onboard.before, g, w, i)
-    gravity = load(shape.model.world.gravity, b, w, i)
-    return Truth(before, motion_of(shape, b, w, i), period, gravity)
+    gravity = load(group.shape.model.world.gravity, group.motion, w, i)
+    return Truth(before, state_of(group, i), period, gravity)
 
 
 @kernel
-def touch_of(shape: TreeLayout, b: Buffer, w: int, i: int) -> ContactReport:
-    """What the record of one lane says of contacts."""
-    m, record = shape.record, places(shape, w).record
-    return ContactReport(
-        read(m.touching, b, record + row_of(m, "touching"), w, i),
-        read(m.contacts, b, record + row_of(m, "contacts"), w, i),
-        read(m.last_touch_time, b, record + row_of(m, "last_touch_time"), w, i),
-        read(m.ground_time, b, record + row_of(m, "ground_time"), w, i),
-    )
+def contacts_of(group: Group, i: int) -> Contacts:
+    """Contacts of one lane so far."""
+    record, w = group.shape.record, group.lanes.width
+    row = places(group.shape, w).record + row_of(record, "contacts")
+    contacts: Contacts = read(record.contacts, group.motion, row, w, i)
+    return contacts
 
 
 @generic
-def look(
-    sensors: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
-    """The sensors of all lanes look.
+def look(sensors: TreeLayout, group: Group, noise: TickNoise) -> None:
+    """Run the sensors of all lanes.
 
     Args:
-        sensors: Like their settings, by whose type they are chosen.
-        shape: What lies in ``b``.
-        avionics: What lies in ``g``.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard: the measurement and the sensors' memory are changed.
-        w: Lanes.
-        once: It is 1, which the compiler does not know: loops of known length it would unroll, and
-            not pack.
-        tick: Number of the tick.
-        channels: Like the noise of one lane.
-        noise: Normal numbers of this tick, channel by channel, lane by lane.
+        sensors: Layout of their settings, on whose type it dispatches.
+        group: Measurement and memory of the sensors are changed.
+        noise: For all sensors.
     """
-    _look_one_by_one(sensors, shape, avionics, b, g, w, once, tick, channels, noise)
+    _look_one_by_one(sensors, group, noise)
 
 
 @kernel
-def _look_one_by_one(
-    sensors: TreeLayout, shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, w: int,
-    once: int, tick: float,
-    channels: TreeLayout, noise: Buffer,
-) -> None:  # fmt: skip
+def _look_one_by_one(sensors: TreeLayout, group: Group, noise: TickNoise) -> None:
+    avionics, g, w, _, tick = group.lanes
     memory = avionics.onboard
     for i in range(w):
-        truth = truth_of(shape, avionics, b, g, w, i)
-        drawn, remembered = load(channels, noise, w, i), load(memory.sensors, g, w, i)
-        seen = sensed(load(sensors, g, w, i), tick, truth, drawn, remembered)
-        store(seen.measurement, memory.measurement, g, w, i)
-        store(seen.memory, memory.sensors, g, w, i)
+        drawn, before = load(noise.channels, noise.drawn, w, i), load(memory.sensors, g, w, i)
+        after = sensor_step(load(sensors, g, w, i), tick, truth_of(group, i), drawn, before)
+        store(after.measurement, memory.measurement, g, w, i)
+        store(after.memory, memory.sensors, g, w, i)
 
 
 @generic
-def decide(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
-    """The pilots of all lanes decide.
+def decide(pilot: TreeLayout, lanes: Lanes) -> None:
+    """Run the pilots of all lanes.
 
     Args:
-        pilot: Like its settings, by whose type it is chosen.
-        avionics: What lies in ``g``.
-        g: Buffer of what is aboard: the command and the pilot's memory are changed.
-        w: Lanes.
-        once: As for `look`.
-        tick: Number of the tick.
+        pilot: Layout of its settings, on whose type it dispatches.
+        lanes: Command and memory of the pilot are changed.
     """
-    _decide_one_by_one(pilot, avionics, g, w, once, tick)
+    _decide_one_by_one(pilot, lanes)
 
 
 @kernel
-def _decide_one_by_one(
-    pilot: TreeLayout, avionics: TreeLayout, g: Buffer, w: int, once: int, tick: float
-) -> None:
+def _decide_one_by_one(pilot: TreeLayout, lanes: Lanes) -> None:
+    avionics, g, w, _, tick = lanes
     memory = avionics.onboard
     for i in range(w):
         time = tick * load(avionics.systems.period, g, w, i)
-        seen, thought = load(memory.measurement, g, w, i), load(memory.pilot, g, w, i)
-        said = pilot_step(load(pilot, g, w, i), time, seen, thought)
-        store(said.memory, memory.pilot, g, w, i)
-        store(said.thrust, memory.command, g, w, i)
+        measurement, before = load(memory.measurement, g, w, i), load(memory.pilot, g, w, i)
+        output = pilot_step(load(pilot, g, w, i), time, measurement, before)
+        store(output.memory, memory.pilot, g, w, i)
+        store(output.thrust, memory.command, g, w, i)
 
 
 class _Settings(NamedTuple):
@@ -150,186 +193,141 @@ class _Memory(NamedTuple):
 
 
 class _Cockpit(NamedTuple):
-    """A cabin with nothing but a pilot in it."""
+    """Avionics that consist of a pilot only."""
 
     systems: _Settings
     onboard: _Memory
 
 
-def decided(
+def pilot_output(
     pilot: Any, period: float, tick: int, measurement: Any, memory: Any, rotors: int
 ) -> PilotOutput:
-    """What a pilot that registers a `decide` does at a tick, in plain Python.
+    """Output at one tick of a pilot that registers a `decide`; plain Python.
 
     Args:
         pilot: Settings.
         period: Of the clock [s].
         tick: Number of the tick.
-        measurement: What the sensors say.
-        memory: What the pilot remembers.
+        measurement: Output of the sensors.
+        memory: Memory of the pilot.
         rotors: Number of rotors.
     """
     command = (0.0,) * rotors
     avionics = _Cockpit(_Settings(pilot, period), _Memory(measurement, memory, command))
     g, like = np.array(leaves(avionics)), TreeLayout(avionics)
-    decide(like.systems.pilot, like, g, 1, 1, float(tick))
+    decide(like.systems.pilot, Lanes(like, g, 1, 1, float(tick)))
     after = load(like.onboard, g, 1, 0)
     return PilotOutput(after.command, after.pilot)
 
 
 @generic
-def evaluate(
-    evaluator: TreeLayout,
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    b: Buffer,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
-    """The witnesses of all lanes judge, after the pilots.
+def evaluate(evaluator: TreeLayout, group: Group) -> None:
+    """Run the evaluators of all lanes, after the pilots.
 
     Args:
-        evaluator: Like its settings, by whose type it is chosen.
-        shape: What lies in ``b``.
-        avionics: What lies in ``g``.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard: the witness's memory is changed.
-        w: Lanes.
-        once: As for `look`.
-        tick: Number of the tick.
+        evaluator: Layout of its settings, on whose type it dispatches.
+        group: Memory of the evaluator is changed.
     """
-    evaluate_lanes(evaluator, shape, avionics, b, g, w, once, tick)
+    evaluate_lanes(evaluator, group)
 
 
 @kernel
-def evaluate_lanes(
-    evaluator: TreeLayout,
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    b: Buffer,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
-    """`evaluated` for all lanes, abreast where it has no branches; arguments as for `evaluate`."""
+def evaluate_lanes(evaluator: TreeLayout, group: Group) -> None:
+    """`evaluator_step` for all lanes, packed where it has no branches."""
+    avionics, g, w, once, tick = group.lanes
     memory = avionics.onboard
     for i in range(w * once):
-        time, thought = tick * load(avionics.systems.period, g, w, i), load(memory.pilot, g, w, i)
-        state, touch = motion_of(shape, b, w, i), touch_of(shape, b, w, i)
-        known = load(memory.evaluator, g, w, i)
-        kept = evaluated(load(evaluator, g, w, i), time, state, touch, thought, known)
-        store(kept, memory.evaluator, g, w, i)
+        time, pilot = tick * load(avionics.systems.period, g, w, i), load(memory.pilot, g, w, i)
+        state, contacts = state_of(group, i), contacts_of(group, i)
+        before = load(memory.evaluator, g, w, i)
+        after = evaluator_step(load(evaluator, g, w, i), time, state, contacts, pilot, before)
+        store(after, memory.evaluator, g, w, i)
 
 
 @evaluate.register(NoEvaluator)
 @kernel
-def _nobody_judges(
-    evaluator: TreeLayout,
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    b: Buffer,
-    g: Buffer,
-    w: int,
-    once: int,
-    tick: float,
-) -> None:
+def _evaluate_nothing(evaluator: TreeLayout, group: Group) -> None:
     return
 
 
 @guard
 def _status_after(thrust: tuple[float, ...], status: float) -> float:
-    """Status of a flight after its pilot has commanded: not finite where a command is not."""
+    """Status of a flight after a command: `NOT_FINITE` if the command is."""
     return status if square(thrust) < ABSURD else NOT_FINITE
 
 
 @kernel
-def written(avionics: TreeLayout, g: Buffer, tick: float, page: Buffer) -> None:
-    """A page of the telemetry of a single flight: time, command, thrust, measurement, words."""
+def write_telemetry(lanes: Lanes, row: Buffer) -> None:
+    """Write a row of the telemetry of a single flight.
+
+    Its columns are time, command, thrust, measurement and the pilot's telemetry.
+    """
+    avionics, g, _, _, tick = lanes
     memory = avionics.onboard
-    page[0] = tick * load(avionics.systems.period, g, 1, 0)
+    row[0] = tick * load(avionics.systems.period, g, 1, 0)
     command, thrust = load(memory.command, g, 1, 0), load(memory.thrust, g, 1, 0)
-    n, seen = rows(memory.command), rows(memory.measurement)
-    write(command, page, 1, 1, 0)
-    write(thrust, page, 1 + n, 1, 0)
-    write(load(memory.measurement, g, 1, 0), page, 1 + 2 * n, 1, 0)
-    words = telemetry_of(load(avionics.systems.pilot, g, 1, 0), load(memory.pilot, g, 1, 0))
-    write(words, page, 1 + 2 * n + seen, 1, 0)
+    n, measured = rows(memory.command), rows(memory.measurement)
+    write(command, row, 1, 1, 0)
+    write(thrust, row, 1 + n, 1, 0)
+    write(load(memory.measurement, g, 1, 0), row, 1 + 2 * n, 1, 0)
+    telemetry = telemetry_of(load(avionics.systems.pilot, g, 1, 0), load(memory.pilot, g, 1, 0))
+    write(telemetry, row, 1 + 2 * n + measured, 1, 0)
 
 
 @executor(nogil=True)
-def ticked(
-    shape: TreeLayout,
-    avionics: TreeLayout,
-    b: Buffer,
-    g: Buffer,
-    lanes: tuple[int, ...],
-    ones: Any,
-    tick: float,
-    channels: TreeLayout,
-    noise: Buffer,
-    telemetry: Buffer,
-    line: int,
+def sense_and_decide(
+    layouts: Layouts, buffers: FlightBuffers, tick: int, drawn: Buffer, log: FlightLog
 ) -> None:
-    """At a tick the sensors of every lane look and the pilots decide.
+    """Run sensors, pilots and evaluators of a group at a tick.
 
     Args:
-        shape: What lies in the buffer of the motion.
-        avionics: What lies in the buffer of what is aboard.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard.
-        lanes: A tuple as long as a group is wide.
-        ones: Of shape (1,), see `look`.
+        layouts: Of the buffers.
+        buffers: Of one group.
         tick: Number of the tick.
-        channels: Noise of the sensors at a tick.
-        noise: Normal numbers of this tick, channel by channel, lane by lane.
-        telemetry: Of a single flight, one tick a row; empty for none.
-        line: Row of the telemetry.
+        drawn: Normal numbers of this tick, channel by channel, lane by lane.
+        log: Of a single flight.
     """
-    w, settings, memory, at = (
-        len(lanes),
-        avionics.systems,
-        avionics.onboard,
-        places(shape, len(lanes)),
-    )
-    once = ones.shape[0]  # so that the compiler knows that it is not below zero
-    look(settings.sensors, shape, avionics, b, g, w, once, tick, channels, noise)
+    # From the shape of an array the compiler knows that ``once`` is not below zero.
+    w, once, avionics = len(buffers.lanes), log.trajectory.used.shape[0], layouts.avionics
+    g, b, shape = buffers.onboard, buffers.motion, layouts.shape
+    group = Group(Lanes(avionics, g, w, once, float(tick)), shape, b)
+    settings, memory = avionics.systems, avionics.onboard
+    look(settings.sensors, group, TickNoise(layouts.channels, drawn, 0))
     for i in range(w * once):
-        store(motion_of(shape, b, w, i), memory.before, g, w, i)
-    decide(settings.pilot, avionics, g, w, once, tick)
-    evaluate(settings.evaluator, shape, avionics, b, g, w, once, tick)
+        store(state_of(group, i), memory.before, g, w, i)
+    decide(settings.pilot, group.lanes)
+    evaluate(settings.evaluator, group)
+    row = places(shape, w).status
     for i in range(w * once):
-        status = read(shape.record.status, b, at.status, w, i)
-        write(_status_after(load(memory.command, g, w, i), status), b, at.status, w, i)
-    if w == 1 and telemetry.shape[0] > 0:
-        written(avionics, g, tick, telemetry[line])
+        status = read(shape.record.stepping.status, b, row, w, i)
+        write(_status_after(load(memory.command, g, w, i), status), b, row, w, i)
+    if w == 1 and log.telemetry.shape[0] > 0:
+        write_telemetry(group.lanes, log.telemetry[tick])
 
 
 @executor(nogil=True)
-def powered(
-    shape: TreeLayout, avionics: TreeLayout, b: Buffer, g: Buffer, lanes: tuple[int, ...],
-    ones: Any, tick: float,
-    last: float, gusts: TreeLayout, noise: Buffer, channel: int,
-) -> None:  # fmt: skip
-    """The rotors of every lane follow their commands, the wind blows, until the next tick.
+def drive_rotors(
+    layouts: Layouts,
+    buffers: FlightBuffers,
+    tick: int,
+    drawn: Buffer,
+    log: FlightLog,
+    duration: float,
+) -> None:
+    """Set thrust and wind of every lane until the next tick: rotors follow their commands.
 
     Args:
-        shape: What lies in the buffer of the motion.
-        avionics: What lies in the buffer of what is aboard.
-        b: Buffer of the motion.
-        g: Buffer of what is aboard.
-        lanes: A tuple as long as a group is wide.
-        ones: Of shape (1,), see `look`.
+        layouts: Of the buffers.
+        buffers: Of one group.
         tick: Number of the tick that begins.
-        last: End of the flight [s].
-        gusts: Noise of the gusts at a tick.
-        noise: Normal numbers of this tick, channel by channel, lane by lane.
-        channel: The first of those that are the gusts'.
+        drawn: Normal numbers of this tick, channel by channel, lane by lane.
+        log: Of a single flight.
+        duration: Of the flight [s].
     """
-    w, settings, memory, model = len(lanes), avionics.systems, avionics.onboard, shape.model
-    status, once = places(shape, w).status, ones.shape[0]
+    w, once, now = len(buffers.lanes), log.trajectory.used.shape[0], float(tick)
+    g, b, shape = buffers.onboard, buffers.motion, layouts.shape
+    settings, memory = layouts.avionics.systems, layouts.avionics.onboard
+    model, row, first = shape.model, places(shape, w).status, rows(layouts.channels)
     for i in range(w * once):
         thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
         period = load(settings.period, g, w, i)
@@ -337,13 +335,13 @@ def powered(
         spun = lagged_thrusts(rotors, thrust, command, lag)
         store(spun.thrust, memory.thrust, g, w, i)
         store(spun.mean, model.thrust, b, w, i)
-        store(min((tick + 1.0) * period, last), model.timing.until, b, w, i)
-        # Where it came to this tick before its neighbours it flies on.
-        so_far = read(shape.record.status, b, status, w, i)
-        write(select(so_far == FINISHED, FLYING, so_far), b, status, w, i)
+        store(min((now + 1.0) * period, duration), model.timing.until, b, w, i)
+        # A flight that reached this tick before its neighbours flies on.
+        status = read(shape.record.stepping.status, b, row, w, i)
+        write(select(status == FINISHED, FLYING, status), b, row, w, i)
     for i in range(w * once):
-        drawn, weather = read(gusts, noise, channel, w, i), load(settings.weather, g, w, i)
-        blown = gust(weather, drawn, load(memory.weather, g, w, i))
+        numbers, weather = read(layouts.gusts, drawn, first, w, i), load(settings.weather, g, w, i)
+        blown = gust(weather, numbers, load(memory.weather, g, w, i))
         wind = load(settings.mean_wind, g, w, i) + blown.velocity
         store(blown.memory, memory.weather, g, w, i)
         store(in_wind(load(model.air, b, w, i), wind), model.air, b, w, i)

@@ -19,7 +19,8 @@ from springback.progress import Progress, silent
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.simulation.guided import GuidedFlown, fly_guided, noise_table, ticks_of
+from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
+from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
@@ -163,7 +164,8 @@ def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     avionics, draws = built
     ticks = ticks_of(model.timing.until, avionics.systems.period)
     noise = noise_table(scenario.seed, 0, ticks, draws)
-    return ReadyTrial(scenario, model, avionics), fly_guided(model, start, avionics, noise)
+    flight = GuidedFlight(model, start, avionics)
+    return ReadyTrial(scenario, model, avionics), fly_guided(flight, noise)
 
 
 def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSignal]:
@@ -279,7 +281,7 @@ def characterisation_error(
     pressed = np.stack([trace[f"arms.{j + 1}.normal"][first : last + 1] for j in range(count)])
     shares = np.trapezoid(pressed, t[first : last + 1], axis=1)
     touched = shares >= TOOK_PART * shares.sum()
-    normal = np.array(guided.flown.record.inward)
+    normal = np.array(guided.flown.record.first_impact.inward)
     told = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
     said = dict(zip(SOURCES, told, strict=True))
     there = true_contact_point(trace, ready.model.airframe, at, normal, touched)
@@ -312,7 +314,7 @@ def fly_collision(
         changes: Tables merged over those of the test.
     """
     ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
-    touch = guided.flown.record.touch_time
+    touch = guided.flown.record.first_impact.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
     delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}

@@ -40,7 +40,7 @@ def persistent_level(trigger: TriggerSignal, persistence: int) -> Array:
 def alarms(
     trigger: TriggerSignal, threshold: float, persistence: int, refractory: float
 ) -> list[int]:
-    """Ticks at which `springback.recovery.detection.triggered` goes off.
+    """Ticks at which `springback.recovery.detection.trigger_step` goes off.
 
     Args:
         trigger: The signal.

@@ -215,6 +215,31 @@ def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
     assert left == ["p.py", "s.toml"]
 
 
+def test_an_interrupted_command_ends_before_what_it_used_is_freed() -> None:
+    """Else a library can crash in threads that still use it: exit code -11 instead of 130."""
+    source = """
+import sys
+from springback import command
+from springback.interfaces.cli import app
+
+class Library:
+    def __del__(self):
+        print("freed")
+
+class Group:
+    def main(self, standalone_mode):
+        used = Library()
+        raise KeyboardInterrupt
+
+app.cli = Group()
+command.run()
+"""
+    done = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True)
+    assert done.returncode == 130
+    assert "interrupted" in done.stderr
+    assert "freed" not in done.stdout
+
+
 def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
     for part in ("flight", "resilience"):
         words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]

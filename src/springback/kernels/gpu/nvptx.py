@@ -24,7 +24,7 @@ from numba.core import (
 )
 from numba.core.compiler_lock import global_compiler_lock
 
-from springback.kernels.compiler import STRICT, rebound
+from springback.kernels.compiler import STRICT, with_globals
 from springback.kernels.gpu.private_memory import MEMORY
 
 #: Parts of numba with incomplete type stubs, or none.
@@ -152,7 +152,7 @@ def machine(architecture: str) -> Any:
 def device_function(function: Callable[..., Any], **others: Any) -> Any:
     """A function that entry points call on a GPU; ``others`` replace globals of these names."""
     plain = getattr(function, "py_func", function)
-    return _device_decorator(rebound(plain, **MEMORY, **others), forceinline=True, **STRICT)
+    return _device_decorator(with_globals(plain, **MEMORY, **others), forceinline=True, **STRICT)
 
 
 def target_context() -> Any:

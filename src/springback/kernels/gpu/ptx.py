@@ -11,7 +11,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -35,6 +35,7 @@ from springback.kernels.layout import TreeLayout, TreeLayoutType
 from springback.kernels.trees import branches
 
 _Pointer: Any = types.CPointer
+_tuple_type: Any = types.BaseTuple.from_types
 
 
 class PtxError(RuntimeError):
@@ -79,15 +80,27 @@ def parameter(value: Any) -> Any:
     """Compiler type of an argument of an entry point.
 
     Args:
-        value: A `TreeLayout`, `Constants`, an array for its memory, or a number.
+        value: A `TreeLayout`, `Constants`, an array for its memory, a number, or a NamedTuple of
+            these.
     """
     if isinstance(value, TreeLayout):
         return value._numba_type_
     if isinstance(value, Constants):
         return value
+    if isinstance(value, tuple):
+        return type(value)(*map(parameter, value))
     if isinstance(value, np.ndarray):
         return _Pointer(numba.from_dtype(value.dtype))
     return types.int64 if isinstance(value, int) else types.float64
+
+
+def _kind(p: Any) -> Any:
+    """Compiler type of a parameter from `parameter`."""
+    if isinstance(p, Constants):
+        return p.like._numba_type_.tree
+    if isinstance(p, tuple):
+        return _tuple_type([_kind(one) for one in p], type(p))
+    return p
 
 
 class Program(NamedTuple):
@@ -114,7 +127,7 @@ def program(
         parts: Returns replacements for globals of the entry, see `device_function`.
         sources: Origin of a user's code among the types; None disables caching.
     """
-    kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
+    kinds = [_kind(p) for p in parameters]
     versions = [numba.__version__, str(binding.llvm_version_info), ARCHITECTURE]
     said = [entry.__qualname__, *versions, *map(str, kinds)]
     said += sources.words() if sources is not None else []
@@ -164,7 +177,7 @@ def _bitcode(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, A
 def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     """PTX of a program, given which values vary from flight to flight.
 
-    A launch takes, in the order of the parameters: for `Constants` the leaves that do not vary,
+    A launch takes, in the order of all parameters: for `Constants` the leaves that do not vary,
     the memory of those that do, shape (varying leaves, flights), and the number of flights; for
     arrays their memory; for numbers themselves; for a `TreeLayout` nothing.
 
@@ -175,7 +188,7 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     Raises:
         PtxError: If it calls a function that a GPU does not have.
     """
-    masks = repr([p.varies for p in parameters if isinstance(p, Constants)])
+    masks = repr([p.varies for p in flat(parameters) if isinstance(p, Constants)])
     mask = hashlib.sha256(masks.encode()).hexdigest()[:16]
     path = _folder() / f"{program.digest}-{mask}.ptx"
     known = load_program(path) if program.digest else None
@@ -190,6 +203,15 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     if program.digest:
         save_program(path, text.encode())
     return Kernel(program.name, text)
+
+
+def flat(parameters: Iterable[Any]) -> Iterator[Any]:
+    """Parameters of an entry point one by one, those of NamedTuples included."""
+    for p in parameters:
+        if isinstance(p, tuple) and not isinstance(p, Constants):
+            yield from flat(p)
+        else:
+            yield p
 
 
 def _check_calls(module: Any) -> None:
@@ -228,7 +250,7 @@ def _entry_text(name: str, parameters: Sequence[Any]) -> str:
     """Text of a kernel that calls a lowered entry point once in every thread."""
     context = target_context()
     module = context.codegen()._create_empty_module("entry")
-    passed = [_arguments_of(context, p) for p in parameters]
+    passed = [_arguments_of(context, p) for p in flat(parameters)]
     kind = ir.FunctionType(ir.VoidType(), list(itertools.chain.from_iterable(passed)))
     kernel = ir.Function(module, kind, name)
     kernel.calling_convention = "ptx_kernel"
@@ -241,18 +263,17 @@ def _entry_text(name: str, parameters: Sequence[Any]) -> str:
         for place in _PLACES
     )
     number = builder.zext(builder.add(builder.mul(block, size), thread), ir.IntType(64))
-    given, arguments = list(kernel.args), []
-    for p, taken in zip(parameters, passed, strict=True):
+    given, values = list(kernel.args), []
+    for p, taken in zip(flat(parameters), passed, strict=True):
         mine, given = given[: len(taken)], given[len(taken) :]
         if isinstance(p, TreeLayoutType):
-            arguments.append(context.get_dummy_value())
+            values.append(context.get_dummy_value())
         elif isinstance(p, Constants):
-            values = _constants(builder, p, mine, number)
-            arguments.append(_tree(context, builder, p.like._numba_type_.tree, values))
+            values += _constants(builder, p, mine, number)
         else:
-            arguments += mine
-    kinds = [p.like._numba_type_.tree if isinstance(p, Constants) else p for p in parameters]
-    kinds.append(types.int64)
+            values += mine
+    kinds = [*map(_kind, parameters), types.int64]
+    arguments = [_tree(context, builder, kind, values) for kind in kinds[:-1]]
     inner = ir.Function(module, context.call_conv.get_function_type(types.none, kinds), _INNER)
     context.call_conv.call_function(builder, inner, types.none, kinds, [*arguments, number])
     builder.ret_void()
@@ -276,7 +297,7 @@ def _constants(builder: Any, p: Constants, given: Sequence[Any], thread: Any) ->
 
 
 def _tree(context: Any, builder: Any, kind: Any, values: list[Any]) -> Any:
-    """A tree of a type from its leaves, consumed in order."""
+    """A value of a type from its leaves, consumed in order."""
     if not isinstance(kind, types.BaseTuple):
         return values.pop(0)
     tree = ir.Constant(context.get_value_type(kind), ir.Undefined)

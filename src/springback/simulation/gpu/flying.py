@@ -1,14 +1,14 @@
-"""Flights on a GPU: what lies in their buffers goes there, is flown, and comes back.
+"""Flights on a GPU: their buffers are copied there, flown, and copied back.
 
-The rows that come back are those of the processor, bit for bit: the same source is compiled with
-the same rounding, see `springback.kernels.gpu.ptx`.
+The results are those of the processor, bit for bit: the same source is compiled with the same
+rounding, see `springback.kernels.gpu.ptx`.
 """
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -25,27 +25,33 @@ from springback.kernels.gpu.ptx import (
 from springback.kernels.layout import Buffer, TreeLayout, rows, structure
 from springback.simulation.executor import advance, to_tick
 from springback.simulation.flight import SLICE, own_types, shape_of, sources
-from springback.simulation.gpu.thread import fly_impact, fly_ticks
-from springback.simulation.guided import ticks_of
+from springback.simulation.gpu.thread import (
+    GuidedConstants,
+    SharedFlights,
+    SharedGuidedFlights,
+    SharedNoise,
+    ThreadLayouts,
+    TickSpan,
+    fly_impact,
+    fly_ticks,
+)
+from springback.simulation.guided import GuidedFlight, ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
-from springback.simulation.noise import generate, key_of, plan_of
-from springback.simulation.onboard import Avionics, Draw
-from springback.simulation.record import FLYING, Model
-from springback.simulation.ticks import GUST_NOISE, powered, ticked
-from springback.vehicle.state import State
+from springback.simulation.noise import FlightNoise, generate
+from springback.simulation.onboard import Avionics
+from springback.simulation.record import FLYING
+from springback.simulation.ticks import (
+    GUST_NOISE,
+    FlightBuffers,
+    drive_rotors,
+    layouts_of,
+    sense_and_decide,
+)
 
-#: Ticks between two looks at the keyboard and the progress bar.
+#: Ticks between two checks for an interrupt and updates of the progress bar.
 TICKS = 250
 
 Progress = Callable[[float], None]
-
-
-class _Columns(NamedTuple):
-    """What lies in the buffers of many flights, one column a flight."""
-
-    model: Buffer
-    motion: Buffer
-    record: Buffer
 
 
 def _columns(lanes: Buffer, first: int, end: int) -> Buffer:
@@ -61,7 +67,7 @@ def _put_back(columns: Buffer, lanes: Buffer, first: int) -> None:
 
 
 Mask = tuple[bool, ...]
-"""Of each leaf of a tree: whether it varies from flight to flight."""
+"""For each leaf of a tree: True if it differs from flight to flight."""
 
 
 def _varying(columns: Buffer) -> Mask:
@@ -76,22 +82,22 @@ def _constants(columns: Buffer, mask: Mask) -> list[Any]:
 
 
 class _KernelKind:
-    """Kernels for flights of one structure, by what varies among them."""
+    """Kernels for flights of one structure, by the leaves that vary among them."""
 
     def __init__(self, entry: Any, parameters: Any, parts: Any, files: Any) -> None:
-        """Nothing is compiled yet."""
+        """Kernels of an entry point; none is compiled yet."""
         self._entry, self._parameters, self._parts, self._files = entry, parameters, parts, files
         self._loaded: dict[tuple[Mask, ...], Loaded] = {}
 
     def masks(self, *trees: Buffer) -> tuple[Mask, ...]:
-        """What varies, or what a kernel that is there takes for varying, which may be more."""
+        """Leaves that vary, or those of a kernel that is already loaded, which may be more."""
         wanted = tuple(map(_varying, trees))
         flat = np.concatenate(wanted)
         fits = (m for m in self._loaded if not (flat & ~np.concatenate(m)).any())
         return min(fits, key=lambda masks: sum(map(sum, masks)), default=wanted)
 
     def kernel(self, *masks: Mask) -> Loaded:
-        """The kernel for flights among which these leaves vary."""
+        """Kernel for flights among which these leaves vary."""
         if masks not in self._loaded:
             types = [parameter(p) for p in self._parameters(*masks)]
             with one_at_a_time():
@@ -114,7 +120,8 @@ def _impacts(shape: Shape) -> _KernelKind:
         like, memory = TreeLayout(shape), TreeLayout((0.0,) * buffer_rows(shape, 1))
 
         def parameters(model: Mask) -> list[Any]:
-            return [like, memory, Constants(like.model, model), _FLOATS, 1, 1]
+            constants = Constants(like.model, model)
+            return [like, memory, constants, SharedFlights(_FLOATS, 1), 1]
 
         def parts() -> dict[str, Any]:
             return {"advance": device_function(advance)}
@@ -126,29 +133,33 @@ def _impacts(shape: Shape) -> _KernelKind:
 def _guided(shape: Shape, avionics: Avionics, channels: int) -> _KernelKind:
     key = fly_ticks, structure(shape), structure(avionics), channels
     if key not in _kinds():
-        like, onboard = TreeLayout(shape), TreeLayout(avionics)
-        noise = [TreeLayout((0.0,) * n) for n in (channels, GUST_NOISE, channels + GUST_NOISE)]
-        memory = TreeLayout((0.0,) * buffer_rows(shape, 1))
+        guided = layouts_of(shape, avionics, channels)
+        sizes = buffer_rows(shape, 1), channels + GUST_NOISE
+        layouts = ThreadLayouts(guided, *(TreeLayout((0.0,) * size) for size in sizes))
 
         def parameters(model: Mask, systems: Mask) -> list[Any]:
-            constants = Constants(like.model, model), Constants(onboard.systems, systems)
-            plan = np.zeros(1, dtype=np.int64)
+            varying = guided.shape.model, model, guided.avionics.systems, systems
             return [
-                like, onboard, memory, *noise, *constants, _FLOATS, _FLOATS, 1, _WORDS, _WORDS,
-                plan, 1, 1, 1, 1, 1.0,
-            ]  # fmt: skip
+                layouts,
+                GuidedConstants(Constants(*varying[:2]), Constants(*varying[2:])),
+                SharedGuidedFlights(SharedFlights(_FLOATS, 1), _FLOATS),
+                SharedNoise(_WORDS, _WORDS, np.zeros(1, dtype=np.int64), 1),
+                TickSpan(1, 1, 1, 1.0),
+            ]
 
         def parts() -> dict[str, Any]:
             between = device_function(to_tick, advance=device_function(advance))
-            alone = {each.__name__: device_function(each) for each in (ticked, powered, generate)}
-            return {**alone, "to_tick": between}
+            entries = sense_and_decide, drive_rotors, generate
+            return {
+                **{each.__name__: device_function(each) for each in entries}, "to_tick": between,
+            }  # fmt: skip
 
         _kinds()[key] = _KernelKind(fly_ticks, parameters, parts, _files(shape.model, avionics))
     return _kinds()[key]
 
 
 def _files(*trees: Any) -> Origin | None:
-    """Where a user's code among the types of trees comes from; None if that cannot be relied on."""
+    """Origin of a user's code among the types of trees; None if it is not reliable."""
     own: set[type] = set().union(*map(own_types, trees))
     return sources(own) if own else Origin((), (), "")
 
@@ -156,17 +167,17 @@ def _files(*trees: Any) -> Origin | None:
 def fly_buffers_on_gpu(
     shape: Shape, buffers: Buffer, width: int, *, progress: Progress | None = None
 ) -> None:
-    """Fly every group of some buffers to the end, in place, on a GPU.
+    """Fly all flights to their end on a GPU, in their buffers.
 
     Args:
-        shape: What lies in the buffers.
+        shape: Layout of the buffers.
         buffers: Shape (groups, rows x width).
         width: Lanes in a group.
-        progress: Called now and then with the share of flights done.
+        progress: Called from time to time with the share of flights done.
 
     Raises:
         InputError: If there is no GPU.
-        PtxError: If the flights need what is not there on one.
+        PtxError: If the flights need a function that a GPU does not have.
     """
     lanes, at = buffers.reshape(len(buffers), -1, width), places(shape, width)
     moving, status = rows(shape.motion), at.status - at.record
@@ -187,40 +198,29 @@ def fly_buffers_on_gpu(
 
 
 def fly_groups_on_gpu(
-    model: Model,
-    start: State,
-    avionics: Avionics,
-    buffers: Buffer,
-    onboard: Buffer,
-    draws: Sequence[Draw],
-    seeds: Sequence[int],
+    flight: GuidedFlight,
+    buffers: FlightBuffers,
+    noise: FlightNoise,
     *,
-    width: int,
-    flights: Sequence[int] | None = None,
     progress: Progress | None = None,
 ) -> None:
-    """Fly guided flights that lie ready in buffers to their end, in place, on a GPU.
+    """Fly guided flights to their end on a GPU, in their buffers.
 
     Args:
-        model: Like those of the flights, of their duration.
-        start: Like their states.
-        avionics: Like what is aboard, with their clock.
-        buffers: Of the motion, shape (groups, rows x width).
-        onboard: Of what is aboard, shape (groups, rows x width).
-        draws: When which normal numbers are drawn.
-        seeds: One for each flight.
-        width: Lanes in a group.
-        flights: Their numbers, for their luck; 0 by default.
-        progress: Called now and then with the share done.
+        flight: Of the same structure, duration and clock as all flights.
+        buffers: Of all flights.
+        noise: Of all flights.
+        progress: Called from time to time with the share of flights done.
 
     Raises:
         InputError: If there is no GPU.
-        PtxError: If the flights need what is not there on one.
+        PtxError: If the flights need a function that a GPU does not have.
     """
-    duration, shape = model.timing.until, shape_of(model, start)
+    model, start, avionics = flight
+    width, duration, shape = len(buffers.lanes), model.timing.until, shape_of(model, start)
     ticks, at = ticks_of(duration, avionics.systems.period), places(shape, width)
-    channels = sum(draw.channels for draw in draws) - GUST_NOISE
-    lanes, inside = (b.reshape(len(b), -1, width) for b in (buffers, onboard))
+    channels = sum(draw.channels for draw in noise.draws) - GUST_NOISE
+    lanes, inside = (b.reshape(len(b), -1, width) for b in (buffers.motion, buffers.onboard))
     after, end = rows(avionics.systems), rows(avionics)
     kind = _guided(shape, avionics, channels)
     models, systems = _columns(lanes, 0, at.motion), _columns(inside, 0, after)
@@ -228,19 +228,14 @@ def fly_groups_on_gpu(
     kernel = kind.kernel(*masks)
     moved = np.vstack((_columns(lanes, at.motion, at.total), _columns(lanes, at.record, at.end)))
     changed, count = _columns(inside, after, end), moved.shape[1]
-    numbers = list(flights) if flights is not None else [0] * len(seeds)
-    keys = [key_of(seed) for seed in seeds]
-    spare = count - len(keys)
-    there, memories, plan = Memory(moved), Memory(changed), plan_of(draws)
+    there, memories, source = Memory(moved), Memory(changed), noise.source(count)
     arguments = [
-        *_constants(models, masks[0]), *_constants(systems, masks[1]), there, memories, count,
-        Memory(np.array(keys + keys[-1:] * spare, dtype=np.uint64)),
-        Memory(np.array(numbers + numbers[-1:] * spare, dtype=np.uint64)),
-        Memory(plan), len(plan),
+        *_constants(models, masks[0]), *_constants(systems, masks[1]), there, count, memories,
+        *map(Memory, source), len(source.plan),
     ]  # fmt: skip
     for first in range(0, ticks, TICKS):
         last = min(first + TICKS, ticks)
-        kernel.launch(count, *arguments, first, last, ticks, duration)
+        kernel.launch(count, *arguments, first, last, ticks - 1, duration)
         if progress is not None:
             progress(last / ticks)
     there.read_into(moved)
