@@ -21,10 +21,10 @@ from springback.sensing.hall import (
     arms_read,
     axial_field,
     calibrated_length,
-    word_of,
     output,
     resolution,
     slope,
+    word_of,
 )
 from springback.sensing.measurement import Truth, task_pace
 from springback.sensing.parameters import HallSettings
