@@ -334,6 +334,6 @@ def _telemetry_columns(avionics: Avionics) -> list[str]:
     own = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
     parts = {
         "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
-        "measurement": avionics.onboard.measurement, "told": own,
+        "measurement": avionics.onboard.measurement, "pilot": own,
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]
