@@ -26,7 +26,7 @@ from benchmarks.rivals.vehicle import quad
 from springback.kernels.layout import Buffer
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import flight_buffers, shape_of
+from springback.simulation.flight import empty_log, flight_buffers, shape_of
 from springback.simulation.guided import (
     GuidedFlight,
     avionics_buffers,
@@ -110,8 +110,8 @@ def parts(job: Job) -> dict[str, Callable[[], None]]:
     short = job._replace(model=job.model._replace(timing=timing), ticks=1)
     b, g = flight_buffers(shape, [job.model], [job.start], 1), avionics_buffers([job.avionics], 1)
     layouts = layouts_of(shape, job.avionics, noise.shape[1] - GUST_NOISE)
-    buffers, none = FlightBuffers(b[0], g[0], (0,)), np.zeros((0, 1))
-    log, duration = FlightLog(none, np.zeros(1, dtype=np.int64), none), job.model.timing.until
+    buffers, duration = FlightBuffers(b[0], g[0], (0,)), job.model.timing.until
+    log = FlightLog(empty_log(), np.zeros((0, 1)))
     return {
         "setting up": lambda: whole(short),
         "noise table": lambda: (noise_stream(job), None)[1],

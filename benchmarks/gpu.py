@@ -23,7 +23,7 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
 from springback.kernels.gpu.cuda import device
-from springback.kernels.layout import Buffer, rows
+from springback.kernels.layout import Buffer, row_of, rows
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import LANES, flight_buffers, fly_buffers, shape_of
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
@@ -97,7 +97,7 @@ def impacts(flights: int, rounds: int) -> dict[str, Any]:
         here[:] = ready
 
     on_cpu = _timed(lambda: fly_buffers(shape, here, LANES), begin, rounds)
-    steps = -rows(shape.record) + shape.record._fields.index("steps")
+    steps = -rows(shape.record) + row_of(shape.record.stepping, "steps")
     lanes = work.reshape(len(work), -1, LANES)
     return {
         "impacts": flights,
@@ -128,7 +128,7 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     for one in ready:
         assert one.built_avionics is not None
         loader.add(one.model, one.start, one.built_avionics.avionics)
-    laid = loader.laid()
+    laid = loader.flights()
     assert laid.avionics is not None
     assert laid.onboard is not None
     times = flights // DIFFERENT

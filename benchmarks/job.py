@@ -103,7 +103,7 @@ class Outcome(NamedTuple):
     @property
     def rate(self) -> float:
         """Steps a second, all flights together."""
-        return float(self.values["steps"].sum()) / self.seconds
+        return float(self.values["stepping.steps"].sum()) / self.seconds
 
 
 class Lanes:
@@ -144,15 +144,15 @@ class Single:
         """Lay the flight into a buffer."""
         self.shape = flight.shape_of(model, state)
         self.loaded = flight.flight_buffers(self.shape, [model], [state], 1)
-        self.steps = names(self.shape.record).index("steps") - rows(self.shape.record)
+        self.steps = names(self.shape.record).index("stepping.steps") - rows(self.shape.record)
 
     def run(self) -> float:
         """Seconds a step."""
         buffers = empty_groups(self.shape, 1, 1)
         buffers[:] = self.loaded
-        log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
+        log = flight.empty_log()
         began = time.perf_counter()
-        while advance(TreeLayout(self.shape), buffers, 0, 1, (0,), log, logged, flight.SLICE, 0.0):
+        while advance(TreeLayout(self.shape), buffers, (0,), log, flight.SLICE, 0.0):
             pass
         return (time.perf_counter() - began) / float(buffers[0, self.steps])
 

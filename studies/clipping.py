@@ -11,7 +11,6 @@ studies/README.md.
 from __future__ import annotations
 
 import argparse
-import csv
 import math
 from pathlib import Path
 from typing import NamedTuple
@@ -20,6 +19,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import springback
+from springback.files import write_csv
 from springback.interfaces.figures import style
 from springback.interfaces.output.robots import INK, RED
 from springback.results.estimate_errors import (
@@ -133,10 +133,7 @@ def main() -> None:
     out = parser.parse_args().out
     out.mkdir(parents=True, exist_ok=True)
     rows = [row(case) for case in CASES]
-    with (out / "clipping.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+    write_csv(out / "clipping.csv", rows)
     made = {case.name: flown(case, SEEDS[0]) for case in CASES}
     shown = {name: (flight, estimate_errors(flight)) for name, flight in made.items()}
     (out / "clipping.png").write_bytes(style.png(figure(shown)))

@@ -9,7 +9,6 @@ of studies/README.md; ``--refresh`` writes them there.
 from __future__ import annotations
 
 import argparse
-import csv
 import io
 import math
 from collections.abc import Mapping, Sequence
@@ -17,6 +16,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from springback.files import write_csv
 from springback.results.flight import fly
 
 #: The page with the tables, and the marks before and after them.
@@ -143,13 +143,6 @@ def coarsest(rows: Sequence[Mapping[str, float]], tolerance: float) -> float:
     return best
 
 
-def _write(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def _draw(path: Path, found: Mapping[str, Sequence[Mapping[str, float]]]) -> None:
     import matplotlib
 
@@ -236,11 +229,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
         before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
         after = rest.partition(END)[2]
         PAGE.write_text(f"{before}{BEGIN}{tables.getvalue()}\n{END}{after}", encoding="utf-8")
-    _write(
+    write_csv(
         folder / "convergence.csv",
         [{"case": name, **row} for name, rows in found.items() for row in rows],
     )
-    _write(folder / "influences.csv", changed)
+    write_csv(folder / "influences.csv", changed)
     _draw(folder / "convergence.png", found)
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import csv
 import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
@@ -33,6 +32,7 @@ from springback.contact.surfaces import (
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
 from springback.errors import InputError
+from springback.files import write_csv
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.checks import STABLE
 from springback.scenario.model import RING_ROUNDING, settle_step
@@ -278,10 +278,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 rows.append(
                     {"family": name, "draw": k, "outcome": one.outcome.word, **one.measures}
                 )
-    with (given.out / "families.csv").open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+    write_csv(given.out / "families.csv", rows)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,6 @@ studies/README.md.
 from __future__ import annotations
 
 import argparse
-import csv
 import functools
 import math
 from collections.abc import Callable
@@ -25,6 +24,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 import springback
+from springback.files import write_csv
 from springback.paper.free_flight import (
     CIRCLE_TIME,
     PERIODS,
@@ -241,10 +241,7 @@ def main() -> None:
         for row in rows:
             cells = (f"{x:.4g}" if isinstance(x, float) else str(x) for x in row.values())
             print("| " + " | ".join(cells) + " |", flush=True)
-        with (out / f"{part.__name__.replace('_loops', '')}.csv").open("w", newline="") as file:
-            writer = csv.DictWriter(file, rows[0])
-            writer.writeheader()
-            writer.writerows(rows)
+        write_csv(out / f"{part.__name__.replace('_loops', '')}.csv", rows)
 
 
 if __name__ == "__main__":

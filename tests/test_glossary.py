@@ -146,8 +146,6 @@ IRREGULAR = listed(
 NOT_PARTICIPLES = frozenset({"embed", "exceed", "feed", "need", "proceed", "seed", "speed"})
 #: Participles that may name a function, and why.
 ALLOWED: dict[str, str] = {}
-#: Rooms whose functions are still to be renamed.
-PENDING = ("contact", "dynamics", "recovery", "sensing", "simulation")
 
 
 def public_functions() -> Iterator[tuple[str, str]]:
@@ -173,9 +171,7 @@ def test_no_public_function_is_named_by_a_bare_participle() -> None:
     assert is_participle("limited")
     assert not is_participle("limited_rates")
     found = [
-        (where, name)
-        for where, name in functions
-        if is_participle(name) and name not in ALLOWED and where.split("/")[0] not in PENDING
+        (where, name) for where, name in functions if is_participle(name) and name not in ALLOWED
     ]
     assert found == []
     assert set(ALLOWED) <= {name for _, name in functions}

@@ -161,3 +161,30 @@ def test_a_newcomers_questions_have_files_for_answers() -> None:
     assert len(answers) == 20
     assert all(answers)
     assert [name for names in answers for name in names if not (PACKAGE / name).is_file()] == []
+
+
+def returned_names(node: ast.FunctionDef) -> set[str]:
+    return (
+        {n.id for n in ast.walk(node.returns) if isinstance(n, ast.Name)} if node.returns else set()
+    )
+
+
+def test_no_kernel_returns_arrays() -> None:
+    """A kernel counts no references: its caller would free an array that it returns."""
+    nodes = [node for module in MODULES for node in ast.walk(tree_of(module))]
+    fields = {
+        node.name: {n.id for f in node.body if isinstance(f, ast.AnnAssign)
+                    for n in ast.walk(f.annotation) if isinstance(n, ast.Name)}
+        for node in nodes if isinstance(node, ast.ClassDef)
+    }  # fmt: skip
+    arrays = {"Buffer", "Words", "Array"}
+    while more := {name for name, held in fields.items() if held & arrays} - arrays:
+        arrays |= more
+    assert {"FlightBuffers", "Lanes", "Group", "NoiseStream"} <= arrays
+    marks = {"kernel", "guard", "rare_kernel", "generic"}
+    kernels = [
+        node for node in nodes if isinstance(node, ast.FunctionDef)
+        and any(isinstance(d, ast.Name) and d.id in marks for d in node.decorator_list)
+    ]  # fmt: skip
+    assert len(kernels) > 300
+    assert [node.name for node in kernels if returned_names(node) & arrays] == []

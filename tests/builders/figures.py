@@ -5,7 +5,7 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from builders.paper_results import fake_slider_flight, fake_slider_results
-from springback.campaign.analysis.envelope import Axis, Envelope, EnvelopeCell, Place
+from springback.campaign.analysis.envelope import Axis, CellIndex, Envelope, EnvelopeCell
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.reproduction.figures import slider
 
@@ -35,5 +35,5 @@ def plane_map(robots: tuple[str, ...] = ("arq", "quad")) -> Envelope:
                 won = min(1000, round(1050 - 40 * speed - 2 * pitch))
                 ended = {"recovered": won, "hit_ground": 1000 - won}
                 corner = (i, j) == (4, 3)
-                cells[Place(robot, i, j)] = EnvelopeCell({} if corner else ended)
+                cells[CellIndex(robot, i, j)] = EnvelopeCell({} if corner else ended)
     return Envelope(x, y, robots, 1000, 0, (), cells)

@@ -9,10 +9,10 @@ from springback.campaign import envelope
 from springback.campaign.analysis.envelope import (
     LEVEL,
     Axis,
+    CellIndex,
     Envelope,
     EnvelopeCell,
-    Place,
-    stretches,
+    spans,
 )
 from springback.campaign.envelope import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
 from springback.errors import InputError
@@ -36,7 +36,7 @@ def made_up(counts: list[list[int | None]], trials: int = 1000) -> Envelope:
     cells = {}
     for j, row in enumerate(counts):
         for i, n in enumerate(row):
-            place = Place("arq", i, j)
+            place = CellIndex("arq", i, j)
             ended = {} if n is None else {"recovered": n, "hit_ground": trials - n}
             cells[place] = EnvelopeCell(ended, "too weak" if n is None else "")
     return Envelope(x, y, ("arq",), trials, 0, (), cells)
@@ -61,8 +61,8 @@ def test_the_line_of_a_plane_lies_where_the_plane_has_95_percent() -> None:
 
 def test_the_line_does_not_depend_on_the_direction_of_an_axis() -> None:
     values, shares = [1.0, 2.0, 4.0, 5.0], np.array([1.0, 0.9, 1.0, 0.8])
-    forth = stretches(values, shares)
-    assert stretches(values[::-1], shares[::-1]) == forth
+    forth = spans(values, shares)
+    assert spans(values[::-1], shares[::-1]) == forth
     assert [(s.low, s.high) for s in forth] == [
         (1.0, pytest.approx(1.5)), (pytest.approx(3.0), pytest.approx(4.25)),
     ]  # fmt: skip
@@ -70,10 +70,10 @@ def test_the_line_does_not_depend_on_the_direction_of_an_axis() -> None:
 
 def test_the_line_ends_beside_what_cannot_be_flown() -> None:
     nan = math.nan
-    [only] = stretches([0.0, 1.0, 2.0, 3.0], np.array([nan, 1.0, 1.0, nan]))
+    [only] = spans([0.0, 1.0, 2.0, 3.0], np.array([nan, 1.0, 1.0, nan]))
     assert only == (1.0, 2.0, False, False)
-    assert stretches([0.0, 1.0], np.array([nan, 0.5])) == []
-    [one] = stretches([0.0, 1.0], np.array([LEVEL, nan]))
+    assert spans([0.0, 1.0], np.array([nan, 0.5])) == []
+    [one] = spans([0.0, 1.0], np.array([LEVEL, nan]))
     assert one == (0.0, 0.0, False, False)
 
 
@@ -92,7 +92,7 @@ def test_cells_that_cannot_be_flown_count_nowhere() -> None:
 
 def test_intervals_are_wilsons() -> None:
     """Of n out of n it is n/(n + z²) to 1, with z = 1.959964."""
-    share, low, high = made_up([[10, 10], [10, 10]], 10).cells[Place("arq", 0, 0)].interval
+    share, low, high = made_up([[10, 10], [10, 10]], 10).cells[CellIndex("arq", 0, 0)].interval
     assert share == 1.0
     assert low == pytest.approx(10.0 / (10.0 + 1.959964**2), abs=1e-6)
     assert high == 1.0
@@ -226,11 +226,11 @@ def test_bad_words_beside_the_axes_are_refused() -> None:
 def test_a_gentle_collision_is_survived_and_an_absurd_one_is_not() -> None:
     """8 m/s in 2.75 m cannot be flown; 3 m/s with rotors a second late ends on the ground."""
     told = flown("vehicle.propulsion.time_constant=0.02:1:2", "speed=2:8:2")
-    gentle, late = told.cells[Place("arq", 0, 0)], told.cells[Place("arq", 1, 0)]
+    gentle, late = told.cells[CellIndex("arq", 0, 0)], told.cells[CellIndex("arq", 1, 0)]
     assert (gentle.successes, gentle.trials) == (2, 2)
     assert (late.successes, late.trials) == (0, 2)
     for column in (0, 1):
-        fast = told.cells[Place("arq", column, 1)]
+        fast = told.cells[CellIndex("arq", column, 1)]
         assert fast.trials == 0
         assert "distance" in fast.reason
     assert told.along_x("arq", 0)[0].high == pytest.approx(0.02 + 0.05 * 0.98)
@@ -277,7 +277,7 @@ def test_a_cell_is_what_its_trials_are() -> None:
             }
             alone = fly(trial_tables("arq", 0.0, 3.5, drawn, changes), trajectory=False)
             won += alone.outcome is Outcome.RECOVERED
-        cell = told.cells[Place("arq", column, row)]
+        cell = told.cells[CellIndex("arq", column, row)]
         assert (cell.successes, cell.trials) == (won, 2)
 
 

@@ -45,12 +45,12 @@ def test_a_mat_is_two_faces() -> None:
 def test_a_thick_mat_hides_the_wall_and_a_thin_one_bottoms_through() -> None:
     """Pressed deeper than its thickness, the wall pushes as well; else it might as well not be there."""
     thick, thin = hit(mat_of(0.2), 2.0), hit(mat_of(0.01), 2.0)
-    assert thick.record.peak_penetration < 0.2
-    assert thin.record.peak_penetration > 0.01
-    assert thin.record.travel < thick.record.travel
-    assert thin.record.peak_normal_force > 1.2 * thick.record.peak_normal_force
+    assert thick.record.peaks.penetration < 0.2
+    assert thin.record.peaks.penetration > 0.01
+    assert thin.record.first_impact.travel < thick.record.first_impact.travel
+    assert thin.record.peaks.normal_force > 1.2 * thick.record.peaks.normal_force
     for flown in (thick, thin):
-        assert flown.record.contacts == 1.0
+        assert flown.record.contacts.total == 1.0
         assert abs(measures_of(flown)["ledger_residual"] or 0.0) < 1e-6
     # Until the thin mat is through, both feel the same.
     assert thin.trace is not None

@@ -81,10 +81,10 @@ def test_own_obstacle_is_hit_and_the_ledger_closes(shape: Any) -> None:
     """A central hit in plain Python: rebound straight back, energy accounted for to 1e-6."""
     flown = fly_one(towards(shape), approaching(2.0, 1e-3), executor="python")
     record, measured = flown.record, measures_of(flown)
-    assert record.contacts == 1.0
-    assert record.separation_speed < 0.0
+    assert record.contacts.total == 1.0
+    assert record.first_impact.separation_speed < 0.0
     # The point of a ring that is nearest to a shape is searched for, to some 1e-8 m.
-    assert record.inward == pytest.approx((1.0, 0.0, 0.0), abs=1e-7)
+    assert record.first_impact.inward == pytest.approx((1.0, 0.0, 0.0), abs=1e-7)
     assert abs(measured["ledger_residual"] or 0.0) < 1e-6
     assert flown.motion.state.position.y == pytest.approx(0.0, abs=1e-8)
     assert flown.motion.state.position.z == 0.0
@@ -97,11 +97,11 @@ def test_own_obstacle_hit_centrally_is_a_wall_there() -> None:
     )
     for shape in OWN.values():
         curved = fly_one(towards(shape), approaching(2.0, 1e-3), executor="python")
-        assert curved.record.separation_speed == pytest.approx(
-            flat.record.separation_speed, abs=1e-9
+        assert curved.record.first_impact.separation_speed == pytest.approx(
+            flat.record.first_impact.separation_speed, abs=1e-9
         )
-        assert curved.record.peak_penetration == pytest.approx(
-            flat.record.peak_penetration, abs=1e-9
+        assert curved.record.peaks.penetration == pytest.approx(
+            flat.record.peaks.penetration, abs=1e-9
         )
 
 
@@ -139,5 +139,5 @@ def test_touch_is_where_the_gap_closes() -> None:
     """First touch comes at the time the cage needs for the gap."""
     flown = fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3), executor="python")
     # The rounded corner of the ring sticks out by ε² r_0 / 2.
-    assert flown.record.touch_time == pytest.approx(1e-3 / 2.0, abs=1e-7)
-    assert flown.record.touch_depth == pytest.approx(-(LENGTH + CAGE), abs=1e-7)
+    assert flown.record.first_impact.touch_time == pytest.approx(1e-3 / 2.0, abs=1e-7)
+    assert flown.record.first_impact.touch_depth == pytest.approx(-(LENGTH + CAGE), abs=1e-7)

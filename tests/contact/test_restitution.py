@@ -25,9 +25,9 @@ def flown_restitution(
     wall = surface(stiffness=stiffness, dissipation=1.5 * dissipation, exponent=n)
     model = one_arm(FACE, wall, mass=mass, until=0.2)
     record = fly_one(model, approaching(speed, 1e-3), trace=False, executor="python").record
-    assert record.contacts == 1.0
-    assert record.touch_speed == pytest.approx(speed, rel=1e-8)
-    return -record.separation_speed / record.touch_speed
+    assert record.contacts.total == 1.0
+    assert record.first_impact.touch_speed == pytest.approx(speed, rel=1e-8)
+    return -record.first_impact.separation_speed / record.first_impact.touch_speed
 
 
 def integrated_restitution(

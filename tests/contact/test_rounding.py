@@ -53,12 +53,12 @@ def test_what_the_page_says_of_rounding_is_measured(row: list[float]) -> None:
     tilt, earlier, *numbers = row
     rounded, sharp = flat_hit(tilt, RING_ROUNDING), flat_hit(tilt, SHARP)
     sine = math.sin(math.radians(tilt))
-    gained = 2.0 * (sharp.record.touch_time - rounded.record.touch_time)
+    gained = 2.0 * (sharp.record.first_impact.touch_time - rounded.record.first_impact.touch_time)
     reach = [math.hypot(sine, eps) - sine for eps in (RING_ROUNDING, SHARP)]
     assert gained == pytest.approx(RADIUS * (reach[0] - reach[1]), abs=1e-9)
     assert 1e6 * gained == pytest.approx(earlier, abs=0.06)
     measured = [
-        *(one.record.impact_peak_acceleration for one in (rounded, sharp)),
+        *(one.record.impact_peaks.acceleration for one in (rounded, sharp)),
         *(-one.motion.state.velocity.x for one in (rounded, sharp)),
     ]
     for printed, number, digit in zip(numbers, measured, (1.0, 1.0, 0.001, 0.001), strict=True):
@@ -70,7 +70,7 @@ def test_it_does_not_matter_away_from_flat() -> None:
 
     def off(tilt: float) -> float:
         a, b = (
-            flat_hit(tilt, eps).record.impact_peak_acceleration for eps in (RING_ROUNDING, SHARP)
+            flat_hit(tilt, eps).record.impact_peaks.acceleration for eps in (RING_ROUNDING, SHARP)
         )
         return abs(a / b - 1.0)
 

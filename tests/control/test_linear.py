@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from springback.control.linear import AXES, Axis, delay, loop_eigenvalues, warnings_for
 from springback.control.parameters import ControlSettings
 from springback.errors import InputError
-from springback.sensing.measurement import paced
+from springback.sensing.measurement import task_pace
 
 QUAD_MASS, ARQ_MASS, ROTOR_LAG = 1.22, 1.41, 0.03
 
@@ -145,9 +145,9 @@ def test_delay_has_unit_gain_and_the_phase_of_a_delay() -> None:
 def test_schedule_counts_ticks() -> None:
     """Each loop, and the delay."""
     usual = ControlSettings().schedule(1000.0)
-    assert usual == (paced(10.0), paced(4.0), paced(1.0), 10.0)
+    assert usual == (task_pace(10.0), task_pace(4.0), task_pace(1.0), 10.0)
     late = ControlSettings(offboard_delay="5 ms").schedule(2000.0)
-    assert late == (paced(20.0), paced(8.0), paced(2.0), 10.0)
+    assert late == (task_pace(20.0), task_pace(8.0), task_pace(2.0), 10.0)
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, rotation
 from springback.results.flight import as_scenario
 from springback.scenario.scenario import scenario_from
-from springback.simulation.executor import settled
+from springback.simulation.executor import settled_motion
 from springback.simulation.flight import FlightRecord, fly_one, still_work
 from springback.simulation.measures import measures_of
 from springback.simulation.record import FINISHED
@@ -51,7 +51,7 @@ def flown_in(air: Any, scene: models.Scene, start: models.Start, **how: Any) -> 
     """A flight of plain Python in some air."""
     model = models.model_of(scene, **how)._replace(air=air)
     flown = fly_one(model, models.state_of(start), trace=False, executor="python")
-    assert flown.record.status == FINISHED
+    assert flown.record.stepping.status == FINISHED
     return flown
 
 
@@ -251,7 +251,7 @@ def test_rare_events_keep_what_the_air_took() -> None:
         "vehicle.arms.compliant=false",
     )
     known = Motion(start, still_work()._replace(air=3.0))
-    assert settled(model, known).work.air == 3.0
+    assert settled_motion(model, known).work.air == 3.0
     at_the_wall = start._replace(position=Vec(0.7557, 0.0, 1.0))
     hit = apply_impulses(
         model.airframe, model.world, model.contact_point, known._replace(state=at_the_wall)

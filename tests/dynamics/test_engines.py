@@ -121,12 +121,12 @@ def test_whole_impacts_are_those_of_the_engine(
     record, ours = flown.record, models.start_of(flown.motion.state)
     theirs = engine.fly(scene, start, until=DURATION, step=STEP)
 
-    assert sum(count > 0 for count in record.arm_contacts) == cages
-    assert 0.0 < record.touch_time < record.separation_time < DURATION
+    assert sum(count > 0 for count in record.contacts.arms) == cages
+    assert 0.0 < record.first_impact.touch_time < record.first_impact.separation_time < DURATION
     assert np.abs(ours.position - theirs.end.position).max() < POSITION
     assert np.abs(ours.rotation - theirs.end.rotation).max() < ATTITUDE
     assert np.abs(ours.lengths - theirs.end.lengths).max() < POSITION
-    assert record.peak_acceleration == pytest.approx(theirs.peak_acceleration, rel=PEAK)
+    assert record.peaks.acceleration == pytest.approx(theirs.peak_acceleration, rel=PEAK)
 
 
 def body_impact(lean: float) -> tuple[models.Scene, models.Start]:
@@ -157,9 +157,9 @@ def test_the_main_body_hits_the_wall_as_in_the_engine(
     record, ours = flown.record, models.start_of(flown.motion.state)
     theirs = engine.fly(scene, start, until=DURATION, step=STEP)
 
-    assert record.hull_contacts[0] > 0.0
-    assert sum(count > 0 for count in record.arm_contacts) == cages
+    assert record.contacts.hull[0] > 0.0
+    assert sum(count > 0 for count in record.contacts.arms) == cages
     assert np.abs(ours.position - theirs.end.position).max() < POSITION
     assert np.abs(ours.rotation - theirs.end.rotation).max() < ATTITUDE
     assert np.abs(ours.lengths - theirs.end.lengths).max() < POSITION
-    assert record.peak_acceleration == pytest.approx(theirs.peak_acceleration, rel=PEAK)
+    assert record.peaks.acceleration == pytest.approx(theirs.peak_acceleration, rel=PEAK)

@@ -10,7 +10,13 @@ import pytest
 from springback.dynamics.air import Air, Still
 from springback.dynamics.energy import energy
 from springback.dynamics.motion import rates
-from springback.dynamics.rigid import RigidState, as_one_body, flight_rates, flown_on, stepped
+from springback.dynamics.rigid import (
+    RigidState,
+    flight_rates,
+    rigid_body,
+    rigid_step,
+    runge_kutta_step,
+)
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.scenario import scenario_from
@@ -49,7 +55,7 @@ def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
             model.airframe, model.world, model.contact_point, model.guide, air, state,
             model.thrust, 0.0,
         )  # fmt: skip
-        body = as_one_body(model.airframe, state.arm_length, model.thrust)
+        body = rigid_body(model.airframe, state.arm_length, model.thrust)
         x = RigidState(
             state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0
         )
@@ -67,7 +73,7 @@ def flown(step: Any, air: Still | Air, h: float) -> RigidState:
     """A fifth of a second under uneven thrusts, arms of uneven lengths: its mass centre is off."""
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
-    body = as_one_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
+    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
     x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.0, 0.0)
     for _ in range(round(0.2 / h)):
         x = step(model.guide, air, body, model.world.gravity, x, h).flight
@@ -77,8 +83,8 @@ def flown(step: Any, air: Still | Air, h: float) -> RigidState:
 def test_a_step_about_the_mass_centre_is_one_of_fourth_order_to_the_same_end() -> None:
     """Against the general step, an order of magnitude finer: sixteenfold at twice the step."""
     air = Still(0.0)
-    truth = np.array(leaves(flown(stepped, air, 2e-4)))
-    for step in (flown_on, stepped):
+    truth = np.array(leaves(flown(runge_kutta_step, air, 2e-4)))
+    for step in (rigid_step, runge_kutta_step):
         off = [np.abs(np.array(leaves(flown(step, air, h))) - truth).max() for h in (4e-3, 2e-3)]
         assert off[0] < 1e-8
         assert off[0] / off[1] == pytest.approx(16.0, rel=0.1)
@@ -88,9 +94,9 @@ def test_a_step_about_the_mass_centre_is_one_of_fourth_order_to_the_same_end() -
 def test_a_step_begins_with_what_is_seen(air: Still | Air) -> None:
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
-    body = as_one_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
+    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
     x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.3, 0.2)
-    known = flown_on(model.guide, air, body, model.world.gravity, x, 1e-3).known
+    known = rigid_step(model.guide, air, body, model.world.gravity, x, 1e-3).known
     expected = flight_rates(body, model.guide, air, model.world.gravity, x)
     np.testing.assert_allclose(leaves(known), leaves(expected), rtol=1e-12, atol=1e-12)
 
@@ -103,7 +109,7 @@ def test_the_rotors_work_is_the_energy_gained() -> None:
     locked = m._replace(
         arms=tuple(a._replace(length=x) for a, x in zip(m.arms, lengths, strict=True))
     )
-    after = flown(flown_on, Still(0.0), 1e-3)
+    after = flown(rigid_step, Still(0.0), 1e-3)
 
     def total(x: RigidState | State) -> float:
         state = State(
@@ -121,13 +127,14 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
     ready = scenario_from(scenario())
     model, start = ready.flight_model(), ready.start_state()
     short = fly_one(model, start, executor="python")
-    assert short.record.room != 0.0
+    assert short.record.stepping.room != 0.0
     monkeypatch.setattr(record, "ROOM", 1e30)
     long = fly_one(model, start, executor="python")
-    assert long.record.steps == short.record.steps
+    assert long.record.stepping.steps == short.record.stepping.steps
     np.testing.assert_allclose(leaves(short.motion), leaves(long.motion), rtol=1e-10, atol=1e-12)
-    for name in ("peak_acceleration", "peak_specific_force", "peak_angular_rate"):
-        assert getattr(short.record, name) == pytest.approx(getattr(long.record, name), rel=1e-12)
+    for name in ("acceleration", "specific_force", "angular_rate"):
+        other = getattr(long.record.peaks, name)
+        assert getattr(short.record.peaks, name) == pytest.approx(other, rel=1e-12)
     assert short.trace is not None
     assert long.trace is not None
     assert short.trace.values.shape == long.trace.values.shape
@@ -135,7 +142,7 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
 
 def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """A look costs no step; only where something is near, or slides, is the flight steered."""
-    told = {"looked_about": 0, "rates_of": 0, "rates_within": 0}
+    told = {"clearance_check": 0, "rates_of": 0, "rates_within": 0}
 
     def counted(name: str) -> None:
         original = getattr(executor, name)
@@ -153,9 +160,9 @@ def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.Mon
     ready = scenario_from({**tables, "start": {"velocity": [4.0, 0.0, 0.0]}})
     flown = fly_one(ready.flight_model(), ready.start_state(), executor="python")
     # It looks at first, and when twice its way is the gap of some 2 m; it is measured at its end.
-    assert told["looked_about"] == 2
+    assert told["clearance_check"] == 2
     assert (told["rates_of"], told["rates_within"]) == (1, 3)
-    assert flown.record.steps == 400
+    assert flown.record.stepping.steps == 400
     assert flown.motion.state.position.x == pytest.approx(1.6, rel=1e-12)
 
 
@@ -179,10 +186,12 @@ def test_the_last_steps_before_a_wall_are_taken_with_open_eyes() -> None:
             )
         )  # fmt: skip
         hits.append(flown.record)
-    assert {h.contacts for h in hits} == {1.0}
+    assert {h.contacts.total for h in hits} == {1.0}
     for other in hits[1:]:
-        assert other.peak_penetration == pytest.approx(hits[0].peak_penetration, rel=1e-9)
-        assert other.separation_speed == pytest.approx(hits[0].separation_speed, rel=1e-9)
+        assert other.peaks.penetration == pytest.approx(hits[0].peaks.penetration, rel=1e-9)
+        assert other.first_impact.separation_speed == pytest.approx(
+            hits[0].first_impact.separation_speed, rel=1e-9
+        )
 
 
 def test_room_shrinks_no_slower_than_the_gap() -> None:

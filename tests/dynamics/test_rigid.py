@@ -133,7 +133,8 @@ def test_stiff_arms_approach_the_rigid_robot() -> None:
         flown = models.fly(scene, start, until=0.05, impact_step=1e-5)
         r = flown.record
         end = np.array(flown.motion.state.velocity)
-        return np.array([r.separation_speed, r.peak_acceleration / 100.0, r.travel * 100.0, *end])
+        hit, hardest = r.first_impact, r.peaks.acceleration
+        return np.array([hit.separation_speed, hardest / 100.0, hit.travel * 100.0, *end])
 
     rigid_measures = measures(models.compliant_craft(slides=False))
     errors = []

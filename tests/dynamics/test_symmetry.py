@@ -162,7 +162,7 @@ def impact(gravity: float) -> tuple[models.Scene, models.Start]:
 def flown_to(scene: models.Scene, start: models.Start, hybrid: bool) -> models.Start:
     """The state after a whole impact."""
     flown = models.fly(scene, start, until=0.15, free_step=1e-3, hybrid=hybrid)
-    assert flown.record.separation_time > flown.record.touch_time > 0.0
+    assert flown.record.first_impact.separation_time > flown.record.first_impact.touch_time > 0.0
     return models.start_of(flown.motion.state)
 
 

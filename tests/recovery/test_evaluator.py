@@ -11,7 +11,8 @@ from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
-from springback.simulation.onboard import ContactReport, evaluator_step
+from springback.simulation.onboard import evaluator_step
+from springback.simulation.record import Contacts, blank_record
 from springback.vehicle.state import State
 
 STILL = Vec(0.0, 0.0, 0.0)
@@ -38,12 +39,12 @@ def seen(
     memory: EvaluatorMemory,
     time: float,
     now: State,
-    touch: ContactReport,
+    touch: Contacts,
     thought: RecoveryPilotMemory,
 ) -> EvaluatorMemory:
     """What the referee has seen after a tick; where no run is open, the short way says the same."""
     after: EvaluatorMemory = evaluator_step(REFEREE, time, now, touch, thought, memory)
-    if memory.open == 0.0 and touch.contacts == memory.contacts:
+    if memory.open == 0.0 and touch.total == memory.contacts:
         alarm = thought.recovery_state.log.alarm
         assert between_runs(time, now.position, alarm, touch, memory) == after
     return after
@@ -68,7 +69,9 @@ class Story:
         for _ in range(round(duration / TICK)):
             self.time += TICK
             self.last = self.time if touching else self.last
-            touch = ContactReport(1.0 if touching else 0.0, self.contacts, self.last, -1.0)
+            touch = blank_record(4).contacts._replace(
+                touching=1.0 if touching else 0.0, total=self.contacts, last_touch_time=self.last
+            )
             self.memory = seen(self.memory, self.time, now, touch, thought)
 
 

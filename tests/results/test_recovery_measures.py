@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from builders.records import record_with
 from springback.kernels.vectors import Vec
 from springback.recovery.evaluator import evaluator_at_start
 from springback.results.flight import Flight
@@ -51,7 +52,7 @@ def test_delays_count_from_the_exact_first_touch_or_the_tick_of_a_later_one(
     runs: float, delay: float
 ) -> None:
     record, seen, memory = memories()
-    record = record._replace(touch_time=0.1001, inward=Vec(1.0, 0.0, 0.0))
+    record = record_with(record, first_impact={"touch_time": 0.1001, "inward": Vec(1.0, 0.0, 0.0)})
     seen = seen._replace(runs=runs, run=seen.run._replace(touch=0.101, alarm=0.11, settled=0.9))
     hit = memory.collision._replace(
         direction=Vec(1.0, 1.0, 7.0), position=Vec(0.0, 3.0, 5.0), intensity=12.0
@@ -67,7 +68,7 @@ def test_delays_count_from_the_exact_first_touch_or_the_tick_of_a_later_one(
 
 def test_outcomes_in_their_order() -> None:
     record, seen, _ = memories()
-    touched, ran = record._replace(contacts=1.0), seen._replace(runs=1.0)
+    touched, ran = record_with(record, contacts={"total": 1.0}), seen._replace(runs=1.0)
     alarmed = ran._replace(run=ran.run._replace(alarm=0.1))
     cases = [
         (record, seen, Outcome.NO_CONTACT),

@@ -35,5 +35,5 @@ def test_payload_and_model_error_change_the_truth_and_not_the_belief() -> None:
     assert plain.true_airframe() == believed.airframe()
     # Under the believed weight's thrust it sinks with what is too much: (1 − m / m_true) g.
     flown = fly_one(loaded.flight_model(), loaded.start_state(), trace=False, executor="python")
-    sinking = (1.0 - believed.mass / true.mass) * 9.81 * flown.record.time
+    sinking = (1.0 - believed.mass / true.mass) * 9.81 * flown.record.stepping.time
     assert flown.motion.state.velocity.z == pytest.approx(-sinking, rel=1e-9)

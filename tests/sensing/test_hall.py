@@ -20,13 +20,13 @@ from springback.sensing.hall import (
     arms_at_start,
     arms_read,
     axial_field,
-    calibrated,
-    counted,
+    calibrated_length,
     output,
     resolution,
     slope,
+    word_of,
 )
-from springback.sensing.measurement import Truth, paced
+from springback.sensing.measurement import Truth, task_pace
 from springback.sensing.parameters import HallSettings
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
@@ -50,7 +50,7 @@ def truth(lengths: tuple[float, ...]) -> Truth:
 
 def read_back(device: HallSensors, length: float, volts: float = 0.0) -> float:
     span = device.spans[0]
-    return calibrated(device, span, counted(device, output(device, LENGTH - length) + volts))
+    return calibrated_length(device, span, word_of(device, output(device, LENGTH - length) + volts))
 
 
 # -- there ----------------------------------------------------------------------------------------
@@ -82,11 +82,11 @@ def test_volts_of_the_data_sheet() -> None:
     field = axial_field(device.magnet, device.distance)
     gauss = field / 1e-4
     assert output(device, 0.0) == pytest.approx(2.5 + 1.3e-3 * gauss, rel=1e-12)
-    assert counted(device, 2.5) == 512.0
-    assert counted(device, 2.5 + 5.0 / 1024) == 513.0
-    assert counted(device, 99.0) == counted(device, 4.7) == math.floor(4.7 / 5 * 1024)
-    assert counted(device, -99.0) == counted(device, 0.2) == math.floor(0.2 / 5 * 1024)
-    assert counted(device._replace(highest=99.0), 99.0) == 1023.0
+    assert word_of(device, 2.5) == 512.0
+    assert word_of(device, 2.5 + 5.0 / 1024) == 513.0
+    assert word_of(device, 99.0) == word_of(device, 4.7) == math.floor(4.7 / 5 * 1024)
+    assert word_of(device, -99.0) == word_of(device, 0.2) == math.floor(0.2 / 5 * 1024)
+    assert word_of(device._replace(highest=99.0), 99.0) == 1023.0
 
 
 # -- and back -------------------------------------------------------------------------------------
@@ -111,10 +111,10 @@ def test_the_calibration_inverts_the_output() -> None:
     """To the picometre, for every word that an arm between the ends of its calibration can say."""
     device = sensors()
     span = device.spans[0]
-    first = counted(device, output(device, span.free - span.shortest)) + 1.0
-    last = counted(device, output(device, span.free - span.longest)) - 1.0
+    first = word_of(device, output(device, span.free - span.shortest)) + 1.0
+    last = word_of(device, output(device, span.free - span.longest)) - 1.0
     for word in nonempty(np.arange(first, last + 1.0).tolist()):
-        pressed = span.free - calibrated(device, span, word)
+        pressed = span.free - calibrated_length(device, span, word)
         missing = (word + 0.5) / 1024 * 5.0 - output(device, pressed)
         assert abs(missing / slope(device, pressed)) < 1e-12
 
@@ -174,7 +174,7 @@ def test_noise_of_the_sensor_is_below_the_converter() -> None:
 
 @pytest.mark.parametrize(("every", "delay"), [(1, 0), (1, 4), (5, 0), (5, 5), (5, 7), (5, 20)])
 def test_lengths_arrive_exactly_late(every: int, delay: int) -> None:
-    device = sensors()._replace(every=paced(float(every)), delay=float(delay), noise=0.0)
+    device = sensors()._replace(every=task_pace(float(every)), delay=float(delay), noise=0.0)
     memory = arms_at_start(device, truth((LENGTH,) * 4).now)
 
     def length(tick: int) -> float:

@@ -20,14 +20,14 @@ from springback.sensing.inertial import (
     InertialNoise,
     InertialUnit,
     PerfectInertial,
-    converted,
+    conversion,
     digital_word,
     inertial_at_start,
     inertial_sample,
     mean_specific_force,
     per_tick,
 )
-from springback.sensing.measurement import Truth, paced
+from springback.sensing.measurement import Truth, task_pace
 from springback.sensing.parameters import STANDARD_GRAVITY, InertialSettings
 from springback.vehicle.state import State
 
@@ -193,7 +193,7 @@ def run(channel: Channel, count: int, seed: int) -> np.ndarray[Any, Any]:
     numbers = rng.standard_normal((count, 6)).tolist()
     memory, out = ChannelMemory(ZERO, ZERO), []
     for n in numbers:
-        memory = converted(channel, ZERO, Vec(*n[:3]), Vec(*n[3:]), memory)
+        memory = conversion(channel, ZERO, Vec(*n[:3]), Vec(*n[3:]), memory)
         out.append(digital_word(channel, memory))
     return np.array(out)
 
@@ -228,7 +228,7 @@ def test_the_bias_walks_as_the_root_of_time() -> None:
     channel = Channel(
         0.0, Vec(0.1, -0.2, 0.3), per_tick(0.0, 0.02, 100.0, TICK).drift, 1e3, 1.0, 1e-9
     )
-    one = converted(
+    one = conversion(
         channel, ZERO, ZERO, Vec(1.0, -1.0, 0.0), ChannelMemory(ZERO, Vec(1.0, 1.0, 1.0))
     )
     np.testing.assert_allclose(
@@ -255,7 +255,7 @@ def test_the_bias_takes_a_step_every_ten_ticks() -> None:
 
 
 def test_between_its_samples_the_last_word_stands() -> None:
-    device = silent(every=paced(4.0))
+    device = silent(every=task_pace(4.0))
     memory, before, words, fresh = inertial_at_start(device, state(), G), state(), [], []
     for tick in range(13):
         now = state(before.velocity + Vec(0.01 * tick, 0.0, 0.0), omega=Vec(tick * 0.1, 0.0, 0.0))

@@ -113,7 +113,7 @@ def test_agrees_with_dense_matrices():
                 ).max()
                 < 1e-9
             )
-            assert np.allclose(memory.known.tree.surprise, surprise, rtol=1e-6)
+            assert np.allclose(memory.known.tree.innovation, surprise, rtol=1e-6)
 
 
 def both(kalman, flown):

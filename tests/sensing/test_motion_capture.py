@@ -10,13 +10,13 @@ from scipy.spatial.transform import Rotation
 
 from builders.cases import nonempty
 from springback.kernels.vectors import Quat, Vec
-from springback.sensing.measurement import Pose, Truth, paced
+from springback.sensing.measurement import Pose, Truth, task_pace
 from springback.sensing.motion_capture import (
     MotionCapture,
     MotionCaptureNoise,
     PerfectMotionCapture,
-    captured,
     motion_capture_at_start,
+    pose_of,
 )
 from springback.sensing.parameters import MotionCaptureSettings
 from springback.vehicle.state import State
@@ -38,14 +38,14 @@ def truth(x: float, attitude: Quat = LEVEL) -> Truth:
 
 
 def exact(every: float, delay: float) -> MotionCapture:
-    return MotionCapture(paced(every), delay, 0.0, 0.0, NEVER, -NEVER)
+    return MotionCapture(task_pace(every), delay, 0.0, 0.0, NEVER, -NEVER)
 
 
 def poses(device: MotionCapture, ticks: int) -> list[Pose]:
     """Poses of a robot whose x [m] is the number of the tick."""
     memory, result = motion_capture_at_start(device, state(0.0)), []
     for tick in range(ticks):
-        told = captured(device, float(tick), truth(float(tick)), QUIET, memory)
+        told = pose_of(device, float(tick), truth(float(tick)), QUIET, memory)
         memory = told.memory
         result.append(told.pose)
     return result
@@ -69,7 +69,7 @@ def test_perfect_is_exact_at_every_tick() -> None:
     memory = motion_capture_at_start(device, state(0.0))
     for tick in range(7):
         noise = MotionCaptureNoise(Vec(9.0, 9.0, 9.0), Vec(9.0, 9.0, 9.0), -9.0)
-        told = captured(device, float(tick), truth(0.3 * tick, turn), noise, memory)
+        told = pose_of(device, float(tick), truth(0.3 * tick, turn), noise, memory)
         assert told.pose == Pose(Vec(0.3 * tick, 0.15 * tick, -0.3 * tick), turn, 1.0, 0.0)
 
 
@@ -82,7 +82,7 @@ def test_noise_has_the_size_that_was_asked_for() -> None:
     for tick in range(count):
         n = rng.standard_normal(6).tolist()
         noise = MotionCaptureNoise(Vec(*n[:3]), Vec(*n[3:]), 0.0)
-        told = captured(device, float(tick), truth(0.0, turn), noise, memory)
+        told = pose_of(device, float(tick), truth(0.0, turn), noise, memory)
         memory = told.memory
         shifts.append(told.pose.position)
         turns.append(told.pose.attitude)
@@ -102,7 +102,7 @@ def test_gaps_are_as_frequent_and_as_long_as_asked_for() -> None:
     memory = motion_capture_at_start(device, state(0.0))
     rng, fresh, positions = np.random.default_rng(4), [], []
     for tick, normal in enumerate(rng.standard_normal(count).tolist()):
-        told = captured(
+        told = pose_of(
             device, float(tick), truth(float(tick)), MotionCaptureNoise(ZERO, ZERO, normal), memory
         )
         memory = told.memory
@@ -121,11 +121,11 @@ def test_gaps_are_as_frequent_and_as_long_as_asked_for() -> None:
 
 
 def test_the_last_pose_stands_through_a_gap() -> None:
-    device = MotionCapture(paced(2.0), 2.0, 0.0, 0.0, 0.0, 0.0)  # p = r = 1/2; the sign decides
+    device = MotionCapture(task_pace(2.0), 2.0, 0.0, 0.0, 0.0, 0.0)  # p = r = 1/2; the sign decides
     memory, seen = motion_capture_at_start(device, state(0.0)), []
     for tick in range(20):
         normal = -1.0 if tick == 6 else (1.0 if tick < 12 else -1.0)
-        told = captured(
+        told = pose_of(
             device, float(tick), truth(float(tick)), MotionCaptureNoise(ZERO, ZERO, normal), memory
         )
         memory = told.memory

@@ -20,8 +20,8 @@ from springback.sensing.measurement import (
     SensorStep,
     Truth,
     due,
-    paced,
     sensor_step,
+    task_pace,
 )
 from springback.sensing.parameters import HallSettings, SensorSettings
 from springback.sensing.sensors import NOISE, Sensors, noise_count, sensors_at_start
@@ -222,7 +222,7 @@ def test_units_are_read_and_checked() -> None:
 
 @pytest.mark.parametrize("every", [1, 2, 3, 4, 5, 7, 10, 49, 50, 1000])
 def test_what_is_due_every_few_ticks_is_due_then_and_only_then(every: int) -> None:
-    pace = paced(float(every))
+    pace = task_pace(float(every))
     ticks = [*range(5 * every), *range(10**9, 10**9 + 5 * every)]
     assert [due(float(k), pace) for k in ticks] == [k % every == 0 for k in ticks]
 

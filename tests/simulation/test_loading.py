@@ -70,7 +70,7 @@ def test_collected_flights_are_laid_as_by_themselves(width: int, in_groups: bool
         loader.add(*flights[0], flown, differing([leaves(one) for *_, one in flights[:3]]))
     for one in flights[loader.count :]:
         loader.add(*one)
-    laid = loader.laid()
+    laid = loader.flights()
     shape = shape_of(models[0], starts[0])
     wanted, onboard = (
         flight_buffers(shape, models, starts, width),
@@ -87,7 +87,7 @@ def test_flights_without_pilots_are_laid_too() -> None:
     loader = Loader(*flights[0], None, 8)
     for model, start in flights:
         loader.add(model, start, None)
-    laid, (models, starts) = loader.laid(), zip(*flights, strict=True)
+    laid, (models, starts) = loader.flights(), zip(*flights, strict=True)
     assert laid.onboard is None
     np.testing.assert_array_equal(laid.buffers, flight_buffers(laid.shape, models, starts, 8))
 

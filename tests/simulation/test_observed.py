@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from builders.records import record_with
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Motion
 from springback.kernels.vectors import Quat, Vec
@@ -14,6 +15,7 @@ from springback.scenario.scenario import scenario_from
 from springback.simulation import record as rules
 from springback.simulation.executor import rates_of
 from springback.simulation.flight import still_work
+from springback.simulation.peaks import Peaks
 from springback.simulation.record import (
     APPLY_IMPULSE,
     FREE_FLIGHT,
@@ -24,7 +26,7 @@ from springback.simulation.record import (
     Record,
     View,
     blank_record,
-    observed,
+    record_after,
 )
 
 #: Nothing is nearer [m].
@@ -75,10 +77,14 @@ def with_(part: Any, view: View, **changes: Any) -> View:
 def test_free_flight_takes_free_steps_and_cruises() -> None:
     """Far from everything, with locked arms at rest."""
     model, motion, view, m = scene()
-    after = observed(model, motion, view, m)
-    assert after.step == model.timing.free_step
-    assert after.cruising == rules.CRUISING
-    assert (after.phase, after.request, after.touching) == (FREE_FLIGHT, NOTHING, 0.0)
+    after = record_after(model, motion, view, m)
+    assert after.stepping.step == model.timing.free_step
+    assert after.stepping.cruising == rules.CRUISING
+    assert (after.stepping.phase, after.stepping.request, after.contacts.touching) == (
+        FREE_FLIGHT,
+        NOTHING,
+        0.0,
+    )
 
 
 @EITHER
@@ -86,27 +92,34 @@ def test_a_touch_begins_an_impact_and_makes_steps_short(part: Any) -> None:
     """The instant of the touch takes no step, the next one an impact step."""
     model, motion, view, m = scene()
     touch = with_(part, view, **TOUCHES)
-    first = observed(model, motion, touch, m)
-    assert (first.step, first.phase, first.touching, first.contacts) == (0.0, IMPACT, 1.0, 1.0)
-    assert first.impacts == first.impact_open == 1.0
-    assert first.touch_speed == pytest.approx(1.0)
-    assert first.cruising == rules.STEERED
-    second = observed(model, motion, touch, first)
-    assert 0.0 < second.step <= model.timing.impact_step
-    assert second.contacts == 1.0
-    assert sum(second.hull_contacts) == (part is bodied)
-    assert sum(second.arm_contacts) == (part is armed)
+    first = record_after(model, motion, touch, m)
+    assert (
+        first.stepping.step,
+        first.stepping.phase,
+        first.contacts.touching,
+        first.contacts.total,
+    ) == (0.0, IMPACT, 1.0, 1.0)
+    assert first.contacts.impacts == first.contacts.impact_open == 1.0
+    assert first.first_impact.touch_speed == pytest.approx(1.0)
+    assert first.stepping.cruising == rules.STEERED
+    second = record_after(model, motion, touch, first)
+    assert 0.0 < second.stepping.step <= model.timing.impact_step
+    assert second.contacts.total == 1.0
+    assert sum(second.contacts.hull) == (part is bodied)
+    assert sum(second.contacts.arms) == (part is armed)
 
 
 def test_arms_settle_in_longer_steps_but_not_on_a_stop() -> None:
     """A pressed stop is contact, whatever the cages do."""
     model, motion, view, m = scene()
     swings = armed(view, 1, unbalance=25.0)
-    settling = observed(model, motion, swings, m._replace(phase=IMPACT))
-    assert settling.step == model.timing.settle_step > 2.0 * model.timing.impact_step
-    stopped = observed(model, motion, armed(swings, 3, stopped=1.0), m._replace(phase=IMPACT))
-    assert stopped.step == model.timing.impact_step
-    assert settling.cruising == rules.STEERED
+    settling = record_after(model, motion, swings, record_with(m, stepping={"phase": IMPACT}))
+    assert settling.stepping.step == model.timing.settle_step > 2.0 * model.timing.impact_step
+    stopped = record_after(
+        model, motion, armed(swings, 3, stopped=1.0), record_with(m, stepping={"phase": IMPACT})
+    )
+    assert stopped.stepping.step == model.timing.impact_step
+    assert settling.stepping.cruising == rules.STEERED
 
 
 @pytest.mark.parametrize(
@@ -121,11 +134,13 @@ def test_steps_follow_every_rate(rate: str, share: float) -> None:
     """Each alone bounds the step, and the tighter bound holds."""
     model, motion, view, m = scene()
     fast = 5.0 * share / model.timing.free_step
-    bound = observed(model, motion, view._replace(**{rate: fast}), m).step
+    bound = record_after(model, motion, view._replace(**{rate: fast}), m).stepping.step
     assert bound == pytest.approx(share / fast, rel=1e-12)
-    slow = observed(model, motion, view._replace(**{rate: 0.5 * share / model.timing.free_step}), m)
-    assert slow.step == model.timing.free_step
-    endless = observed(model, motion, view._replace(**{rate: 1e12}), m).step
+    slow = record_after(
+        model, motion, view._replace(**{rate: 0.5 * share / model.timing.free_step}), m
+    )
+    assert slow.stepping.step == model.timing.free_step
+    endless = record_after(model, motion, view._replace(**{rate: 1e12}), m).stepping.step
     assert endless == pytest.approx(rules.SHORTEST * model.timing.impact_step)
 
 
@@ -134,11 +149,17 @@ def test_steps_land_on_crossings(part: Any) -> None:
     """On one within reach exactly, half an impact step before one farther off, never too short."""
     model, motion, view, m = scene()
     short = model.timing.impact_step
-    near = observed(model, motion, with_(part, view, crossing=Crossing(0.7 * short, 1.0)), m).step
+    near = record_after(
+        model, motion, with_(part, view, crossing=Crossing(0.7 * short, 1.0)), m
+    ).stepping.step
     assert near == pytest.approx(0.7 * short, rel=1e-12)
-    far = observed(model, motion, with_(part, view, crossing=Crossing(3.0 * short, 1.0)), m).step
+    far = record_after(
+        model, motion, with_(part, view, crossing=Crossing(3.0 * short, 1.0)), m
+    ).stepping.step
     assert far == pytest.approx(2.5 * short, rel=1e-12)
-    now = observed(model, motion, with_(part, view, crossing=Crossing(1e-9 * short, 1.0)), m).step
+    now = record_after(
+        model, motion, with_(part, view, crossing=Crossing(1e-9 * short, 1.0)), m
+    ).stepping.step
     assert now == pytest.approx(rules.SHORTEST * short)
 
 
@@ -147,12 +168,12 @@ def test_no_step_passes_what_is_near(part: Any) -> None:
     """At most so long as the fastest point takes to what is nearest, but an impact step at least."""
     model, motion, view, m = scene()
     gap = 0.4 * model.timing.free_step  # at 1 m/s
-    bounded = observed(model, motion, with_(part, view, gap=gap), m)
-    assert bounded.step == pytest.approx(gap, rel=1e-9)
-    assert bounded.cruising == rules.STEERED
-    assert bounded.room == gap
-    least = observed(model, motion, with_(part, view, gap=1e-9), m)
-    assert least.step == model.timing.impact_step
+    bounded = record_after(model, motion, with_(part, view, gap=gap), m)
+    assert bounded.stepping.step == pytest.approx(gap, rel=1e-9)
+    assert bounded.stepping.cruising == rules.STEERED
+    assert bounded.stepping.room == gap
+    least = record_after(model, motion, with_(part, view, gap=1e-9), m)
+    assert least.stepping.step == model.timing.impact_step
 
 
 def test_a_spinning_vehicle_is_as_fast_as_its_farthest_point() -> None:
@@ -160,10 +181,14 @@ def test_a_spinning_vehicle_is_as_fast_as_its_farthest_point() -> None:
     model, motion, view, m = scene()
     reach, gap = 0.19 + 0.11, 0.4 * model.timing.free_step
     spinning = motion.state._replace(angular_velocity=Vec(0.0, 0.0, -2.0))
-    spun = observed(model, Motion(spinning, motion.work), armed(view, 0, gap=gap), m).step
+    spun = record_after(
+        model, Motion(spinning, motion.work), armed(view, 0, gap=gap), m
+    ).stepping.step
     assert spun == pytest.approx(gap / (1.0 + 2.0 * reach), rel=1e-9)
     sliding = motion.state._replace(arm_rate=(0.0, -3.0, 0.0, 0.0))
-    slid = observed(model, Motion(sliding, motion.work), armed(view, 0, gap=gap), m).step
+    slid = record_after(
+        model, Motion(sliding, motion.work), armed(view, 0, gap=gap), m
+    ).stepping.step
     assert slid == pytest.approx(model.timing.impact_step)  # of gap / 4 m/s, the longer one
 
 
@@ -171,9 +196,11 @@ def test_the_last_step_ends_in_time() -> None:
     """Not past the end, and a flight that is there has finished."""
     model, motion, view, m = scene()
     left = 0.3 * model.timing.free_step
-    assert observed(model, motion, view, m._replace(time=10.0 - left)).step == pytest.approx(left)
-    there = observed(model, motion, view, m._replace(time=10.0))
-    assert (there.step, there.status) == (0.0, rules.FINISHED)
+    assert record_after(
+        model, motion, view, record_with(m, stepping={"time": 10.0 - left})
+    ).stepping.step == pytest.approx(left)
+    there = record_after(model, motion, view, record_with(m, stepping={"time": 10.0}))
+    assert (there.stepping.step, there.stepping.status) == (0.0, rules.FINISHED)
 
 
 @EITHER
@@ -181,11 +208,11 @@ def test_an_impulse_is_asked_for_once(part: Any) -> None:
     """Where a part closes in on a surface of the impulse law; then time goes on."""
     model, motion, view, m = scene()
     closing = with_(part, view, impulsive=1.0, **TOUCHES)
-    first = observed(model, motion, closing, m)
-    assert (first.request, first.step) == (APPLY_IMPULSE, 0.0)
-    second = observed(model, motion, closing, first)
-    assert second.request != APPLY_IMPULSE
-    assert second.step > 0.0
+    first = record_after(model, motion, closing, m)
+    assert (first.stepping.request, first.stepping.step) == (APPLY_IMPULSE, 0.0)
+    second = record_after(model, motion, closing, first)
+    assert second.stepping.request != APPLY_IMPULSE
+    assert second.stepping.step > 0.0
 
 
 # -- when an impact is over, and what is measured of it --------------------------------------------
@@ -194,29 +221,44 @@ def test_an_impulse_is_asked_for_once(part: Any) -> None:
 def test_settled_arms_are_locked_when_nothing_touches() -> None:
     """By distance from balance and by rate; the instant of locking takes no step."""
     model, motion, view, m = scene()
-    hit = m._replace(phase=IMPACT, impact_open=1.0, impacts=1.0, contacts=1.0)
-    done = observed(model, motion, view, hit)
-    assert (done.phase, done.request, done.step) == (FREE_FLIGHT, LOCK_ARMS, 0.0)
-    assert observed(model, motion, armed(view, 0, unbalance=-0.1), hit).phase == IMPACT
+    hit = record_with(
+        m, stepping={"phase": IMPACT}, contacts={"impact_open": 1.0, "impacts": 1.0, "total": 1.0}
+    )
+    done = record_after(model, motion, view, hit)
+    assert (done.stepping.phase, done.stepping.request, done.stepping.step) == (
+        FREE_FLIGHT,
+        LOCK_ARMS,
+        0.0,
+    )
+    assert record_after(model, motion, armed(view, 0, unbalance=-0.1), hit).stepping.phase == IMPACT
     moving = motion.state._replace(arm_rate=(0.0, 0.0, -2e-3, 0.0))
-    assert observed(model, Motion(moving, motion.work), view, hit).phase == IMPACT
+    assert record_after(model, Motion(moving, motion.work), view, hit).stepping.phase == IMPACT
     # Held out by spin it is at rest all the same.
     held = armed(view, 0, compression=-5e-3, unbalance=0.0)
-    assert observed(model, motion, held, hit).phase == FREE_FLIGHT
+    assert record_after(model, motion, held, hit).stepping.phase == FREE_FLIGHT
 
 
 def test_an_impact_is_over_a_dwell_after_its_last_touch() -> None:
     """And a later touch begins another."""
     model, motion, view, m = scene()
     dwell = model.timing.dwell
-    hit = m._replace(impact_open=1.0, impacts=1.0, contacts=1.0, last_touch_time=0.0)
-    assert observed(model, motion, view, hit._replace(time=0.9 * dwell)).impact_open == 1.0
-    over = observed(model, motion, view, hit._replace(time=1.1 * dwell))
-    assert over.impact_open == 0.0
-    again = observed(model, motion, armed(view, 0, **TOUCHES), over)
-    assert (again.impacts, again.contacts) == (2.0, 2.0)
-    soon = observed(model, motion, armed(view, 0, **TOUCHES), hit._replace(time=0.9 * dwell))
-    assert (soon.impacts, soon.contacts) == (1.0, 2.0)
+    hit = record_with(
+        m, contacts={"impact_open": 1.0, "impacts": 1.0, "total": 1.0, "last_touch_time": 0.0}
+    )
+    assert (
+        record_after(
+            model, motion, view, record_with(hit, stepping={"time": 0.9 * dwell})
+        ).contacts.impact_open
+        == 1.0
+    )
+    over = record_after(model, motion, view, record_with(hit, stepping={"time": 1.1 * dwell}))
+    assert over.contacts.impact_open == 0.0
+    again = record_after(model, motion, armed(view, 0, **TOUCHES), over)
+    assert (again.contacts.impacts, again.contacts.total) == (2.0, 2.0)
+    soon = record_after(
+        model, motion, armed(view, 0, **TOUCHES), record_with(hit, stepping={"time": 0.9 * dwell})
+    )
+    assert (soon.contacts.impacts, soon.contacts.total) == (1.0, 2.0)
 
 
 def test_first_impact_measures_stop_with_it() -> None:
@@ -224,54 +266,45 @@ def test_first_impact_measures_stop_with_it() -> None:
     model, motion, view, m = scene()
     hard = view._replace(acceleration=Vec(-300.0, 0.0, 0.0), specific_force=Vec(-301.0, 0.0, 0.0))
     hard = armed(hard, 0, normal=200.0, depth=2e-3, compression=9e-3)
-    in_first = m._replace(
-        phase=IMPACT, impact_open=1.0, impacts=1.0, contacts=1.0, touching=1.0,
-        inward=Vec(1.0, 0.0, 0.0), touch_time=0.0,
-    )  # fmt: skip
+    in_first = record_with(m, stepping={"phase": IMPACT}, contacts={"impact_open": 1.0, "impacts": 1.0, "total": 1.0, "touching": 1.0}, first_impact={"inward": Vec(1.0, 0.0, 0.0), "touch_time": 0.0})  # fmt: skip
     moved = Motion(motion.state._replace(position=Vec(0.013, 0.0, 0.0)), motion.work)
-    names = (
-        "peak_acceleration", "peak_specific_force", "peak_normal_force", "penetration",
-        "arm_stroke",
-    )  # fmt: skip
 
-    def peaks(record: Record, stem: str) -> list[float]:
-        """Of the first impact, or of the flight."""
-        own = {"penetration": "peak_penetration", "arm_stroke": "peak_compression"}
-        return [getattr(record, f"impact_{n}" if stem else own.get(n, n)) for n in names]
+    def peaks(values: Peaks) -> list[float]:
+        return [
+            values.acceleration, values.specific_force, values.normal_force, values.penetration,
+            values.compression,
+        ]  # fmt: skip
 
-    within = observed(model, moved, armed(hard, 1, **TOUCHES), in_first)
-    assert peaks(within, "impact") == peaks(within, "") == [300.0, 301.0, 200.0, 2e-3, 9e-3]
-    assert within.travel == pytest.approx(0.013)
-    later = in_first._replace(impacts=2.0)
-    beyond = observed(model, moved, armed(hard, 1, **TOUCHES), later)
-    assert peaks(beyond, "impact") == [0.0] * 5
-    assert peaks(beyond, "") == [300.0, 301.0, 200.0, 2e-3, 9e-3]
-    assert beyond.travel == 0.0
+    within = record_after(model, moved, armed(hard, 1, **TOUCHES), in_first)
+    assert peaks(within.impact_peaks) == peaks(within.peaks) == [300.0, 301.0, 200.0, 2e-3, 9e-3]
+    assert within.first_impact.travel == pytest.approx(0.013)
+    later = record_with(in_first, contacts={"impacts": 2.0})
+    beyond = record_after(model, moved, armed(hard, 1, **TOUCHES), later)
+    assert peaks(beyond.impact_peaks) == [0.0] * 5
+    assert peaks(beyond.peaks) == [300.0, 301.0, 200.0, 2e-3, 9e-3]
+    assert beyond.first_impact.travel == 0.0
     # After the last separation, while arms settle: peaks of the impact still, no travel.
     swings = armed(hard, 1, unbalance=25.0)
-    left = observed(model, moved, swings, in_first._replace(touching=0.0))
-    assert peaks(left, "impact")[0] == 300.0
-    assert left.travel == 0.0
-    leaves = observed(model, moved, swings, in_first)
-    assert leaves.travel == pytest.approx(0.013)
-    assert leaves.separation_speed == pytest.approx(1.0)
-    assert left.separation_time == -1.0
+    left = record_after(model, moved, swings, record_with(in_first, contacts={"touching": 0.0}))
+    assert peaks(left.impact_peaks)[0] == 300.0
+    assert left.first_impact.travel == 0.0
+    leaves = record_after(model, moved, swings, in_first)
+    assert leaves.first_impact.travel == pytest.approx(0.013)
+    assert leaves.first_impact.separation_speed == pytest.approx(1.0)
+    assert left.first_impact.separation_time == -1.0
 
 
 def test_the_return_is_where_the_first_touch_was() -> None:
     """Moving out, behind the plane of the first touch; predicted, so that a step lands on it."""
     model, motion, view, m = scene()
-    hit = m._replace(
-        impacts=1.0, impact_open=1.0, contacts=1.0, inward=Vec(1.0, 0.0, 0.0), touch_time=0.0,
-        time=0.01,
-    )  # fmt: skip
+    hit = record_with(m, contacts={"impacts": 1.0, "impact_open": 1.0, "total": 1.0}, first_impact={"inward": Vec(1.0, 0.0, 0.0), "touch_time": 0.0}, stepping={"time": 0.01})  # fmt: skip
     out = motion.state._replace(velocity=Vec(-2.0, 0.0, 0.0))
     ahead = Motion(out._replace(position=Vec(1e-4, 0.0, 0.0)), motion.work)
-    coming = observed(model, ahead, view, hit)
-    assert coming.return_time == -1.0
-    assert coming.step == pytest.approx(0.5e-4, rel=1e-9)
-    there = observed(model, Motion(out, motion.work), view, hit)
-    assert (there.return_time, there.return_speed) == (0.01, -2.0)
+    coming = record_after(model, ahead, view, hit)
+    assert coming.first_impact.return_time == -1.0
+    assert coming.stepping.step == pytest.approx(0.5e-4, rel=1e-9)
+    there = record_after(model, Motion(out, motion.work), view, hit)
+    assert (there.first_impact.return_time, there.first_impact.return_speed) == (0.01, -2.0)
 
 
 def test_a_view_sums_the_normals_of_what_touches() -> None:

@@ -62,16 +62,16 @@ def test_one_cage_is_counted_for_its_own_arm() -> None:
     for yaw, arm in ((45.0, 2), (-45.0, 1)):
         scenario = as_scenario(towards_wall(yaw=f"{yaw} deg"))
         record = fly_one(scenario.flight_model(), scenario.start_state(), trace=False).record
-        assert record.contacts == 1.0
-        assert record.arm_contacts == tuple(1.0 if j == arm else 0.0 for j in (1, 2, 3, 4))
+        assert record.contacts.total == 1.0
+        assert record.contacts.arms == tuple(1.0 if j == arm else 0.0 for j in (1, 2, 3, 4))
 
 
 def test_two_cages_together_are_one_contact_each() -> None:
     """Head-on both front cages touch at once: one contact of the vehicle, one of each cage."""
     scenario = as_scenario(towards_wall())
     record = fly_one(scenario.flight_model(), scenario.start_state(), trace=False).record
-    assert record.arm_contacts == (1.0, 1.0, 0.0, 0.0)
-    assert (record.contacts, record.impacts) == (1.0, 1.0)
+    assert record.contacts.arms == (1.0, 1.0, 0.0, 0.0)
+    assert (record.contacts.total, record.contacts.impacts) == (1.0, 1.0)
 
 
 def touches(forces: np.ndarray) -> int:

@@ -19,6 +19,7 @@ from springback.results.flight import as_scenario
 from springback.simulation.executor import advance
 from springback.simulation.flight import (
     FlightRecord,
+    empty_log,
     flight_buffers,
     flight_records,
     fly_buffers,
@@ -74,8 +75,8 @@ def test_plain_python_is_the_compiled_flight(overrides: tuple[str, ...]) -> None
     """Motion, ledger, record and the whole trajectory."""
     model, start = scene(2.5, 0.2, *overrides)
     plain, compiled = fly_one(model, start, executor="python"), fly_one(model, start)
-    assert plain.record.contacts >= 1.0
-    assert plain.record.separation_time > 0.0
+    assert plain.record.contacts.total >= 1.0
+    assert plain.record.first_impact.separation_time > 0.0
     assert same(plain, compiled)
     assert plain.trace is not None
     assert compiled.trace is not None
@@ -102,7 +103,7 @@ def test_a_flight_in_lanes_is_the_flight_alone(width: int, alone: list[FlightRec
     models, starts = fleet()
     abreast = fly_many(models, starts, width=width)
     assert len(abreast) == len(alone)
-    assert len({flown.record.steps for flown in alone}) > 10
+    assert len({flown.record.stepping.steps for flown in alone}) > 10
     for one, other in zip(alone, abreast, strict=True):
         assert same(one, other)
 
@@ -145,10 +146,7 @@ def test_lanes_in_plain_python() -> None:
     shape = shape_of(models[0], starts[0])
     buffers = flight_buffers(shape, models, starts, 2)
     loop: Any = getattr(advance, "py_func", advance)
-    logged = np.zeros(1, dtype=np.int64)
-    assert (
-        loop(TreeLayout(shape), buffers, 0, 1, (0, 0), np.zeros((0, 1)), logged, 100_000, 0.0) == 0
-    )
+    assert loop(TreeLayout(shape), buffers, (0, 0), empty_log(), 100_000, 0.0) == 0
     for k, flown in enumerate(flight_records(shape, models, starts, buffers, 2)):
         assert same(flown, fly_one(models[k], starts[k], trace=False))
 
@@ -158,9 +156,8 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
     model, start = scene(2.0, 0.1)
     shape = shape_of(model, start)
     buffers = flight_buffers(shape, [model], [start], 1)
-    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
     calls = 1
-    while advance(TreeLayout(shape), buffers, 0, 1, (0,), log, logged, 7, 0.0):
+    while advance(TreeLayout(shape), buffers, (0,), empty_log(), 7, 0.0):
         calls += 1
     assert calls > 10
     again = flight_records(shape, [model], [start], buffers, 1)[0]
@@ -175,8 +172,7 @@ def test_flights_that_change_lanes_come_home_with_the_same_bits(
     models, starts = fleet()
     shape = shape_of(models[0], starts[0])
     buffers = flight_buffers(shape, models, starts, 4)
-    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
-    while advance(TreeLayout(shape), buffers, 0, len(buffers), (0,) * 4, log, logged, budget, 0.0):
+    while advance(TreeLayout(shape), buffers, (0,) * 4, empty_log(), budget, 0.0):
         pass
     for one, other in nonempty(
         zip(alone, flight_records(shape, models, starts, buffers, 4), strict=True)
@@ -193,10 +189,11 @@ def test_lanes_are_kept_full() -> None:
     models, starts = fleet()
     brief = [m._replace(timing=m.timing._replace(until=0.004)) for m in models]
     mixed = [m if k % 4 == 0 else b for k, (m, b) in enumerate(zip(models, brief, strict=True))]
-    longest = [fly_one(mixed[k], starts[k], trace=False).record.steps for k in range(0, 20, 4)]
+    longest = [
+        fly_one(mixed[k], starts[k], trace=False).record.stepping.steps for k in range(0, 20, 4)
+    ]
     shape = shape_of(mixed[0], starts[0])
     buffers = flight_buffers(shape, mixed, starts, 4)
-    log, logged = np.zeros((0, 1)), np.zeros(1, dtype=np.int64)
     half = int(sum(longest)) // 2
     assert len(longest) == len(buffers) == 5
-    assert advance(TreeLayout(shape), buffers, 0, 5, (0,) * 4, log, logged, half, 0.0) == 0
+    assert advance(TreeLayout(shape), buffers, (0,) * 4, empty_log(), half, 0.0) == 0

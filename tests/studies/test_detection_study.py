@@ -112,7 +112,7 @@ def test_robot_and_wall_stand_as_asked() -> None:
     )
     assert math.degrees(yaw) == pytest.approx(-30.0, abs=8.0)
     _, guided = fly_ready_trial(tables)
-    assert guided.flown.record.touch_speed == pytest.approx(2.0 * math.cos(math.radians(20)), abs=0.15)  # fmt: skip
+    assert guided.flown.record.first_impact.touch_speed == pytest.approx(2.0 * math.cos(math.radians(20)), abs=0.15)  # fmt: skip
 
 
 def test_tables_hold_every_flight(study: DetectionResults) -> None:

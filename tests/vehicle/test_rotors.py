@@ -18,7 +18,7 @@ from springback.vehicle.library import VEHICLES
 from springback.vehicle.rotors import (
     INSTANT,
     SHORT,
-    Lagged,
+    LagStep,
     Propulsion,
     Rotors,
     Thrusts,
@@ -41,7 +41,7 @@ def compiled_lag(
     return lagged_thrusts(rotors, now, command, lag_over(rotors.time_constant, h))
 
 
-def after_time(rotors: Rotors, start: float, command: float, duration: float) -> Lagged:
+def after_time(rotors: Rotors, start: float, command: float, duration: float) -> LagStep:
     return lagged_thrust(start, command, rotors, lag_over(rotors.time_constant, duration))
 
 

@@ -33,7 +33,7 @@ from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
-from springback.simulation.loading import Laid, Loader
+from springback.simulation.loading import LoadedFlights, Loader
 from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
@@ -224,7 +224,7 @@ def _on_gpu() -> _Fly:
 
 def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     """Fly all flights of one kind, and store their results."""
-    laid, width, count = kind.loader.laid(), kind.loader.width, len(kind.numbers)
+    laid, width, count = kind.loader.flights(), kind.loader.width, len(kind.numbers)
     before = energies(laid.shape, laid.buffers, width, count)
     built_avionics = kind.first.built_avionics
     if built_avionics is None or laid.avionics is None or laid.onboard is None:
@@ -242,7 +242,9 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         out.measures[name][numbers] = column
 
 
-def _read(laid: Laid, before: Any, width: int, count: int) -> tuple[list[str], dict[str, Array]]:
+def _read(
+    laid: LoadedFlights, before: Any, width: int, count: int
+) -> tuple[list[str], dict[str, Array]]:
     """Outcomes and measures of all flights of one kind."""
     shape, buffers = laid.shape, laid.buffers
     work_row = rows(shape.model) + row_of(shape.motion, "work")

@@ -58,7 +58,7 @@ class Answer(NamedTuple):
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
 
-class Reflown(NamedTuple):
+class RepeatedFlight(NamedTuple):
     """A flight of a campaign, repeated alone with its trajectory."""
 
     flight: Flight
@@ -112,7 +112,7 @@ class Campaign:
         known = {name: unit for name, (unit, _) in known_columns().items()}
         return known | dict(self.about["units"])
 
-    def _asked(
+    def _ask(
         self,
         sql: str,
         parameters: Sequence[Any],
@@ -146,7 +146,7 @@ class Campaign:
         Raises:
             InputError: If it is not a valid SELECT.
         """
-        return self._asked(one_select(sql), parameters, _answer)
+        return self._ask(one_select(sql), parameters, _answer)
 
     def stream(self, sql: str, taken: Callable[[list[str], Iterator[list[Any]]], T]) -> T:
         """Query in SQL, and process the answer in blocks of rows.
@@ -166,17 +166,17 @@ class Campaign:
             names = [column[0] for column in found.description]
             return taken(names, iter(lambda: found.fetchmany(STRETCH), []))
 
-        return self._asked(one_select(sql), (), take)
+        return self._ask(one_select(sql), (), take)
 
     def count(self, sql: str) -> int:
         """Number of rows of a result."""
         counted = f"SELECT count(*) FROM (\n{one_select(sql)}\n)"
-        return self._asked(counted, (), lambda found: int(found.fetchone()[0]))
+        return self._ask(counted, (), lambda found: int(found.fetchone()[0]))
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
         """Result of a query as arrays of floats by column; NaN for missing values."""
         select = one_select(sql)
-        found = self._asked(select, parameters, lambda found: found.fetchnumpy())
+        found = self._ask(select, parameters, lambda found: found.fetchnumpy())
         return {
             name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
             for name, values in found.items()
@@ -201,14 +201,14 @@ class Campaign:
                 f"COPY (\n{select}\n) TO {literal(str(draft))} "
                 "(FORMAT parquet, COMPRESSION zstd, USE_TMP_FILE false)"
             )
-            return self._asked(copy, (), lambda found: int(found.fetchone()[0]), [draft])
+            return self._ask(copy, (), lambda found: int(found.fetchone()[0]), [draft])
 
     def to_dataframe(self, sql: str = "SELECT * FROM flights ORDER BY flight") -> pandas.DataFrame:
         """Rows as a pandas DataFrame; units in ``attrs``."""
         from springback.extras import needs
 
         needs("pandas", "dataframe")
-        frame: pandas.DataFrame = self._asked(one_select(sql), (), lambda found: found.df())
+        frame: pandas.DataFrame = self._ask(one_select(sql), (), lambda found: found.df())
         frame.attrs["units"] = self.units
         return frame
 
@@ -226,7 +226,7 @@ class Campaign:
             raise InputError(f"flight {number}: has not been flown yet; continue with --resume")
         return found[0]
 
-    def refly(self, number: int, *, trajectory: bool = True) -> Reflown:
+    def refly(self, number: int, *, trajectory: bool = True) -> RepeatedFlight:
         """Repeat one flight alone, and compare it with its row.
 
         Args:
@@ -249,7 +249,7 @@ class Campaign:
             for name in row
             if name not in skipped and not _same(row[name], now.get(name))
         )
-        return Reflown(flight, tuple(different))
+        return RepeatedFlight(flight, tuple(different))
 
     def keep(self, remark: Callable[[str], None]) -> None:
         """Store the trajectories that the plan selects, of the first flights with its condition."""
@@ -266,7 +266,7 @@ class Campaign:
                 again = self.refly(number)
                 for line in again.differences:
                     remark(f"flight {number}, selected to be kept, differs from its row: {line}")
-                _write_kept(again.flight, stem)
+                _write_selected(again.flight, stem)
                 data = {"flight": number, **again.flight.summary()}
                 write_atomically(summary, json_text(data), durable=True)
 
@@ -275,7 +275,7 @@ def _answer(found: Any) -> Answer:
     return Answer([column[0] for column in found.description], found.fetchall())
 
 
-def _write_kept(flight: Flight, stem: Path) -> None:
+def _write_selected(flight: Flight, stem: Path) -> None:
     """Write trajectory and telemetry, each completely, before the summary that names them."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
     for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():

@@ -105,7 +105,7 @@ def fly_on_cluster(
         CampaignError: If the scheduler is lost, or a worker that joins has other versions.
     """
     distributed = needs("distributed", "cluster")
-    crew = _Crew(client, remark)
+    crew = _Workers(client, remark)
     waiting, flying = deque(chunks), dict[Any, Chunk]()
     stem = f"springback-{uuid.uuid4().hex[:8]}"
     try:
@@ -150,7 +150,7 @@ def _client(distributed: Any, address: str, tls: Tls | None) -> Any:
         raise InputError(f"--scheduler {address}: cannot be reached ({said})") from None
 
 
-class _Crew:
+class _Workers:
     """Workers of a cluster."""
 
     def __init__(self, client: Any, remark: Remark) -> None:

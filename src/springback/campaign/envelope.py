@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import REFUSED
-from springback.campaign.analysis.envelope import Axis, Envelope, EnvelopeCell, Place
+from springback.campaign.analysis.envelope import Axis, CellIndex, Envelope, EnvelopeCell
 from springback.campaign.cost_estimate import kinds_of
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan, ScatterSettings, Source, Vary
@@ -80,7 +80,7 @@ class EnvelopePlan(NamedTuple):
         return [self.tables(flight) | {"reference": {"type": "hold"}} for flight in flights]
 
 
-class _Words(Source):
+class _CommandSource(Source):
     """Source of a campaign from a command, whose words appear in its problems."""
 
     def problem_line(self, path: Sequence[str | int], what: str) -> str:
@@ -137,7 +137,7 @@ def plan_envelope(
         repeats=trials, vary=(first, second), scatter=ScatterSettings(**Scatter()._asdict()),
     )  # fmt: skip
     try:
-        design = lay_out(plan, _Words(overrides=(first.field, second.field)))
+        design = lay_out(plan, _CommandSource(overrides=(first.field, second.field)))
     except InputError as error:
         raise InputError(error.problems[0]) from None
     if design.flights > MOST_FLIGHTS:
@@ -154,7 +154,7 @@ def _vary(text: str) -> Vary:
             f"{excerpt(text)!r} is no axis; write name=from:to:count, such as speed=1:5:9 or "
             "pitch=-60deg:60deg:9"
         )
-    name = _known(name)
+    name = _field_name(name)
     count = int(parts[2]) if parts[2].strip().isdecimal() else 0
     if not 2 <= count <= MOST_VALUES:
         raise InputError(
@@ -169,13 +169,13 @@ def _setting(word: str, taken: Sequence[Any]) -> str:
     name, sign, text = word.partition("=")
     if not sign or not name.strip():
         raise InputError(f"{word!r} is no setting; write key=value, such as pitch=30deg")
-    path = field_path(_known(name))
+    path = field_path(_field_name(name))
     if path in taken:
         raise InputError(f"--set {word}: is on an axis already")
     return f"{dotted_path(path)}={text}"
 
 
-def _known(name: str) -> str:
+def _field_name(name: str) -> str:
     """A field that a map can be over: dotted where it was written so, but for speed and pitch."""
     path = field_path(name)
     if why := FIXED.get(dotted_path(path)):
@@ -218,7 +218,7 @@ def fly_envelope(plan: EnvelopePlan, progress: Progress = silent) -> Envelope:
     for robot in design.robots:
         for row in range(len(y.values)):
             for column in range(len(x.values)):
-                place, key = Place(robot, column, row), (column * len(y.values) + row, robot)
+                place, key = CellIndex(robot, column, row), (column * len(y.values) + row, robot)
                 why = _why(plan.tables(refused[key])) if key in refused else ""
                 cells[place] = EnvelopeCell({} if why else dict(outcomes[key]), why)
     trials, seed = design.plan.repeats, design.plan.seed

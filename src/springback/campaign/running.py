@@ -80,7 +80,7 @@ def in_time(seconds: float) -> str:
 
 
 @dataclass
-class _Watch:
+class _Counter:
     """Counter of stored flights."""
 
     store: Store
@@ -161,7 +161,7 @@ def run_campaign(
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
         size = wanted if chunk else max(1, min(wanted, fair))
         chunks = store.missing(size)
-        watch, failed = _Watch(store), list[GivenUp]()
+        watch, failed = _Counter(store), list[GivenUp]()
         tell = progress or _silent
         tell(watch.now())
         with contextlib.closing(fly(design.plan.canonical(), chunks, say)) as coming:

@@ -49,7 +49,7 @@ class _Worker:
         self.process: SpawnProcess = context.Process(
             target=SERVED, args=(theirs, text, device), daemon=True, name="springback worker"
         )
-        with _single_threads(), _deaf():
+        with _single_threads(), _ctrl_c_blocked():
             self.process.start()
         theirs.close()
         self.chunk: Chunk | None = None
@@ -82,7 +82,7 @@ def _single_threads() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _deaf() -> Iterator[None]:
+def _ctrl_c_blocked() -> Iterator[None]:
     """Block Ctrl-C in child processes from their start; this process handles it afterwards."""
     if sys.platform == "win32":
         yield
@@ -153,7 +153,7 @@ def fly_locally(
                     answer = worker.line.recv()
                 except (EOFError, OSError):
                     crew.remove(worker)
-                    lost = _lost(worker, strikes, remark)
+                    lost = _record_loss(worker, strikes, remark)
                     if lost is None:
                         assert worker.chunk is not None
                         waiting.appendleft(worker.chunk)
@@ -179,7 +179,7 @@ def fly_locally(
             worker.end()
 
 
-def _lost(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp | None:
+def _record_loss(worker: _Worker, strikes: Counter[Chunk], remark: Remark) -> GivenUp | None:
     """Record the loss of a worker; returns its chunk if that is given up."""
     worker.end()
     pid, how, chunk = worker.process.pid, _ending(worker.process.exitcode), worker.chunk

@@ -144,11 +144,11 @@ class NearestFace(NamedTuple):
 @kernel
 def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Gap of one cage and one obstacle, eq. (13); arguments as for `cage_contact`."""
-    return faced(obstacle.shape, contact_point, radius, arm)
+    return nearest_face(obstacle.shape, contact_point, radius, arm)
 
 
 @generic
-def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
+def nearest_face(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Point of a cage nearest to a shape.
 
     Args:
@@ -157,24 +157,24 @@ def faced(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> Neares
         radius: r_0 [m].
         arm: Pose of the arm.
     """
-    return faced_twice(contact_point, shape, radius, arm).first
+    return nearest_faces(contact_point, shape, radius, arm).first
 
 
-@faced.register(Plane)
+@nearest_face.register(Plane)
 @kernel
-def _plane_faced(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
-    return faced_along_normal(shape, contact_point, radius, arm)
+def _plane_face(shape: Plane, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
+    return face_along_normal(shape, contact_point, radius, arm)
 
 
-@faced.register(SecondContact)
+@nearest_face.register(SecondContact)
 @kernel
-def _second_faced(
+def _second_face(
     shape: SecondContact, contact_point: Any, radius: float, arm: ArmPose
 ) -> NearestFace:
-    return faced_twice(contact_point, shape.shape, radius, arm).second
+    return nearest_faces(contact_point, shape.shape, radius, arm).second
 
 
-class FacedTwice(NamedTuple):
+class NearestFaces(NamedTuple):
     """The two points of a cage nearest to a shape; `FAR` away if there is no second."""
 
     first: NearestFace
@@ -182,17 +182,17 @@ class FacedTwice(NamedTuple):
 
 
 @generic
-def faced_twice(contact_point: Any, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
-    """The two points of a cage nearest to a shape that is not plane; arguments as for `faced`."""
+def nearest_faces(contact_point: Any, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
+    """The two points of a cage nearest to a shape that is not plane; see `nearest_face`."""
     raise TypeError(f"{type(contact_point).__name__} is not a contact point model")
 
 
-@faced_twice.register(Ring)
+@nearest_faces.register(Ring)
 @kernel
-def _ring_faced(model: Ring, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+def _ring_faces(model: Ring, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
     """The two lowest points of the ring, found by search; no rounding is needed."""
     found = lowest_on_ring(shape, arm.lever, radius, arm.direction)
-    return FacedTwice(
+    return NearestFaces(
         _at_low(shape, radius, arm.lever, found.first),
         _at_low(shape, radius, arm.lever, found.second),
     )
@@ -205,16 +205,16 @@ def _at_low(shape: Any, radius: float, centre: Vec, low: LowPoint) -> NearestFac
     return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
 
 
-@faced_twice.register(ArmTip)
+@nearest_faces.register(ArmTip)
 @kernel
-def _tip_faced(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+def _tip_faces(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
     """The single contact point of the paper."""
-    there = faced_along_normal(shape, model, radius, arm)
-    return FacedTwice(there, NearestFace(FAR, there.inward, there.at))
+    there = face_along_normal(shape, model, radius, arm)
+    return NearestFaces(there, NearestFace(FAR, there.inward, there.at))
 
 
 @kernel
-def faced_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
+def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Gap by eq. (13), along the normal at the end of the arm.
 
     The normal of a plane is the same everywhere.  That of a signed distance is constant along

@@ -11,12 +11,12 @@ from typing import Any
 
 from springback.contact.cage import (
     CageContact,
-    FacedTwice,
     NearestFace,
+    NearestFaces,
     Support,
     cage_contact_while,
     cage_gap,
-    faced_twice,
+    nearest_faces,
     support,
 )
 from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
@@ -33,13 +33,13 @@ def _sphere(hull: Sphere, inward: Vec, arm_direction: Vec, radius: float) -> Sup
     return Support(lever, lever, lever, 0.0)
 
 
-@faced_twice.register(Sphere)
+@nearest_faces.register(Sphere)
 @kernel
-def _sphere_faced(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> FacedTwice:
+def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
     """The single point at which a sphere touches a shape."""
     inward = -outward_normal(shape, arm.lever)
     gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
-    return FacedTwice(NearestFace(gap, inward, at), NearestFace(FAR, inward, at))
+    return NearestFaces(NearestFace(gap, inward, at), NearestFace(FAR, inward, at))
 
 
 @kernel

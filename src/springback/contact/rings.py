@@ -73,7 +73,7 @@ def _direction(x: float, y: float) -> Direction:
 
 
 @kernel
-def _turned(towards: Direction, by: Direction) -> Direction:
+def _rotate(towards: Direction, by: Direction) -> Direction:
     return Direction(towards.x * by.x - towards.y * by.y, towards.x * by.y + towards.y * by.x)
 
 
@@ -160,12 +160,12 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
     first, second, lowest = LowPoint(guess, FAR), LowPoint(guess, FAR), level.gap
     begin = Direction(1.0, 0.0)
     for _ in range(ARCS):
-        middle = _low(shape, centre, radius, _turned(begin, _HALF)).gap
+        middle = _low(shape, centre, radius, _rotate(begin, _HALF)).gap
         lowest = min(lowest, middle)
         if middle - REACH * radius <= max(lowest, 0.0):
             a, falls = begin, _rise(shape, centre, radius, begin)
             for _ in range(STEPS):
-                b = _turned(a, _STEP)
+                b = _rotate(a, _STEP)
                 rises = _rise(shape, centre, radius, b)
                 if falls < 0.0 <= rises:
                     turning = _turning(shape, centre, radius, a, b, falls, rises)
@@ -175,5 +175,5 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
                     elif found.gap < second.gap:
                         second = found
                 a, falls = b, rises
-        begin = _turned(begin, _ARC)
+        begin = _rotate(begin, _ARC)
     return LowPoints(first if first.gap < FAR else level, second)

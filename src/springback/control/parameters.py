@@ -17,7 +17,7 @@ from springback.control.rate import RateLaw
 from springback.kernels.tracing import sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, Unit
-from springback.sensing.measurement import Pace, paced
+from springback.sensing.measurement import Pace, task_pace
 from springback.settings import Settings, problem
 
 #: Fraction of the weight that the position loop always lifts, so that the direction of thrust is
@@ -227,9 +227,9 @@ class ControlSettings(Settings):
         """
         position = self._every("position_frequency", clock)
         return Schedule(
-            paced(position),
-            paced(self._every("attitude_frequency", clock)),
-            paced(self._every("rate_frequency", clock)),
+            task_pace(position),
+            task_pace(self._every("attitude_frequency", clock)),
+            task_pace(self._every("rate_frequency", clock)),
             self._delay(position, clock),
         )
 

@@ -156,7 +156,7 @@ def _still(arm: Arm) -> float:
 
 
 @rare_kernel
-def locked(airframe: Airframe, state: State) -> State:
+def locked_state(airframe: Airframe, state: State) -> State:
     """State after all arms have stopped at their present lengths.
 
     The velocity of the centre of mass and the angular momentum about it are conserved.  The kinetic

@@ -127,7 +127,7 @@ def dryden(intensity: Vec, scale: Vec, airspeed: float, tick: float, along: Vec)
 
 
 @kernel
-def shaped(f: Transverse, noise: float, memory: Shaped) -> Shaped:
+def shaped_noise(f: Transverse, noise: float, memory: Shaped) -> Shaped:
     """One tick of a transverse filter."""
     driven = f.decay * memory.driven + noise
     return Shaped(driven, f.decay * memory.value + f.now * driven + f.before * memory.driven)
@@ -203,6 +203,6 @@ def _no_gust(weather: NoGusts, noise: tuple[float, ...], memory: Any) -> Gust:
 @kernel
 def _dryden_gust(weather: Dryden, noise: tuple[float, ...], memory: GustMemory) -> Gust:
     u = weather.u.decay * memory.u + weather.u.now * noise[0]
-    v, w = shaped(weather.v, noise[1], memory.v), shaped(weather.w, noise[2], memory.w)
+    v, w = shaped_noise(weather.v, noise[1], memory.v), shaped_noise(weather.w, noise[2], memory.w)
     then = GustMemory(u, v, w)
     return Gust(gust_velocity(weather, then), then)

@@ -95,7 +95,9 @@ def _square_distance(met: CageContact) -> float:
 
 
 @kernel
-def hastened(rate: float, hull: HullState, mass: float, inverse: InverseInertia) -> float:
+def friction_rate_with_hull(
+    rate: float, hull: HullState, mass: float, inverse: InverseInertia
+) -> float:
     """Upper bound on the rate at which friction stops a part, hull and cages together [1/s].
 
     The largest eigenvalue of a sum is at most the sum of the largest eigenvalues, and that of the

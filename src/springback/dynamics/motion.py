@@ -42,7 +42,7 @@ from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull import HullView as HullView
-from springback.dynamics.hull import hastened, hull_slip_rate, hull_state
+from springback.dynamics.hull import friction_rate_with_hull, hull_slip_rate, hull_state
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
@@ -463,7 +463,7 @@ def rates_while(
         inertia, inverse,
     )  # fmt: skip
     stays = airframe.mass - sliding_mass.x - sliding_mass.y
-    friction_rate = fold(hastened, friction_rate, hull, (stays, inverse))
+    friction_rate = fold(friction_rate_with_hull, friction_rate, hull, (stays, inverse))
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     vertical = Vec(r.z.x, r.z.y, r.z.z)
     linear = solved.linear - world.gravity * vertical

@@ -74,7 +74,7 @@ def _part(arm: Arm, length: float, thrust: float) -> _Part:
 
 
 @kernel
-def as_one_body(
+def rigid_body(
     airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
 ) -> OneBody:
     """A vehicle with its arms locked at given lengths [m], under rotor thrusts [N]."""
@@ -132,7 +132,7 @@ class RigidStep(NamedTuple):
 
 
 @generic
-def flown_on(
+def rigid_step(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """One classical Runge–Kutta step.
@@ -145,14 +145,14 @@ def flown_on(
         x: Motion at the start of the step.
         h: Step [s].
     """
-    return stepped(guide, air, body, gravity, x, h)
+    return runge_kutta_step(guide, air, body, gravity, x, h)
 
 
 @kernel
-def stepped(
+def runge_kutta_step(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """One step of all integrated quantities under any load; arguments as for `flown_on`."""
+    """One step of all integrated quantities under any load; arguments as for `rigid_step`."""
     first = flight_rates(body, guide, air, gravity, x)
     second = flight_rates(body, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
     third = flight_rates(body, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
@@ -166,20 +166,20 @@ def stepped(
     return RigidStep(first, after)
 
 
-@flown_on.register(Free)
+@rigid_step.register(Free)
 @kernel
 def _flown_freely(
     guide: Free, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    return freely(air, guide, body, gravity, x, h)
+    return free_step(air, guide, body, gravity, x, h)
 
 
 @generic
-def freely(
+def free_step(
     air: Any, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
-    """Step as by `flown_on`, for a vehicle without constraint."""
-    return stepped(guide, air, body, gravity, x, h)
+    """Step as by `rigid_step`, for a vehicle without constraint."""
+    return runge_kutta_step(guide, air, body, gravity, x, h)
 
 
 class _Turning(NamedTuple):
@@ -219,7 +219,7 @@ def _stage(by: _Driven, x: _Turning, velocity: Vec) -> _Stage:
     return _Stage(_Turning(quaternion_rate(q, omega), angular), up, power)
 
 
-@freely.register(Still)
+@free_step.register(Still)
 @kernel
 def _freely_in_still_air(
     air: Still, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float

@@ -29,7 +29,7 @@ _BUILT_IN = (
 )
 
 
-class Unnamed(Exception):
+class UnsupportedGlobal(Exception):
     """A value without a digest."""
 
 
@@ -47,7 +47,7 @@ def frozen_digest(functions: Iterable[Any]) -> str | None:
     try:
         for function in functions:
             walk.value(function)
-    except (Unnamed, RecursionError):
+    except (UnsupportedGlobal, RecursionError):
         return None
     return walk.digest.hexdigest()
 
@@ -70,7 +70,7 @@ class _Walk:
         elif isinstance(value, np.ndarray | np.generic):
             array = np.asarray(value)
             if array.dtype.hasobject:
-                raise Unnamed
+                raise UnsupportedGlobal
             self._add("array", array.dtype.str, str(array.shape))
             self.digest.update(array.tobytes())
         elif id(value) in self._seen:
@@ -101,7 +101,7 @@ class _Walk:
         elif isinstance(value, _BUILT_IN):
             self._add("built in", str(getattr(value, "__module__", "")), value.__name__)
         else:
-            raise Unnamed
+            raise UnsupportedGlobal
 
     def _type(self, cls: type) -> None:
         self._add("type", cls.__module__, cls.__qualname__)

@@ -1,1 +1,1 @@
-"""After a collision: notice it, make out what it was, and fly away from it."""
+"""Collisions in flight: detection, characterisation, response, and their evaluation."""

@@ -17,7 +17,8 @@ from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import HOVER, LOOK, RECOVER, RecoveryState
-from springback.simulation.onboard import ContactReport, evaluator_step
+from springback.simulation.onboard import evaluator_step
+from springback.simulation.record import Contacts
 from springback.simulation.ticks import Group, contacts_of, evaluate, evaluate_lanes
 from springback.vehicle.state import State
 
@@ -135,14 +136,14 @@ def _evaluator_step(
     evaluator: Evaluator,
     time: float,
     state: State,
-    contacts: ContactReport,
+    contacts: Contacts,
     pilot: RecoveryPilotMemory,
     memory: EvaluatorMemory,
 ) -> EvaluatorMemory:
     m, p, recovery = memory, state.position, pilot.recovery_state
     r = rotation(state.attitude)
     pitch = pitch_of(Vec(r.x.z, r.y.z, r.z.z))
-    touches = contacts.contacts > m.contacts
+    touches = contacts.total > m.contacts
     # A new touch during a recovery belongs to it, and the robot has not come to rest after all.
     recovering = (recovery.phase > LOOK) & (recovery.phase < HOVER) & (m.runs > 0.5)
     begins = touches & (m.open < 0.5) & (not recovering)
@@ -151,13 +152,13 @@ def _evaluator_step(
     open_now = select(begins | again, 1.0, m.open)
     motion = EvaluatedMotion(time, state, pitch, contacts.touching, recovery)
     after = select(open_now > 0.5, _run_after(evaluator, motion, m.position, run), run)
-    new_contacts = select(touches, contacts.contacts - m.contacts, 0.0)
+    new_contacts = select(touches, contacts.total - m.contacts, 0.0)
     after = replace(after, contacts=after.contacts + new_contacts)
     settles = (open_now > 0.5) & (after.settled >= 0.0)
     alarm = recovery.log.alarm
     caused = (open_now > 0.5) | _is_recent(contacts, time)
     return EvaluatorMemory(
-        contacts=contacts.contacts,
+        contacts=contacts.total,
         open=select(settles, 0.0, open_now),
         position=p,
         run=after,
@@ -177,7 +178,7 @@ def _evaluate(evaluator: TreeLayout, group: Group) -> None:
     memory, recovery = avionics.onboard.evaluator, avionics.onboard.pilot.recovery_state
     running = 0
     for i in range(w * once):
-        contacts, is_open = contacts_of(group, i).contacts, load(memory.open, g, w, i) > 0.5
+        contacts, is_open = contacts_of(group, i).total, load(memory.open, g, w, i) > 0.5
         running += 1 if is_open | (contacts > load(memory.contacts, g, w, i)) else 0
     for i in range(w * once if running == 0 else 0):
         time, m = tick * load(avionics.systems.period, g, w, i), load(memory, g, w, i)
@@ -195,14 +196,14 @@ def _false_alarms(m: EvaluatorMemory, alarm: float, caused: bool) -> float:
 
 
 @kernel
-def _is_recent(contacts: ContactReport, time: float) -> bool:
+def _is_recent(contacts: Contacts, time: float) -> bool:
     """True if the last contact is under way or just over, so that it may cause an alarm."""
-    return (contacts.last >= 0.0) & (time - contacts.last < LINGERING)
+    return (contacts.last_touch_time >= 0.0) & (time - contacts.last_touch_time < LINGERING)
 
 
 @kernel
 def between_runs(
-    time: float, position: Vec, alarm: float, contacts: ContactReport, m: EvaluatorMemory
+    time: float, position: Vec, alarm: float, contacts: Contacts, m: EvaluatorMemory
 ) -> EvaluatorMemory:
     """Memory of the evaluator after a tick without a run."""
     return replace(

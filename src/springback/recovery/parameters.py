@@ -34,7 +34,7 @@ class TriggerSettings(Settings):
     """Settings that all triggers have."""
 
     used: bool | None = None
-    """Whether it raises the alarm; by default `hall` does if an arm can slide, `acceleration` if
+    """True if it raises the alarm; by default `hall` does if an arm can slide, `acceleration` if
     none can, as on the paper's robots.  The signals of the others are recorded all the same."""
     persistence: Samples = 1
     """Consecutive samples above the threshold.  Chosen: one, as in McGill's flight code."""
@@ -132,7 +132,7 @@ class Looking(Settings):
     share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
     """An arm in front was hit if its compression is this share of the largest. Chosen."""
     level: bool = True
-    """Whether obstacles are upright, so that f_c⁰ is level, as all of the paper's are."""
+    """True if obstacles are upright, as all of the paper's are, so that f_c⁰ is level."""
 
 
 class Answering(Settings):
@@ -217,7 +217,7 @@ class RecoverySettings(Settings):
     response: Answering = Answering()
     settling: Settling = Settling()
     returns: bool = True
-    """Whether to fly home from p_r."""
+    """True if the robot flies home from p_r; else it stays there."""
     home: Annotated[Triple, Unit("m")] | None = None
     """Position to return to; by default the scenario's start."""
     home_speed: Speed = 1.0

@@ -99,7 +99,7 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
         memory: `RecoveryPilotMemory` of columns.
     """
     run, hit, d = seen.run, memory.collision, memory.detection
-    first, log = record.touch_time, memory.recovery_state.log
+    first, log = record.first_impact.touch_time, memory.recovery_state.log
     # The record knows first touch exactly; the evaluator, for later runs, to a tick.
     touch = np.where(seen.runs == 1.0, first, run.touch)
     happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
@@ -124,10 +124,10 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
         "nose_up": where(happened, run.nose_up),
         "nose_down": where(happened, run.nose_down),
         "position_error": where(noticed, np.sqrt(gap @ gap)),
-        "direction_error": _between(hit.direction, record.inward),
-        "arms_direction_error": _between(hit.by_arms, record.inward),
-        "acceleration_direction_error": _between(hit.by_acceleration, record.inward),
-        "wrench_direction_error": _between(hit.by_wrench, record.inward),
+        "direction_error": _between(hit.direction, record.first_impact.inward),
+        "arms_direction_error": _between(hit.by_arms, record.first_impact.inward),
+        "acceleration_direction_error": _between(hit.by_acceleration, record.first_impact.inward),
+        "wrench_direction_error": _between(hit.by_wrench, record.first_impact.inward),
         "intensity": where(noticed, hit.intensity),
     }
 

@@ -37,31 +37,30 @@ def merge(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
     return result
 
 
-def vehicle_table(given: Any) -> Any:
-    """A raw vehicle, its preset replaced by its values."""
+def _preset_of(
+    given: Any, kind: str, known: Mapping[str, Any]
+) -> tuple[Any, dict[str, Any]] | None:
+    """The preset that a raw table names, and the table's other keys; None if it names none."""
     table = {"preset": given} if isinstance(given, str) else given
     if not isinstance(table, Mapping) or "preset" not in table:
-        return given
-    known = {name: entry.vehicle for name, entry in VEHICLES.items()}
-    with within(*_key_of_preset(given)):
-        base = preset("vehicle", str(table["preset"]), known)
-    own = {key: value for key, value in table.items() if key != "preset"}
-    return merge(base.model_dump(), own)
+        return None
+    with within(*(() if isinstance(given, str) else ("preset",))):
+        base = preset(kind, str(table["preset"]), known)
+    return base, {key: value for key, value in table.items() if key != "preset"}
 
 
-def _key_of_preset(given: Any) -> tuple[str, ...]:
-    """Key of the name of a preset: in a table, or in the table's place."""
-    return () if isinstance(given, str) else ("preset",)
+def vehicle_table(given: Any) -> Any:
+    """A raw vehicle, its preset replaced by its values."""
+    found = _preset_of(given, "vehicle", VEHICLES)
+    return given if found is None else merge(found[0].vehicle.model_dump(), found[1])
 
 
 def surface_table(given: Any) -> Any:
     """A raw surface, its preset replaced by its values."""
-    table = {"preset": given} if isinstance(given, str) else given
-    if not isinstance(table, Mapping) or "preset" not in table:
+    found = _preset_of(given, "surface", SURFACES)
+    if found is None:
         return given
-    with within(*_key_of_preset(given)):
-        base = preset("surface", str(table["preset"]), SURFACES).model_dump(exclude_none=True)
-    own = {key: value for key, value in table.items() if key != "preset"}
+    base, own = found[0].model_dump(exclude_none=True), found[1]
     if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
         base.pop("restitution", None)
         base.pop("restitution_speed", None)
@@ -72,11 +71,8 @@ def surface_table(given: Any) -> Any:
 
 def estimator_table(given: Any) -> Any:
     """A raw estimator, its preset replaced by its values."""
-    table = {"preset": given} if isinstance(given, str) else given
-    if not isinstance(table, Mapping) or "preset" not in table:
-        return given
-    base = preset("estimator", str(table["preset"]), ESTIMATORS).model_dump(exclude_unset=True)
-    return merge(base, {key: value for key, value in table.items() if key != "preset"})
+    found = _preset_of(given, "estimator", ESTIMATORS)
+    return given if found is None else merge(found[0].model_dump(exclude_unset=True), found[1])
 
 
 def obstacle_table(entry: Any) -> Any:

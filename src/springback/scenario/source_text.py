@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import stat
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -54,15 +55,7 @@ def toml_tables(text: str, name: str) -> dict[str, Any]:
     Raises:
         InputError: If it is not TOML, or too deep.
     """
-    try:
-        tables = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{name}: is not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{name}: {_too_deep()}") from None
-    except ValueError as error:  # an integer of thousands of digits, an invalid date
-        raise InputError(f"{name}: is not TOML: {str(error).partition(';')[0]}") from None
-    check_depth(tables, name)
+    tables: dict[str, Any] = _parse(tomllib.loads, "TOML", text, name)
     return tables
 
 
@@ -76,17 +69,21 @@ def json_tables(text: str, name: str) -> dict[str, Any]:
     Raises:
         InputError: If it is not JSON, not an object, or too deep.
     """
-    try:
-        found = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise InputError(f"{name}: is not JSON: {error}") from None
-    except RecursionError:
-        raise InputError(f"{name}: {_too_deep()}") from None
-    except ValueError as error:
-        raise InputError(f"{name}: is not JSON: {str(error).partition(';')[0]}") from None
+    found = _parse(json.loads, "JSON", text, name)
     if not isinstance(found, dict):
         raise InputError(f"{name}: must be an object of JSON (got a {type(found).__name__})")
-    check_depth(found, name)
+    return found
+
+
+def _parse(parse: Callable[[str], Any], language: str, text: str, name: str) -> Any:
+    try:
+        found = parse(text)
+    except RecursionError:
+        raise InputError(f"{name}: {_too_deep()}") from None
+    except ValueError as error:  # a syntax error, an integer of thousands of digits, a wrong date
+        raise InputError(f"{name}: is not {language}: {str(error).partition(';')[0]}") from None
+    if isinstance(found, dict):
+        check_depth(found, name)
     return found
 
 

@@ -18,7 +18,7 @@ from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
 from springback.kernels.vectors import within
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Truth, due
-from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.sensing.memory import Line, Nothing, arriving, constant_line, push
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
@@ -118,7 +118,7 @@ def output(sensors: HallSensors, compression: float) -> float:
 
 
 @kernel
-def counted(sensors: HallSensors, voltage: float) -> float:
+def word_of(sensors: HallSensors, voltage: float) -> float:
     """Converter output for a voltage, an integer from 0 to counts − 1."""
     low = voltage if voltage > sensors.lowest else sensors.lowest
     inside = low if low < sensors.highest else sensors.highest
@@ -131,7 +131,7 @@ def counted(sensors: HallSensors, voltage: float) -> float:
 
 
 @kernel
-def calibrated(sensors: HallSensors, span: Span, word: float) -> float:
+def calibrated_length(sensors: HallSensors, span: Span, word: float) -> float:
     """Arm length for a converter output [m].
 
     The voltage decreases monotonically with compression, and has no inverse in closed form: so the
@@ -223,12 +223,12 @@ def _sensed(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> Ar
 @kernel
 def _entered(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
     """One arm with the converter's output for that voltage in transit."""
-    word = counted(sensors, m.output + sensors.noise * normal)
-    return ArmMemory(entered(m.line, word), m.word, m.length, m.sampled, m.output)
+    word = word_of(sensors, m.output + sensors.noise * normal)
+    return ArmMemory(push(m.line, word), m.word, m.length, m.sampled, m.output)
 
 
 @kernel
-def _moved(m: ArmMemory, length: float) -> float:
+def _has_moved(m: ArmMemory, length: float) -> float:
     """Flag, 1 if the length of an arm has changed since its last sample."""
     return select(m.sampled == length, 0.0, 1.0)
 
@@ -238,12 +238,12 @@ def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
     """One arm at a tick at which a sample arrives."""
     word = arriving(m.line, sensors.delay, sensors.every.ticks)
     # The search takes longer than all else here, and an arm at rest repeats its output.
-    length = m.length if word == m.word else calibrated(sensors, span, word)
+    length = m.length if word == m.word else calibrated_length(sensors, span, word)
     return ArmMemory(m.line, word, length, m.sampled, m.output)
 
 
 @kernel
-def _renewed(m: ArmMemory, sensors: HallSensors) -> float:
+def _is_new(m: ArmMemory, sensors: HallSensors) -> float:
     """Flag, 1 if the arriving sample differs from the last."""
     return select(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
 
@@ -312,7 +312,7 @@ def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> No
         store(select(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
         arms, lengths = load(memory, g, w, i), state_of(group, i).arm_length
-        moved += 1 if maximum(tree_map(_moved, (arms, lengths), ())) > 0.5 else 0
+        moved += 1 if maximum(tree_map(_has_moved, (arms, lengths), ())) > 0.5 else 0
     for i in range(w * once if moved > 0 else 0):  # roots are expensive, and arms seldom move
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         lengths = state_of(group, i).arm_length
@@ -325,13 +325,13 @@ def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> No
         store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
-        changed = maximum(tree_map(_renewed, (arms,), (sensors,)))
+        changed = maximum(tree_map(_is_new, (arms,), (sensors,)))
         renewed += 1 if _delivering(sensors, tick) & (changed > 0.5) else 0
     for i in range(w * once if tick < 0.5 else 0):
         store(field_of(load(memory, g, w, i), "length"), seen.arm_length, g, w, i)
     for i in range(w if renewed > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
-        changed = maximum(tree_map(_renewed, (arms,), (sensors,)))
+        changed = maximum(tree_map(_is_new, (arms,), (sensors,)))
         if _delivering(sensors, tick) and changed > 0.5:
             arms = tree_map(_delivered, (sensors.spans, arms), (sensors,))
             store(arms, memory, g, w, i)
@@ -366,7 +366,7 @@ def _(device: HallSensors, start: State) -> Rarely:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
         voltage = output(device, span.free - length)
-        word = counted(device, voltage)
-        known = calibrated(device, span, word)
-        arms.append(ArmMemory(filled(word), word, known, length, voltage))
+        word = word_of(device, voltage)
+        known = calibrated_length(device, span, word)
+        arms.append(ArmMemory(constant_line(word), word, known, length, voltage))
     return Rarely(0.0, HallMemory(tuple(arms)))

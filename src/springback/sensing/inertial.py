@@ -15,7 +15,7 @@ from springback.kernels.angles import nearest_integer
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import ZERO, Quat, Vec, renormalise, rotation
 from springback.sensing.clock import draws
-from springback.sensing.measurement import Inertial, Pace, Truth, due, paced
+from springback.sensing.measurement import Inertial, Pace, Truth, due, task_pace
 from springback.sensing.memory import Nothing
 from springback.simulation.onboard import Draw
 from springback.vehicle.state import State
@@ -23,7 +23,7 @@ from springback.vehicle.state import State
 #: Ticks between steps of a random-walk bias (chosen): at 1 kHz the accelerometer of EuRoC has then
 #: moved 3e-4 m/s², a sixteenth of a count of 16 bits for ± 16 g.
 WALK_EVERY = 10.0
-_WALK = paced(WALK_EVERY)
+_WALK = task_pace(WALK_EVERY)
 
 
 class PerfectInertial(NamedTuple):
@@ -154,7 +154,7 @@ def per_tick(density: float, walk: float, bandwidth: float, duration: float) -> 
 
 
 @kernel
-def clipped(x: float, channel: Channel) -> float:
+def clip(x: float, channel: Channel) -> float:
     """Clamp a component to the range."""
     top = channel.full_scale - channel.step
     low = x if x > -channel.full_scale else -channel.full_scale
@@ -162,13 +162,13 @@ def clipped(x: float, channel: Channel) -> float:
 
 
 @kernel
-def quantised(x: float, step: float) -> float:
+def quantise(x: float, step: float) -> float:
     """Multiple of ``step`` nearest to a component."""
     return step * nearest_integer(x * (1.0 / step))
 
 
 @kernel
-def converted(
+def conversion(
     channel: Channel, true: Vec, white: Vec, walk: Vec, memory: ChannelMemory
 ) -> ChannelMemory:
     """One conversion: bias, noise, clipping, low-pass.
@@ -182,7 +182,7 @@ def converted(
     """
     drift = memory.drift + channel.drift * walk
     raw = true + channel.bias + drift + channel.noise * white
-    inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
+    inside = Vec(clip(raw.x, channel), clip(raw.y, channel), clip(raw.z, channel))
     return ChannelMemory(memory.smooth + channel.smoothing * (inside - memory.smooth), drift)
 
 
@@ -190,7 +190,7 @@ def converted(
 def digital_word(channel: Channel, memory: ChannelMemory) -> Vec:
     """Digital output of each axis, in its unit."""
     v, step = memory.smooth, channel.step
-    return Vec(quantised(v.x, step), quantised(v.y, step), quantised(v.z, step))
+    return Vec(quantise(v.x, step), quantise(v.y, step), quantise(v.z, step))
 
 
 @generic
@@ -229,8 +229,8 @@ def _converted_sample(
     a, g = device.accelerometer, device.gyroscope
     steps = 1.0 if due(tick, _WALK) else 0.0
     walk_a, walk_g = steps * noise.acceleration_drift, steps * noise.rotation_drift
-    inner_a = converted(a, force, noise.acceleration, walk_a, memory.accelerometer)
-    inner_g = converted(g, omega, noise.rotation, walk_g, memory.gyroscope)
+    inner_a = conversion(a, force, noise.acceleration, walk_a, memory.accelerometer)
+    inner_g = conversion(g, omega, noise.rotation, walk_g, memory.gyroscope)
 
     speaks = due(tick, device.every)
     said_a = digital_word(a, inner_a) if speaks else memory.specific_force
@@ -272,14 +272,14 @@ def _(device: InertialUnit, start: State, gravity: float) -> InertialMemory:
     force = gravity * rotation(start.attitude).z  # at rest, Rᵀ g e_Z ...
     if any(omega):
         force = force + (omega ^ (omega ^ device.offset))  # ... and in steady rotation
-    a, g = _settled(device.accelerometer, force), _settled(device.gyroscope, omega)
+    a, g = _steady_channel(device.accelerometer, force), _steady_channel(device.gyroscope, omega)
     return InertialMemory(
         a, g, digital_word(device.accelerometer, a), digital_word(device.gyroscope, g)
     )
 
 
-def _settled(channel: Channel, true: Vec) -> ChannelMemory:
+def _steady_channel(channel: Channel, true: Vec) -> ChannelMemory:
     """Memory of a channel that has settled at a constant input, without noise."""
     raw = true + channel.bias
-    inside = Vec(clipped(raw.x, channel), clipped(raw.y, channel), clipped(raw.z, channel))
+    inside = Vec(clip(raw.x, channel), clip(raw.y, channel), clip(raw.z, channel))
     return ChannelMemory(inside, ZERO)

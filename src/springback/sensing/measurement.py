@@ -61,7 +61,7 @@ class Pace(NamedTuple):
     share: float  # 1/ticks, stored: a division would take longer than the rest of `due`
 
 
-def paced(ticks: float) -> Pace:
+def task_pace(ticks: float) -> Pace:
     """Pace of a task with a period in ticks."""
     return Pace(ticks, 1.0 / ticks)
 
@@ -105,7 +105,7 @@ class EstimatorStep(NamedTuple):
 
 
 @generic
-def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
+def update(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
     """Estimate from a measurement.
 
     Args:
@@ -114,7 +114,7 @@ def estimated(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Es
         seen: The measurement.
         memory: Memory of the estimator; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(estimator).__name__} is not an estimator; register estimated for it")
+    raise TypeError(f"{type(estimator).__name__} is not an estimator; register update for it")
 
 
 @generic
@@ -139,6 +139,6 @@ def believe(
     _, g, w, _, _ = lanes
     for i in range(w):
         said, remembered = load(seen, g, w, i), load(memory, g, w, i)
-        known = estimated(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)
+        known = update(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)
         store(known.estimate, estimate, g, w, i)
         store(known.memory, memory, g, w, i)

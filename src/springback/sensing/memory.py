@@ -28,13 +28,13 @@ class Line(NamedTuple):
     fifth: Any
 
 
-def filled(sample: Any) -> Line:
+def constant_line(sample: Any) -> Line:
     """A line in which all samples are equal."""
     return Line(sample, sample, sample, sample, sample)
 
 
 @kernel
-def entered(line: Line, sample: Any) -> Line:
+def push(line: Line, sample: Any) -> Line:
     """The line with a new sample in front; the oldest is dropped."""
     return Line(sample, line.newest, line.second, line.third, line.fourth)
 

@@ -11,7 +11,7 @@ from springback.kernels.trees import Rarely, select
 from springback.kernels.vectors import Quat, Vec, normalise, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
-from springback.sensing.memory import Line, Nothing, arriving, entered, filled
+from springback.sensing.memory import Line, Nothing, arriving, constant_line, push
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
@@ -65,7 +65,7 @@ class MotionCaptureMemory(NamedTuple):
     taken_at: float  # tick of exposure of the last that arrived
 
 
-class Captured(NamedTuple):
+class CaptureStep(NamedTuple):
     """A pose, and the memory of the device."""
 
     pose: Pose
@@ -73,9 +73,9 @@ class Captured(NamedTuple):
 
 
 @generic
-def captured(
+def pose_of(
     device: Any, tick: float, truth: Truth, noise: MotionCaptureNoise, memory: Any
-) -> Captured:
+) -> CaptureStep:
     """Output of motion capture at a tick.
 
     Args:
@@ -85,10 +85,10 @@ def captured(
         noise: Independent standard normal numbers.
         memory: Memory of the device.
     """
-    raise TypeError(f"{type(device).__name__} is not motion capture; register captured for it")
+    raise TypeError(f"{type(device).__name__} is not motion capture; register pose_of for it")
 
 
-@captured.register(PerfectMotionCapture)
+@pose_of.register(PerfectMotionCapture)
 @kernel
 def _perfect(
     device: PerfectMotionCapture,
@@ -96,12 +96,12 @@ def _perfect(
     truth: Truth,
     noise: MotionCaptureNoise,
     memory: Nothing,
-) -> Captured:
-    return Captured(Pose(truth.now.position, truth.now.attitude, 1.0, 0.0), memory)
+) -> CaptureStep:
+    return CaptureStep(Pose(truth.now.position, truth.now.attitude, 1.0, 0.0), memory)
 
 
 @kernel
-def turned(attitude: Quat, angles: Vec) -> Quat:
+def rotate_by(attitude: Quat, angles: Vec) -> Quat:
     """Attitude rotated by a small rotation vector in body axes [rad].
 
     q + ½ q ⊗ (0, θ), normalised, is a rotation by 2 atan(|θ|/2), less than |θ| by |θ|³/12.
@@ -125,7 +125,7 @@ def _exposed(
 ) -> Exposure:
     """Exposure at a state; ``lost`` is 1 if the last sample was lost."""
     position = state.position + device.position_noise * noise.position
-    attitude = turned(state.attitude, device.attitude_noise * noise.attitude)
+    attitude = rotate_by(state.attitude, device.attitude_noise * noise.attitude)
     return Exposure(position, attitude, 1.0 - _lost(device, lost, noise.loss))
 
 
@@ -143,17 +143,17 @@ def _delivering(device: MotionCapture, tick: float) -> bool:
 @kernel
 def _delivered(
     device: MotionCapture, tick: float, period: float, m: MotionCaptureMemory
-) -> Captured:
+) -> CaptureStep:
     """Pose at a tick, after its exposure, with a sample that may arrive."""
     arrived = arriving(m.line, device.delay, device.every.ticks)
     fresh = select(_delivering(device, tick), arrived.seen, 0.0)
     last = select(fresh > 0.5, arrived, m.last)
     taken_at = select(fresh > 0.5, tick - device.delay, m.taken_at)
     pose = Pose(last.position, last.attitude, fresh, (tick - taken_at) * period)
-    return Captured(pose, MotionCaptureMemory(m.line, m.lost, last, taken_at))
+    return CaptureStep(pose, MotionCaptureMemory(m.line, m.lost, last, taken_at))
 
 
-@captured.register(MotionCapture)
+@pose_of.register(MotionCapture)
 @kernel
 def _captured(
     device: MotionCapture,
@@ -161,15 +161,15 @@ def _captured(
     truth: Truth,
     noise: MotionCaptureNoise,
     memory: Rarely,
-) -> Captured:
+) -> CaptureStep:
     m, exposing = memory.tree, _exposing(device, tick)
     sample = _exposed(device, truth.now, noise, m.lost)
-    line = select(exposing, entered(m.line, sample), m.line)
+    line = select(exposing, push(m.line, sample), m.line)
     lost = select(exposing, 1.0 - sample.seen, m.lost)
     after = MotionCaptureMemory(line, lost, m.last, m.taken_at)
     got_now = _delivered(device, tick, truth.duration, after)
     new = select(exposing | _delivering(device, tick), 1.0, 0.0)
-    return Captured(got_now.pose, Rarely(new, got_now.memory))
+    return CaptureStep(got_now.pose, Rarely(new, got_now.memory))
 
 
 @generic
@@ -192,7 +192,7 @@ def _capture_lanes(device: TreeLayout, group: Group, noise: TickNoise) -> None:
     for i in range(w * once):
         drawn = noise_of(load(noise.channels, noise.drawn, w, i))
         truth, before = truth_of(group, i), load(memory, g, w, i)
-        posed = captured(load(device, g, w, i), tick, truth, drawn, before)
+        posed = pose_of(load(device, g, w, i), tick, truth, drawn, before)
         store(posed.pose, pose, g, w, i)
         store(posed.memory, memory, g, w, i)
 
@@ -200,7 +200,7 @@ def _capture_lanes(device: TreeLayout, group: Group, noise: TickNoise) -> None:
 @capture.register(MotionCapture)
 @kernel
 def _capture_at_times(device: TreeLayout, group: Group, noise: TickNoise) -> None:
-    """Batch version of `captured`; between exposures and arrivals the last pose only ages."""
+    """Batch version of `pose_of`; between exposures and arrivals the last pose only ages."""
     avionics, g, w, once, tick = group.lanes
     memory, pose = avionics.onboard.sensors.motion_capture.tree, avionics.onboard.measurement.pose
     exposing, delivering, line = 0, 0, memory.line
@@ -212,7 +212,7 @@ def _capture_at_times(device: TreeLayout, group: Group, noise: TickNoise) -> Non
         store((tick - load(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
         now, before = _exposing(load(device, g, w, i), tick), load(line, g, w, i)
-        store(select(now, entered(before, before.newest), before), line, g, w, i)
+        store(select(now, push(before, before.newest), before), line, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
         camera, drawn = load(device, g, w, i), noise_of(load(noise.channels, noise.drawn, w, i))
         lost, before = load(memory.lost, g, w, i), load(line.newest, g, w, i)
@@ -253,4 +253,4 @@ def motion_capture_at_start(device: Any, start: State) -> Any:
 @motion_capture_at_start.register
 def _(device: MotionCapture, start: State) -> Rarely:
     exposure = Exposure(start.position, start.attitude, 1.0)
-    return Rarely(0.0, MotionCaptureMemory(filled(exposure), 0.0, exposure, 0.0))
+    return Rarely(0.0, MotionCaptureMemory(constant_line(exposure), 0.0, exposure, 0.0))

@@ -23,7 +23,7 @@ from springback.sensing.hall import (
     slope,
 )
 from springback.sensing.inertial import Channel, InertialUnit, PerfectInertial, per_tick
-from springback.sensing.measurement import paced
+from springback.sensing.measurement import task_pace
 from springback.sensing.motion_capture import MotionCapture, PerfectMotionCapture
 from springback.sensing.sensors import Sensors
 from springback.settings import Settings, naming, problem
@@ -80,7 +80,7 @@ class MotionCaptureSettings(Settings):
         with naming("delay"):
             delay = lateness(self.delay, every, tick)
         return MotionCapture(
-            every=paced(every),
+            every=task_pace(every),
             delay=delay,
             position_noise=self.position_noise,
             attitude_noise=self.attitude_noise,
@@ -179,7 +179,7 @@ class InertialSettings(Settings):
             every = period(self.rate, tick)
         return InertialUnit(
             offset,
-            paced(every),
+            task_pace(every),
             self.accelerometer.channel(tick, normals[0]),
             self.gyroscope.channel(tick, normals[1]),
         )
@@ -267,7 +267,7 @@ class HallSettings(Settings):
             noise=self.noise,
             supply=self.supply,
             counts=float(2**self.bits),
-            every=paced(every),
+            every=task_pace(every),
             delay=delay,
             spans=tuple(spans),
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.sensing.measurement import EstimatorStep, Measurement, estimated
+from springback.sensing.measurement import EstimatorStep, Measurement, update
 
 
 class PerfectState(NamedTuple):
@@ -20,7 +20,7 @@ class PerfectMemory(NamedTuple):
     unused: float
 
 
-@estimated.register(PerfectState)
+@update.register(PerfectState)
 @kernel
 def _perfect(
     estimator: PerfectState, tick: float, seen: Measurement, memory: PerfectMemory

@@ -12,7 +12,7 @@ from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
 from springback.sensing.inertial import InertialNoise, inertial_at_start, inertial_sample
 from springback.sensing.measurement import Estimate, Measurement, SensorStep, Truth, sensor_step
-from springback.sensing.motion_capture import capture, captured, motion_capture_at_start, noise_of
+from springback.sensing.motion_capture import capture, motion_capture_at_start, noise_of, pose_of
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import Group, TickNoise, look, state_of, truth_of
 from springback.vehicle.state import State
@@ -90,7 +90,7 @@ def _arms_at_start(device: Any, lengths: tuple[float, ...]) -> Any:
 
 
 @kernel
-def revealed(state: State, reveal: float) -> Estimate:
+def exact_estimate(state: State, reveal: float) -> Estimate:
     """Exact motion, or zeros if ``reveal`` is 0."""
     q, s = state.attitude, reveal
     attitude = Quat(s * q.w, s * q.x, s * q.y, s * q.z)
@@ -110,11 +110,11 @@ def _inertial_noise(noise: tuple[float, ...]) -> InertialNoise:
 def _sensor_step(
     sensors: Sensors, tick: float, truth: Truth, noise: tuple[float, ...], memory: SensorsMemory
 ) -> SensorStep:
-    posed = captured(sensors.motion_capture, tick, truth, noise_of(noise), memory.motion_capture)
+    posed = pose_of(sensors.motion_capture, tick, truth, noise_of(noise), memory.motion_capture)
     moved = inertial_sample(sensors.inertial, tick, truth, _inertial_noise(noise), memory.inertial)
     arms = arms_read(sensors.arm_length, tick, truth, noise[19:], memory.arm_length)
 
-    exact = revealed(truth.now, sensors.reveal)
+    exact = exact_estimate(truth.now, sensors.reveal)
     measurement = Measurement(moved.inertial, posed.pose, arms.length, arms.fresh, exact)
     return SensorStep(measurement, SensorsMemory(posed.memory, moved.memory, arms.memory))
 
@@ -135,7 +135,7 @@ def _look(sensors: TreeLayout, group: Group, noise: TickNoise) -> None:
         revealing += 1 if load(sensors.reveal, g, w, i) > 0.0 else 0
     for i in range(w * once if revealing > 0 else 0):  # otherwise zeros are there
         state, reveal = state_of(group, i), load(sensors.reveal, g, w, i)
-        store(revealed(state, reveal), seen.exact, g, w, i)
+        store(exact_estimate(state, reveal), seen.exact, g, w, i)
     arms = seen.arm_length
     own = TickNoise(arms, noise.drawn, rows(noise.channels) - rows(arms))
     read_arms(sensors.arm_length, group, own)

@@ -1,1 +1,1 @@
-"""Let it happen: the hybrid flight, step by step, and what is remembered of it."""
+"""Flights: the loop over steps and ticks, lanes, records and measures."""

@@ -1,19 +1,20 @@
-"""The loop: Runge–Kutta steps of many flights abreast, or of one.
+"""The loop over steps: Runge–Kutta steps of many flights in lanes, or of one.
 
-One function serves all executors.  Compiled with 8 lanes it flies 8 flights in the registers of
-the vector unit; with one lane it is the single flight; uncompiled it is plain Python.  The number
-of lanes is the length of a tuple, so the compiler knows it.
+One function serves all executors.  Compiled with 8 lanes, it flies 8 flights in the registers of
+the vector unit; with one lane it flies a single flight; not compiled, it is plain Python.  The
+number of lanes is the length of a tuple, so that the compiler knows it.
 
-What lies where, and how flights change lanes, is told in `springback.simulation.lanes`.
+The layout of the buffers and the swaps of flights between lanes are in
+`springback.simulation.lanes`.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from springback.contact.obstacles import Forces, Impulses, Obstacle, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
-from springback.dynamics.energy import energy, locked
+from springback.dynamics.energy import energy, locked_state
 from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import (
     ArmView,
@@ -25,7 +26,7 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
-from springback.dynamics.rigid import RigidRates, RigidState, as_one_body, flown_on
+from springback.dynamics.rigid import RigidRates, RigidState, rigid_body, rigid_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import axpy, axpy_strictly, replace, select, square, tree_map
@@ -48,13 +49,13 @@ from springback.simulation.record import (
     NOT_FINITE,
     NOTHING,
     Model,
-    cruised_past,
-    looked_about,
-    observed,
+    clearance_check,
+    record_after,
+    record_after_cruise,
 )
 from springback.vehicle.state import Airframe, Arm, Sphere, State
 
-#: A flight whose squared coordinates and speeds add up to more than this has diverged.
+#: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
 
 # Classical Runge–Kutta, x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄): stage i is taken at x + REACH[i] h kᵢ₋₁.
@@ -64,10 +65,10 @@ SIXTH = 1.0 / 6.0
 
 
 @rare_kernel
-def settled(model: Model, motion: Motion) -> Motion:
-    """The motion with its arms locked where they are, the energy lost booked as settling."""
+def settled_motion(model: Model, motion: Motion) -> Motion:
+    """Motion with the arms locked where they are; the lost energy is booked as settling."""
     before = energy(model.airframe, model.world, model.contact_point, motion.state)
-    state = locked(model.airframe, motion.state)
+    state = locked_state(model.airframe, motion.state)
     after = energy(model.airframe, model.world, model.contact_point, state)
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
@@ -76,22 +77,24 @@ def settled(model: Model, motion: Motion) -> Motion:
 
 
 @generic
-def answered(laws: Forces | Impulses, model: Model, motion: Motion, request: float) -> Motion:
-    """The motion after a rare event: settled arms are locked; impulses where a surface has them."""
-    return settled(model, motion)
+def motion_after_event(
+    laws: Forces | Impulses, model: Model, motion: Motion, request: float
+) -> Motion:
+    """Motion after a rare event: settled arms are locked, impulses of surfaces applied."""
+    return settled_motion(model, motion)
 
 
-@answered.register(Impulses)
+@motion_after_event.register(Impulses)
 @rare_kernel
-def _answered_with_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
+def _motion_after_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
     if request == APPLY_IMPULSE:
         return apply_impulses(model.airframe, model.world, model.contact_point, motion)
-    return settled(model, motion)
+    return settled_motion(model, motion)
 
 
 @kernel
 def rates_of(model: Model, state: State, phase: float) -> Rates:
-    """Rates of one flight; its arms are free to slide during an impact, or always."""
+    """Rates of one flight; its arms can slide during an impact, or always."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
     return rates(
         model.airframe,
@@ -107,7 +110,7 @@ def rates_of(model: Model, state: State, phase: float) -> Rates:
 
 @kernel
 def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> Rates:
-    """`rates_of` within a step: contact is on where it was at the beginning of the step."""
+    """`rates_of` within a step, with the contacts of its beginning."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
     return rates_while(
         model.airframe,
@@ -123,15 +126,15 @@ def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> 
 
 
 @kernel
-def first_stage(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """Begin a step: every lane is measured, its step chosen, its rates known."""
+def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
+    """Begin a step of each lane: its first stage, the record, and the length of the step."""
     at = places(shape, w)
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
-        known = rates_of(model, motion.state, record.phase)
-        write(observed(model, motion, known.seen, record), b, at.record, w, i)
+        known = rates_of(model, motion.state, record.stepping.phase)
+        write(record_after(model, motion, known.seen, record), b, at.record, w, i)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged
@@ -140,10 +143,10 @@ def first_stage(shape: TreeLayout, b: Buffer, w: int) -> None:
 
 @kernel
 def hull_touches(shape: TreeLayout, b: Buffer, w: int) -> bool:
-    """Whether the hull of any lane touches something in this step."""
-    at, found = places(shape, w), 0.0
-    first = at.engaged + rows(shape.record.engaged.arms)
-    for k in range(first * w, (first + rows(shape.record.engaged.hull)) * w):
+    """True if the hull of any lane touches an obstacle in this step."""
+    at, found, engaged = places(shape, w), 0.0, shape.record.contacts.engaged
+    first = at.engaged + rows(engaged.arms)
+    for k in range(first * w, (first + rows(engaged.hull)) * w):
         found += b[k]
     return found > 0.0
 
@@ -154,29 +157,29 @@ def _without_hull(model: Model) -> Model:
 
 
 @kernel
-def next_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
-    """One more Runge–Kutta stage of every lane."""
-    at = places(shape, w)
-    # A hull mostly touches nothing in any lane: its forces, all zero, are then left out.
+def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
+    """Add a Runge–Kutta stage of each lane."""
+    at, contacts = places(shape, w), shape.record.contacts
+    # Mostly no hull touches: its forces, all zero, are then left out.
     if hull_touches(shape, b, w):
         for i in range(w):
             model = read(shape.model, b, 0, w, i)
-            state = _reached(shape, b, w, i, reach)
-            engaged = read(shape.record.engaged, b, at.engaged, w, i)
+            state = _stage_state(shape, b, w, i, reach)
+            engaged = read(contacts.engaged, b, at.engaged, w, i)
             known = rates_within(model, state, b[at.phase * w + i], engaged)
-            _weighed(shape, b, w, i, known.motion, weight)
+            _add_rates(shape, b, w, i, known.motion, weight)
     else:
         for i in range(w):
             model = _without_hull(read(shape.model, b, 0, w, i))
-            state = _reached(shape, b, w, i, reach)
-            engaged = Engaged(read(shape.record.engaged.arms, b, at.engaged, w, i), ())
+            state = _stage_state(shape, b, w, i, reach)
+            engaged = Engaged(read(contacts.engaged.arms, b, at.engaged, w, i), ())
             known = rates_within(model, state, b[at.phase * w + i], engaged)
-            _weighed(shape, b, w, i, known.motion, weight)
+            _add_rates(shape, b, w, i, known.motion, weight)
 
 
 @kernel
-def _reached(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
-    """Where the stage before leads one lane."""
+def _stage_state(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
+    """State of one lane for a stage, by the rates of the stage before."""
     at = places(shape, w)
     state = read(shape.motion.state, b, at.motion, w, i)
     rate = read(shape.motion.state, b, at.rate, w, i)
@@ -185,8 +188,8 @@ def _reached(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> Stat
 
 
 @kernel
-def _weighed(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
-    """Keep the rates of a stage, and add them with their weight."""
+def _add_rates(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
+    """Store the rates of a stage, and add them with their weight."""
     at = places(shape, w)
     so_far = read(shape.motion, b, at.total, w, i)
     write(rate.state, b, at.rate, w, i)
@@ -195,13 +198,13 @@ def _weighed(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight:
 
 @guard
 def is_finite(x: RigidState) -> bool:
-    """Whether a motion is finite, and within reason."""
+    """True if a motion is finite and has not diverged."""
     return square(x) < DIVERGED
 
 
 @kernel
-def landed(motion: Motion, x: RigidState) -> Motion:
-    """The motion of a vehicle that flew as one body."""
+def motion_of_body(motion: Motion, x: RigidState) -> Motion:
+    """Motion of a vehicle after a step as one rigid body."""
     state = replace(
         motion.state, position=x.position, attitude=x.attitude, velocity=x.velocity,
         angular_velocity=x.angular_velocity,
@@ -237,7 +240,7 @@ def cruise_view(
     known: RigidRates,
     room: float,
 ) -> View:
-    """The view of a flight that cruises: nothing touches, no arm moves."""
+    """View of a vehicle as one rigid body: nothing touches, no arm moves."""
     arms = tree_map(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
     hull = tree_map(_far_hull, (airframe.hull,), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
@@ -246,7 +249,7 @@ def cruise_view(
 
 @guard
 def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
-    """Take the step of one lane where it leads to finite numbers; else its last state stays."""
+    """Take the step of one lane if its result is finite; otherwise its last state is kept."""
     at = places(shape, w)
     h = b[at.step * w + i]
     old = read(shape.motion, b, at.motion, w, i)
@@ -254,58 +257,58 @@ def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     new = axpy_strictly(old, rate, SIXTH * h)
     good = square(new.state) < DIVERGED
     state = replace(new.state, attitude=renormalise(new.state.attitude))
-    # A flight that has ended keeps its bits while its neighbours fly on: even normalising moves it.
+    # A flight that has ended keeps its bits while its neighbours fly on: normalising changes some.
     write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0
     b[at.status * w + i] = b[at.status * w + i] if good else NOT_FINITE
 
 
 @kernel
-def rigid_step(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """One step of every lane that is marked as one that cruises."""
+def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
+    """Take a step as one rigid body of each lane that is marked for it."""
     at = places(shape, w)
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
         s, work = motion.state, motion.work
-        body = as_one_body(model.airframe, s.arm_length, model.thrust)
+        body = rigid_body(model.airframe, s.arm_length, model.thrust)
         x = RigidState(
             s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air
         )
         guide, air, gravity = model.guide, model.air, model.world.gravity
-        left = model.timing.until - record.time
+        left = model.timing.until - record.stepping.time
         h = left if left < model.timing.free_step else model.timing.free_step
-        flown = flown_on(guide, air, body, gravity, x, h)
+        flown = rigid_step(guide, air, body, gravity, x, h)
         known, new = flown.known, flown.flight
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES
-        write(select(goes & good, landed(motion, new), motion), b, at.motion, w, i)
-        write(
-            select(goes, cruised_past(model, x, known, record, good, h), record), b, at.record, w, i
-        )
+        write(select(goes & good, motion_of_body(motion, new), motion), b, at.motion, w, i)
+        after = record_after_cruise(model, x, known, record, good, h)
+        write(select(goes, after, record), b, at.record, w, i)
         if w == 1:
-            view = cruise_view(model.airframe, model.world, s.arm_length, known, record.room)
+            room = record.stepping.room
+            view = cruise_view(model.airframe, model.world, s.arm_length, known, room)
             write(view, b, at.seen, w, i)
 
 
 @kernel
 def check_clearance(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """The lanes that are to look see whether they have room to cruise."""
+    """Check the clearance of the lanes that are marked for it."""
     at = places(shape, w)
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
-        seen = looked_about(model, motion.state, record)
+        found, before = clearance_check(model, motion.state, record), record.stepping
         looks = b[at.mark * w + i] == LOOKS
-        b[at.cruising * w + i] = seen.cruising if looks else record.cruising
-        b[at.room * w + i] = seen.room if looks else record.room
+        b[at.cruising * w + i] = found.cruising if looks else before.cruising
+        b[at.room * w + i] = found.room if looks else before.room
 
 
 @kernel
 def log_motion(shape: TreeLayout, b: Buffer, line: Buffer) -> None:
-    """Time and motion of a single flight, into its line of the log."""
+    """Write time and motion of a single flight to a row of its trajectory."""
     at = places(shape, 1)
     line[0] = b[at.record]
     for k in range(rows(shape.motion)):
@@ -314,48 +317,61 @@ def log_motion(shape: TreeLayout, b: Buffer, line: Buffer) -> None:
 
 @kernel
 def log_view(shape: TreeLayout, b: Buffer, line: Buffer) -> None:
-    """The view of a single flight, into its line of the log."""
+    """Write the view of a single flight to a row of its trajectory."""
     at, moving = places(shape, 1), rows(shape.motion)
     for k in range(rows(shape.seen)):
         line[1 + moving + k] = b[at.seen + k]
 
 
-@kernel
-def cruised_on(shape: TreeLayout, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
-    """One step of the lanes that cruise; of a single flight, a line of the log."""
-    logs = (w == 1) & (log.shape[0] > 0)
-    if logs:
-        log_motion(shape, b, log[logged[0]])
-    rigid_step(shape, b, w)
-    if logs:
-        log_view(shape, b, log[logged[0]])
-        logged[0] += 1
+class TrajectoryLog(NamedTuple):
+    """Trajectory of a single flight; without rows, none is recorded."""
+
+    rows: Buffer  # one instant a row, shape (instants, columns): time, motion and view
+    used: Any  # number of rows in use, shape (1,); advanced
 
 
 @kernel
-def log_steered(shape: TreeLayout, b: Buffer, w: int, log: Buffer, logged: Any) -> None:
-    """Of a single flight that is steered, a line of the log."""
+def has_space(log: TrajectoryLog) -> bool:
+    """True unless the trajectory is recorded and full."""
+    return bool(log.rows.shape[0] == 0 or log.used[0] < log.rows.shape[0])
+
+
+@kernel
+def cruise(shape: TreeLayout, b: Buffer, w: int, log: TrajectoryLog) -> None:
+    """Take a step as one rigid body of the marked lanes; log that of a single flight."""
+    logs = (w == 1) & (log.rows.shape[0] > 0)
+    if logs:
+        log_motion(shape, b, log.rows[log.used[0]])
+    take_rigid_steps(shape, b, w)
+    if logs:
+        log_view(shape, b, log.rows[log.used[0]])
+        log.used[0] += 1
+
+
+@kernel
+def log_step(shape: TreeLayout, b: Buffer, w: int, log: TrajectoryLog) -> None:
+    """Log a full step of a single flight."""
     at = places(shape, w)
-    if (w == 1) & (log.shape[0] > 0) and (b[at.step] > 0.0 or b[at.status] != FLYING):
-        log_motion(shape, b, log[logged[0]])
-        log_view(shape, b, log[logged[0]])
-        logged[0] += 1
+    if (w == 1) & (log.rows.shape[0] > 0) and (b[at.step] > 0.0 or b[at.status] != FLYING):
+        log_motion(shape, b, log.rows[log.used[0]])
+        log_view(shape, b, log.rows[log.used[0]])
+        log.used[0] += 1
 
 
 @kernel
 def handle_events(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """Answer the requests of all lanes."""
+    """Process the requests of all lanes."""
     at = places(shape, w)
-    asked = 0
+    requests = 0
     for i in range(w):
         flies = b[at.status * w + i] == FLYING
-        asked += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
-    # Behind a branch of its own: else the rare event is computed, masked, at every step.
-    for i in range(w if asked > 0 else 0):
+        requests += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
+    # In a branch of its own: otherwise the rare event is computed, masked, at every step.
+    for i in range(w if requests > 0 else 0):
         if b[at.request * w + i] != NOTHING and b[at.status * w + i] == FLYING:
             model = read(shape.model, b, 0, w, i)
             motion = read(shape.motion, b, at.motion, w, i)
-            motion = answered(model.world.laws, model, motion, b[at.request * w + i])
+            motion = motion_after_event(model.world.laws, model, motion, b[at.request * w + i])
             write(motion, b, at.motion, w, i)
 
 
@@ -363,54 +379,46 @@ def handle_events(shape: TreeLayout, b: Buffer, w: int) -> None:
 def advance(
     shape: TreeLayout,
     buffers: Buffer,
-    first: int,
-    last: int,
     lanes: tuple[int, ...],
-    log: Buffer,
-    logged: Any,
+    log: TrajectoryLog,
     budget: int,
     early: float,
 ) -> int:
-    """Advance the groups ``first`` to ``last`` of flights.
+    """Advance some groups of flights.
 
-    The groups take turns: each flies on while any of its flights cruises, or finds on looking about
-    that it can, then each steers while any is to be steered, and so on.  In its turn a group takes
-    flights over from later groups, for those that have nothing to do in it; all are back in their
-    lanes at the end.
+    The groups take turns: each flies on while any of its flights cruises, or may after a check of
+    its clearance; then each takes full steps while any of its flights needs them; and so on.  In
+    its turn a group takes over flights from later groups for those that do something else; all are
+    back in their lanes at the end.
 
     Args:
-        shape: What lies in the buffers.
-        buffers: One group a row, shape (groups, rows x lanes).
-        first: Index of the first group.
-        last: Index past the last group.
+        shape: Layout of the buffers.
+        buffers: One row for each group, shape (groups, rows x lanes).
         lanes: A tuple as long as a group is wide.
-        log: Trajectory of a single flight, one instant a row, shape (instants, columns); empty for
-            none.  The columns are time, motion and view.
-        logged: Number of rows of the log in use, shape (1,); advanced.
-        budget: Most steps to take, those of all groups together.
-        early: 1 leaves every flight at ``until`` as it arrives, to be flown on; 0 ends it there.
+        log: Trajectory of a single flight.
+        budget: Most steps to take, all groups together.
+        early: 1 leaves each flight flying when it reaches ``until``, to be continued; 0 ends it.
 
     Returns:
-        Number of flights that are still flying and not there yet.
+        Number of flights that have not reached ``until``.
     """
-    w, groups = len(lanes), last - first
-    several = w > 1  # a lane alone that steers has no neighbours to be put aside
-    # It is 1, which the compiler does not know: loops of known length it would unroll, not pack.
-    once = logged.shape[0]
-    if w > 1:
-        number_lanes(shape, buffers, first, last, w)
-    lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
+    w, groups = len(lanes), buffers.shape[0]
+    several = w > 1  # a single lane has no neighbours to protect
+    # 1, which the compiler does not know: it would unroll a loop of known length, not pack it.
+    once = log.used.shape[0]
+    if several:
+        number_lanes(shape, buffers, w)
     flying = 1
-    while flying > 0 and budget > 0 and logged[0] < lines:
-        # All look first, for a group takes only flights over that are known to cruise.
-        for group in range(first, last if several else first):
+    while flying > 0 and budget > 0 and has_space(log):
+        # Check all clearances first: a group takes over only flights that are known to cruise.
+        for group in range(groups if several else 0):
             if classify(shape, buffers[group], w, early).looking > 0:
                 check_clearance(shape, buffers[group], w)
         for turn in range(2 * groups):
-            group, cruising = first + turn % groups, turn < groups
+            group, cruising = turn % groups, turn < groups
             wanted = CRUISES if cruising else STEERS
-            b, more = buffers[group], (w > 1) & (group + 1 < last)
-            while budget > 0 and logged[0] < lines:
+            b, more = buffers[group], several & (group + 1 < groups)
+            while budget > 0 and has_space(log):
                 now = classify(shape, b, w, early)
                 if now.looking > 0:
                     check_clearance(shape, b, w)
@@ -419,29 +427,30 @@ def advance(
                 if able == 0:
                     break
                 if more and able < w:
-                    more = refill(shape, buffers, group, last, w, wanted, early)
+                    more = refill(shape, buffers, group, w, wanted, early)
                     now = classify(shape, b, w, early)
                 if cruising:
-                    cruised_on(shape, b, w, log, logged)
+                    cruise(shape, b, w, log)
                 else:
-                    if several and now.cruising + now.waiting > 0:
+                    shared = several and now.cruising + now.waiting > 0
+                    if shared:
                         stash(shape, b, w)
-                    first_stage(shape, b, w)
-                    log_steered(shape, b, w, log, logged)
+                    begin_step(shape, b, w)
+                    log_step(shape, b, w, log)
                     for stage in range(1, 3 + once):
-                        next_stage(shape, b, w, REACH[stage], WEIGHT[stage])
+                        add_stage(shape, b, w, REACH[stage], WEIGHT[stage])
                     for i in range(w * once):
                         accept_step(shape, b, w, i)
-                    if several and now.cruising + now.waiting > 0:
+                    if shared:
                         unstash(shape, b, w)
                     handle_events(shape, b, w)
                 budget -= 1
         flying = 0
-        for group in range(first, last):
+        for group in range(groups):
             now = classify(shape, buffers[group], w, early)
             flying += now.cruising + now.looking + now.steering
-    if w > 1:
-        restore_order(shape, buffers, first, last, w)
+    if several:
+        restore_order(shape, buffers, w)
     return flying
 
 
@@ -450,40 +459,26 @@ def to_tick(
     shape: TreeLayout,
     buffers: Buffer,
     lanes: tuple[int, ...],
-    log: Buffer,
-    logged: Any,
+    log: TrajectoryLog,
     budget: int,
     early: float,
 ) -> int:
-    """Advance groups to their next tick, as `advance`.
+    """Advance groups to their next tick; arguments and result as for `advance`.
 
-    Between two ticks nearly all flights take one step as one body, which is not worth changing
-    lanes for.
-
-    Args:
-        shape: What lies in the buffers.
-        buffers: One group a row, shape (groups, rows x lanes).
-        lanes: A tuple as long as a group is wide.
-        log: As for `advance`.
-        logged: As for `advance`.
-        budget: As for `advance`.
-        early: As for `advance`.
-
-    Returns:
-        Number of flights that are still flying and not there yet.
+    Between two ticks nearly all flights take one step as one rigid body, for which it is not worth
+    changing lanes.
     """
     w, busy = len(lanes), 0
-    lines = log.shape[0] if log.shape[0] > 0 else logged[0] + 1
     for group in range(buffers.shape[0]):
         b = buffers[group]
         now = classify(shape, b, w, early)
-        while now.cruising + now.looking > 0 and logged[0] < lines:
+        while now.cruising + now.looking > 0 and has_space(log):
             if now.looking > 0:
                 check_clearance(shape, b, w)
             else:
-                cruised_on(shape, b, w, log, logged)
+                cruise(shape, b, w, log)
             now = classify(shape, b, w, early)
         busy += now.steering + now.cruising + now.looking
     if busy > 0:
-        busy = advance(shape, buffers, 0, buffers.shape[0], lanes, log, logged, budget, early)
+        busy = advance(shape, buffers, lanes, log, budget, early)
     return busy

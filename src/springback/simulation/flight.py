@@ -20,7 +20,7 @@ from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import advance
+from springback.simulation.executor import TrajectoryLog, advance
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.vehicle.state import State
@@ -102,7 +102,7 @@ def flight_buffers(
     """Buffers with each flight in its lane; spare lanes repeat the last flight, already ended."""
     buffers = empty_groups(shape, len(states), width)
     lanes = buffers.reshape(len(buffers), -1, width)
-    status = row_of(shape.record, "status") - rows(shape.record)
+    status = row_of(shape.record.stepping, "status") - rows(shape.record)
     for k in range(len(buffers) * width):
         group, lane = divmod(k, width)
         flight = min(k, len(states) - 1)
@@ -119,7 +119,7 @@ def flight_column(shape: Shape, model: Model, state: State, width: int) -> Buffe
     begin = leaves(model) + leaves(state) + leaves(shape.motion.work)
     column[: len(begin)] = begin
     column[-len(record) :] = record
-    column[row_of(shape.record, "phase") - len(record)] = first_phase(model, state)
+    column[row_of(shape.record.stepping, "phase") - len(record)] = first_phase(model, state)
     return column
 
 
@@ -239,10 +239,9 @@ def fly_one(
     run, like = entry_for(model, executor), TreeLayout(shape)
     record_row = -rows(shape.record)
     while True:
-        log = np.zeros((LOG_ROWS if trace else 0, width))
-        logged = np.zeros(1, dtype=np.int64)
-        flying = run(like, buffers, 0, 1, (0,), log, logged, SLICE, 0.0)
-        logs.append(log[: logged[0]])
+        log = empty_log(LOG_ROWS if trace else 0, width)
+        flying = run(like, buffers, (0,), log, SLICE, 0.0)
+        logs.append(log.rows[: log.used[0]])
         time_now = float(buffers[0, record_row])
         check_instants(sum(map(len, logs)), time_now, model.timing.until)
         if progress is not None:
@@ -253,6 +252,11 @@ def fly_one(
     if not trace:
         return flown
     return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+
+
+def empty_log(rows: int = 0, columns: int = 1) -> TrajectoryLog:
+    """Log for a number of instants; without any, no trajectory is recorded."""
+    return TrajectoryLog(np.zeros((rows, columns)), np.zeros(1, dtype=np.int64))
 
 
 def check_instants(instants: int, reached: float, until: float) -> None:
@@ -312,14 +316,13 @@ def fly_buffers(
 ) -> None:
     """Fly all flights to their end, in their buffers."""
     like = TreeLayout(shape)
-    lanes, log, run = (0,) * width, np.zeros((0, 1)), entry_for(shape.model)
+    lanes, run = (0,) * width, entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))
 
     def fly_chunk(first: int) -> int:
         last = min(first + chunk, len(buffers))
-        logged = np.zeros(1, dtype=np.int64)
-        while run(like, buffers, first, last, lanes, log, logged, SLICE, 0.0):
+        while run(like, buffers[first:last], lanes, empty_log(), SLICE, 0.0):
             pass
         return last - first
 

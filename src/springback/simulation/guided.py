@@ -16,7 +16,7 @@ import numpy as np
 from springback.kernels.compiler import Origin, executor, user_executor, with_globals
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
-from springback.simulation.executor import advance, to_tick
+from springback.simulation.executor import advance, has_space, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
@@ -24,6 +24,7 @@ from springback.simulation.flight import (
     FlightRecord,
     Trace,
     check_instants,
+    empty_log,
     flight_buffers,
     flight_records,
     own_types,
@@ -123,10 +124,9 @@ def guide(
         early = 0.0 if k == ticks.last else 1.0
         flying = 1
         while flying > 0:
-            flying = to_tick(
-                layouts.shape, buffers.motion, buffers.lanes, log.trajectory, log.used, SLICE, early
-            )
-            if log.trajectory.shape[0] > 0 and log.used[0] >= log.trajectory.shape[0]:
+            motion, lanes = buffers.motion, buffers.lanes
+            flying = to_tick(layouts.shape, motion, lanes, log.trajectory, SLICE, early)
+            if not has_space(log.trajectory):
                 break
         if flying > 0:
             return
@@ -279,17 +279,17 @@ def fly_guided(
     logs, record_row, memory = [], -rows(shape.record), None
     while at[0] < count:
         size = (LOG_ROWS, len(trace_columns(shape))) if trace else (0, 1)
-        log = FlightLog(np.zeros(size), np.zeros(1, dtype=np.int64), telemetry)
+        log = FlightLog(empty_log(*size), telemetry)
         end = min(count, int(at[0]) + TICKS)
         ticks = TickRange(at, end, count - 1, duration, pilot is not None)
-        while at[0] < end and (not trace or log.used[0] < len(log.trajectory)):
+        while at[0] < end and has_space(log.trajectory):
             before = tuple(at)
             run(layouts, buffers, numbers, ticks, log)
             if pilot and mailbox and at[1] == DRIVE and tuple(at) != before:
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)
                 if trace:  # the row of this tick was written before the pilot's call
                     telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
-        logs.append(log.trajectory[: log.used[0]])
+        logs.append(log.trajectory.rows[: log.trajectory.used[0]])
         time_now = float(motion[0, record_row])
         check_instants(sum(map(len, logs)), time_now, duration)
         if progress is not None:
@@ -334,6 +334,6 @@ def _telemetry_columns(avionics: Avionics) -> list[str]:
     own = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
     parts = {
         "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
-        "measurement": avionics.onboard.measurement, "told": own,
+        "measurement": avionics.onboard.measurement, "pilot": own,
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from springback.simulation.flight import shape_of
+from springback.simulation.flight import empty_log, shape_of
 from springback.simulation.guided import TICKS, GuidedFlight, TickRange, guide_for, ticks_of
 from springback.simulation.noise import FlightNoise, drawn_stream
 from springback.simulation.ticks import GUST_NOISE, FlightBuffers, FlightLog, layouts_of
@@ -43,7 +43,7 @@ def fly_groups(
     duration, width = model.timing.until, len(buffers.lanes)
     ticks, guide = ticks_of(duration, avionics.systems.period), guide_for(model, avionics)
     channels = sum(draw.channels for draw in noise.draws) - GUST_NOISE
-    layouts, nothing = layouts_of(shape_of(model, start), avionics, channels), np.zeros((0, 1))
+    layouts = layouts_of(shape_of(model, start), avionics, channels)
 
     def fly(first: int) -> None:
         groups = slice(first, first + TOGETHER)
@@ -51,7 +51,7 @@ def fly_groups(
         numbers = drawn_stream(part, width, min(STRETCH, ticks))
         mine = FlightBuffers(buffers.motion[groups], buffers.onboard[groups], buffers.lanes)
         at = np.array([0, 0, -numbers.noise.shape[1]], dtype=np.int64)
-        log = FlightLog(nothing, np.zeros(1, dtype=np.int64), nothing)
+        log = FlightLog(empty_log(), np.zeros((0, 1)))
         while at[0] < ticks:
             end = min(ticks, int(at[0]) + TICKS)
             guide(layouts, mine, numbers, TickRange(at, end, ticks - 1, duration, False), log)

@@ -50,7 +50,7 @@ class Places(NamedTuple):
     mark: int  # next action of each lane
     home: int  # of several lanes, the first lane of each flight, counted through the groups
     kept: int  # of several lanes, copy of motion and record during a full step
-    record: int  # it begins with time, step, status, phase, request, cruising, room
+    record: int  # it begins with `springback.simulation.record.Stepping`
     step: int
     status: int
     phase: int
@@ -88,7 +88,7 @@ def places(shape: TreeLayout | Shape, w: int) -> Places:
         r + 4,
         r + 5,
         r + 6,
-        r + row_of(shape.record, "engaged"),
+        r + row_of(shape.record, "contacts") + row_of(shape.record.contacts, "engaged"),
         end,
     )
 
@@ -161,35 +161,34 @@ def swap(shape: TreeLayout, b: Buffer, i: int, other: Buffer, j: int, w: int) ->
 
 
 @kernel
-def number_lanes(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
+def number_lanes(shape: TreeLayout, buffers: Buffer, w: int) -> None:
     """Number the flights by their lanes, for `restore_order`."""
     home = places(shape, w).home
-    for n in range((last - first) * w):
-        buffers[first + n // w][home * w + n % w] = n
+    for n in range(buffers.shape[0] * w):
+        buffers[n // w][home * w + n % w] = n
 
 
 @kernel
-def restore_order(shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int) -> None:
+def restore_order(shape: TreeLayout, buffers: Buffer, w: int) -> None:
     """Swap the flights back to their first lanes."""
     home = places(shape, w).home
-    for n in range((last - first) * w):
-        b, i = buffers[first + n // w], n % w
+    for n in range(buffers.shape[0] * w):
+        b, i = buffers[n // w], n % w
         while b[home * w + i] != n:
             m = int(b[home * w + i])
-            swap(shape, b, i, buffers[first + m // w], m % w, w)
+            swap(shape, b, i, buffers[m // w], m % w, w)
 
 
 @kernel
 def farthest_from_end(
-    shape: TreeLayout, buffers: Buffer, first: int, last: int, w: int, wanted: float, early: float
+    shape: TreeLayout, buffers: Buffer, first: int, w: int, wanted: float, early: float
 ) -> int:
-    """Lane, in some groups, of the flight with the most time left and the wanted next action.
+    """Lane, from some group on, of the flight with most time left and the wanted next action.
 
     Args:
         shape: Layout of the buffers.
         buffers: One row for each group.
         first: Index of the first group.
-        last: Index past the last group.
         w: Lanes of a group.
         wanted: `STEERS` or `CRUISES`.
         early: As for `springback.simulation.executor.advance`.
@@ -199,7 +198,7 @@ def farthest_from_end(
     """
     at, until = places(shape, w), row_of(shape.model, "timing")
     found, most = -1, -1.0
-    for group in range(first, last):
+    for group in range(first, buffers.shape[0]):
         b = buffers[group]
         for i in range(w):
             left = b[until * w + i] - b[at.record * w + i]
@@ -210,7 +209,7 @@ def farthest_from_end(
 
 @kernel
 def refill(
-    shape: TreeLayout, buffers: Buffer, group: int, last: int, w: int, wanted: float, early: float
+    shape: TreeLayout, buffers: Buffer, group: int, w: int, wanted: float, early: float
 ) -> bool:
     """Fill the lanes of a group that have another next action with flights of later groups.
 
@@ -220,7 +219,7 @@ def refill(
     b = buffers[group]
     for i in range(w):
         if next_of(shape, b, w, i, early) != wanted:
-            found = farthest_from_end(shape, buffers, group + 1, last, w, wanted, early)
+            found = farthest_from_end(shape, buffers, group + 1, w, wanted, early)
             if found < 0:
                 return False
             swap(shape, b, i, buffers[found // w], found % w, w)

@@ -33,7 +33,7 @@ class _LaidFlights(NamedTuple):
     values: Buffer  # shape (flights, rows)
 
 
-class Laid(NamedTuple):
+class LoadedFlights(NamedTuple):
     """Flights of one kind in their buffers."""
 
     shape: Shape
@@ -81,18 +81,18 @@ class Loader:
             self._onboard.append(_LaidFlights(np.array(leaves(avionics)), *onboard))
         self.count += len(flown[1])
 
-    def laid(self) -> Laid:
+    def flights(self) -> LoadedFlights:
         """Buffers of all flights; spare lanes repeat the last flight, already ended."""
         width, buffers = self.width, empty_groups(self._shape, self.count, self.width)
         _lay(self._flights, buffers, width)
         spare = -self.count % width
-        status = row_of(self._shape.record, "status") - rows(self._shape.record)
+        status = row_of(self._shape.record.stepping, "status") - rows(self._shape.record)
         buffers.reshape(len(buffers), -1, width)[-1, status, width - spare :] = FLYING + 1.0
         onboard = None
         if self.avionics is not None:
             onboard = zeros(len(buffers), rows(self.avionics) * width)
             _lay(self._onboard, onboard, width)
-        return Laid(self._shape, self.model, self.start, self.avionics, buffers, onboard)
+        return LoadedFlights(self._shape, self.model, self.start, self.avionics, buffers, onboard)
 
 
 def _lay(pieces: Sequence[_LaidFlights], buffers: Buffer, width: int) -> None:

@@ -23,8 +23,8 @@ class Outcome(Enum):
     SEPARATED = "hit an obstacle and left it again"
     NO_CONTACT = "touched nothing"
     RECOVERED = "recovered from every collision"
-    NOT_DETECTED = "a collision was not noticed"
-    NOT_SETTLED = "did not come to rest where it should after a collision"
+    NOT_DETECTED = "a collision was not detected"
+    NOT_SETTLED = "did not come to rest at its goal after a collision"
 
     @property
     def word(self) -> str:
@@ -40,11 +40,11 @@ def outcome_of(record: Record) -> Outcome:
 def outcomes_of(record: Any) -> list[Outcome]:
     """Outcomes of many flights, from a `Record` whose leaves are columns."""
     claims = [
-        (Outcome.NOT_FINITE, record.status == NOT_FINITE),
-        (Outcome.HIT_GROUND, record.ground_time >= 0.0),
-        (Outcome.ARM_BOTTOMED, record.bottomed_time >= 0.0),
-        (Outcome.IN_CONTACT, record.touching > 0.0),
-        (Outcome.SEPARATED, record.contacts > 0.0),
+        (Outcome.NOT_FINITE, record.stepping.status == NOT_FINITE),
+        (Outcome.HIT_GROUND, record.contacts.ground_time >= 0.0),
+        (Outcome.ARM_BOTTOMED, record.contacts.bottomed_time >= 0.0),
+        (Outcome.IN_CONTACT, record.contacts.touching > 0.0),
+        (Outcome.SEPARATED, record.contacts.total > 0.0),
     ]
     return first_claimed(claims, Outcome.NO_CONTACT)
 
@@ -163,7 +163,7 @@ def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
 
 def _body_contacts(record: Any) -> Array:
     """Number of contacts of the main body; NaN without a hull, because it is unknown then."""
-    return next(iter(record.hull_contacts), np.full_like(record.contacts, np.nan))
+    return next(iter(record.contacts.hull), np.full_like(record.contacts.total, np.nan))
 
 
 def _largest(first: Array, *others: Array) -> Array:
@@ -181,58 +181,61 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         before: `Energy` at the start.
         after: `Energy` at the end.
     """
-    m, w = record, work
+    w, first, contacts, stepping = work, record.first_impact, record.contacts, record.stepping
+    peaks, impact = record.peaks, record.impact_peaks
     ground_level = before.gravity
     start, end = before.total - ground_level, after.total - ground_level
     losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
     fallen, kinetic = np.abs(after.gravity - ground_level), _largest(before.kinetic, after.kinetic)
     scale = _largest(kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen)
-    touched = m.touch_time >= 0.0
-    left, back = m.separation_time >= 0.0, m.return_time >= 0.0
+    touched = first.touch_time >= 0.0
+    left, back = first.separation_time >= 0.0, first.return_time >= 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
         left_over = end - start - w.thrust + losses
         residual = np.where(scale > 0.0, left_over / scale, 0.0)
         closes = (np.abs(residual) <= CLOSED) | (np.abs(left_over) <= ROUNDING)
     values: dict[str, Any] = {
-        "restitution_at_separation": _ratio(m.separation_speed, m.touch_speed, left),
-        "restitution_at_return": _ratio(m.return_speed, m.touch_speed, back),
+        "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
+        "restitution_at_return": _ratio(first.return_speed, first.touch_speed, back),
         "restitution_of_mass_centre": _ratio(
-            m.separation_mass_centre_speed, m.touch_mass_centre_speed, left
+            first.separation_mass_centre_speed,
+            first.touch_mass_centre_speed,
+            left,
         ),
-        "touch_time": _time(m.touch_time),
-        "touch_speed": where(touched, m.touch_speed),
-        "separation_time": _time(m.separation_time),
-        "return_time": _time(m.return_time),
-        "contact_time": where(left, m.separation_time - m.touch_time),
-        "time_to_return": where(back, m.return_time - m.touch_time),
-        "travel": m.travel,
-        "impact_peak_acceleration": where(touched, m.impact_peak_acceleration),
-        "impact_peak_acceleration_time": _time(m.impact_peak_acceleration_time),
-        "impact_peak_specific_force": where(touched, m.impact_peak_specific_force),
-        "impact_peak_angular_rate": where(touched, m.impact_peak_angular_rate),
-        "impact_peak_normal_force": where(touched, m.impact_peak_normal_force),
-        "impact_penetration": where(touched, m.impact_penetration),
-        "impact_arm_stroke": where(touched, m.impact_arm_stroke),
-        "impact_arm_extension": where(touched, m.impact_arm_extension),
-        "contact_duration": m.contact_duration,
-        "peak_acceleration": m.peak_acceleration,
-        "peak_acceleration_time": m.peak_acceleration_time,
-        "peak_specific_force": m.peak_specific_force,
-        "peak_angular_rate": m.peak_angular_rate,
-        "peak_normal_force": m.peak_normal_force,
-        "penetration": m.peak_penetration,
-        "arm_stroke": m.peak_compression,
-        "arm_extension": m.peak_extension,
+        "touch_time": _time(first.touch_time),
+        "touch_speed": where(touched, first.touch_speed),
+        "separation_time": _time(first.separation_time),
+        "return_time": _time(first.return_time),
+        "contact_time": where(left, first.separation_time - first.touch_time),
+        "time_to_return": where(back, first.return_time - first.touch_time),
+        "travel": first.travel,
+        "impact_peak_acceleration": where(touched, impact.acceleration),
+        "impact_peak_acceleration_time": _time(impact.acceleration_time),
+        "impact_peak_specific_force": where(touched, impact.specific_force),
+        "impact_peak_angular_rate": where(touched, impact.angular_rate),
+        "impact_peak_normal_force": where(touched, impact.normal_force),
+        "impact_penetration": where(touched, impact.penetration),
+        "impact_arm_stroke": where(touched, impact.compression),
+        "impact_arm_extension": where(touched, impact.extension),
+        "contact_duration": contacts.duration,
+        "peak_acceleration": peaks.acceleration,
+        "peak_acceleration_time": peaks.acceleration_time,
+        "peak_specific_force": peaks.specific_force,
+        "peak_angular_rate": peaks.angular_rate,
+        "peak_normal_force": peaks.normal_force,
+        "penetration": peaks.penetration,
+        "arm_stroke": peaks.compression,
+        "arm_extension": peaks.extension,
         "impulse_x": w.impulse.x,
         "impulse_y": w.impulse.y,
         "impulse_z": w.impulse.z,
-        "contacts": m.contacts,
-        "body_contacts": _body_contacts(m),
-        "impacts": m.impacts,
-        "bottomed_time": _time(m.bottomed_time),
-        "ground_time": _time(m.ground_time),
-        "end_time": m.time,
-        "steps": m.steps,
+        "contacts": contacts.total,
+        "body_contacts": _body_contacts(record),
+        "impacts": contacts.impacts,
+        "bottomed_time": _time(contacts.bottomed_time),
+        "ground_time": _time(contacts.ground_time),
+        "end_time": stepping.time,
+        "steps": stepping.steps,
         "energy_start": start,
         "energy_end": end,
         "energy_kinetic": after.kinetic,

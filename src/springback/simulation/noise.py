@@ -158,7 +158,7 @@ def place_channel(
 
 
 class NoiseSource(NamedTuple):
-    """What determines the normal numbers of some flights."""
+    """Keys of the normal numbers of some flights."""
 
     keys: Any  # seed of each lane, shape ([groups,] lanes), unsigned
     flights: Any  # number of each lane's flight, likewise

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Vec
+from springback.simulation.record import Contacts
 from springback.vehicle.rotors import Lag, Rotors
 from springback.vehicle.state import State
 
@@ -95,15 +96,6 @@ def _no_telemetry(pilot: Any, memory: Any) -> Any:
     return (0.0,)
 
 
-class ContactReport(NamedTuple):
-    """Contacts of a flight so far, for its evaluator."""
-
-    touching: float  # 1 while any cage, or the hull, touches
-    contacts: float  # number of times that the vehicle came into contact
-    last: float  # time of the last touch, −1 before the first [s]
-    ground: float  # time at which a cage, or the hull, touched the ground, −1 if none did [s]
-
-
 class NoEvaluator(NamedTuple):
     """No evaluator."""
 
@@ -112,7 +104,7 @@ class NoEvaluator(NamedTuple):
 
 @generic
 def evaluator_step(
-    evaluator: Any, time: float, state: State, contacts: ContactReport, pilot: Any, memory: Any
+    evaluator: Any, time: float, state: State, contacts: Contacts, pilot: Any, memory: Any
 ) -> Any:
     """Memory of an evaluator after a tick.
 
@@ -122,7 +114,7 @@ def evaluator_step(
         evaluator: Settings of the evaluator, a NamedTuple.
         time: Since the start [s].
         state: True state of the vehicle.
-        contacts: Contacts so far.
+        contacts: Contacts so far, from the record of the flight.
         pilot: Memory of the pilot after this tick.
         memory: Memory of the evaluator; a new one is returned, it is never changed in place.
     """

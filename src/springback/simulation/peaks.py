@@ -1,9 +1,9 @@
-"""Peaks between two instants: the vertex of a parabola through three of them.
+"""Peaks of a flight, also between two instants: the vertex of a parabola through three of them.
 
 Accelerations and forces in contact rise and fall within a few steps, so that the largest of their
-samples falls short of the peak by an error of second order in the step; the vertex, by one of third
-order.  It is taken only where the three instants belong to one smooth stretch: contacts that begin
-or end, arms that are locked and impulses make a new one.
+samples is too small by an error of second order in the step; the vertex, by one of third order.  It
+is used only if the three instants belong to one smooth stretch: contacts that begin or end, arms
+that are locked and impulses begin a new one.
 """
 
 from __future__ import annotations
@@ -12,10 +12,24 @@ from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import select
+from springback.kernels.vectors import larger
+
+
+class Peaks(NamedTuple):
+    """Largest values."""
+
+    acceleration: float  # ‖v̇‖ of the main body [m/s²]
+    acceleration_time: float  # its time [s]
+    specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
+    angular_rate: float  # ‖ω‖ [rad/s]
+    normal_force: float  # f_n of one cage, or of the hull [N]
+    penetration: float  # δ [m]
+    compression: float  # L − l [m]
+    extension: float  # l − L [m]
 
 
 class PeakSample(NamedTuple):
-    """What peaks sharply in contact, at one instant."""
+    """Values that peak sharply in contact, at one instant."""
 
     acceleration: float  # ‖v̇‖ of the main body [m/s²]
     specific_force: float  # ‖v̇ + g e_Z‖ of the main body [m/s²]
@@ -25,16 +39,16 @@ class PeakSample(NamedTuple):
 class Recent(NamedTuple):
     """The last two instants."""
 
-    step: float  # from one to the other [s]; 0 where they are not of one smooth stretch
+    step: float  # from one to the other [s]; 0 if they are not of one smooth stretch
     earlier: PeakSample
     latest: PeakSample
 
 
 class Peak(NamedTuple):
-    """Of one quantity."""
+    """Peak of one quantity."""
 
     value: float
-    time: float  # against the present instant [s]
+    time: float  # relative to the present instant [s]
 
 
 #: Before the first instant.
@@ -42,9 +56,9 @@ NOTHING_YET = Recent(0.0, PeakSample(0.0, 0.0, 0.0), PeakSample(0.0, 0.0, 0.0))
 
 
 class Spacing(NamedTuple):
-    """Of three instants."""
+    """Spacing of three instants."""
 
-    smooth: bool  # whether they are of one smooth stretch
+    smooth: bool  # True if they are of one smooth stretch
     before: float  # b, from the first to the second [s]
     after: float  # a, from the second to the third [s]
     volume: float  # a b (a + b) [s³]
@@ -52,12 +66,12 @@ class Spacing(NamedTuple):
 
 @kernel
 def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
-    """Of the last two instants and the present one.
+    """Spacing of the last two instants and the present one.
 
     Args:
         recent: The last two instants.
         step: From the later of them to the present [s].
-        smooth: Whether nothing jumps in between.
+        smooth: True if nothing jumps in between.
     """
     usable = smooth & (recent.step > 0.0)
     b, a = select(usable, recent.step, 1.0), select(usable, step, 1.0)
@@ -66,13 +80,13 @@ def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
 
 @kernel
 def peak_of(first: float, second: float, third: float, t: Spacing) -> Peak:
-    """The vertex where the second of three values is the largest, otherwise the third value.
+    """The vertex if the second of three values is the largest, otherwise the third value.
 
     Args:
         first: At the earliest instant.
         second: At the next.
         third: At the present one.
-        t: When they were.
+        t: Their spacing.
     """
     rise, fall = second - first, third - second
     summit = t.smooth & (rise > 0.0) & (fall <= 0.0)
@@ -83,4 +97,26 @@ def peak_of(first: float, second: float, third: float, t: Spacing) -> Peak:
     return Peak(
         select(summit, second - 0.5 * slope * half, third),
         select(summit, -half * t.volume - t.after, 0.0),
+    )
+
+
+@kernel
+def largest_so_far(counts: bool, value: float, so_far: float) -> float:
+    """Largest value so far, if this one counts."""
+    return select(counts, larger(value, so_far), so_far)
+
+
+@kernel
+def peaks_after(before: Peaks, now: Peaks, counts: bool) -> Peaks:
+    """Peaks after an instant, if it counts."""
+    grew = counts & (now.acceleration > before.acceleration)
+    return Peaks(
+        select(grew, now.acceleration, before.acceleration),
+        select(grew, now.acceleration_time, before.acceleration_time),
+        largest_so_far(counts, now.specific_force, before.specific_force),
+        largest_so_far(counts, now.angular_rate, before.angular_rate),
+        largest_so_far(counts, now.normal_force, before.normal_force),
+        largest_so_far(counts, now.penetration, before.penetration),
+        largest_so_far(counts, now.compression, before.compression),
+        largest_so_far(counts, now.extension, before.extension),
     )

@@ -19,6 +19,7 @@ from springback.dynamics.gusts import gust
 from springback.kernels.compiler import executor, generic, guard, kernel
 from springback.kernels.layout import (
     Buffer,
+    SplitBuffer,
     TreeLayout,
     load,
     read,
@@ -28,9 +29,9 @@ from springback.kernels.layout import (
     write,
 )
 from springback.kernels.trees import leaves, select, square
+from springback.simulation.executor import TrajectoryLog
 from springback.simulation.lanes import places
 from springback.simulation.onboard import (
-    ContactReport,
     NoEvaluator,
     PilotOutput,
     Truth,
@@ -39,7 +40,7 @@ from springback.simulation.onboard import (
     sensor_step,
     telemetry_of,
 )
-from springback.simulation.record import FINISHED, FLYING, NOT_FINITE
+from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Contacts
 from springback.vehicle.rotors import lagged_thrusts
 from springback.vehicle.state import State
 
@@ -62,15 +63,14 @@ class FlightBuffers(NamedTuple):
     """Buffers of guided flights: of some groups, or of one."""
 
     motion: Buffer  # shape ([groups,] rows x lanes)
-    onboard: Any  # the same; `springback.kernels.layout.Parted` on a GPU
+    onboard: Any  # the same; a `SplitBuffer` on a GPU
     lanes: tuple[int, ...]  # as long as a group is wide
 
 
 class FlightLog(NamedTuple):
     """Trajectory and telemetry of a single flight; empty if they are not recorded."""
 
-    trajectory: Buffer  # as in `springback.simulation.executor.advance`
-    used: Any  # rows of the trajectory in use, shape (1,); advanced
+    trajectory: TrajectoryLog
     telemetry: Buffer  # one tick a row
 
 
@@ -78,7 +78,7 @@ class Lanes(NamedTuple):
     """On-board systems of a group at a tick: all that a pilot can reach."""
 
     avionics: TreeLayout  # layout of ``onboard``
-    onboard: Any  # as in `FlightBuffers`
+    onboard: Buffer | SplitBuffer
     width: int
     once: int
     """1, which the compiler does not know: it would unroll a loop of known length, not pack it."""
@@ -86,7 +86,10 @@ class Lanes(NamedTuple):
 
 
 class Group(NamedTuple):
-    """A group of flights at a tick: all that sensors and evaluators can reach."""
+    """A group of flights at a tick: all that sensors and evaluators can reach.
+
+    Executors make it: a kernel counts no references, so it must not return arrays.
+    """
 
     lanes: Lanes
     shape: TreeLayout  # layout of ``motion``
@@ -108,15 +111,6 @@ def layouts_of(shape: Any, avionics: Any, channels: int) -> Layouts:
 
 
 @kernel
-def group_at(layouts: Layouts, buffers: FlightBuffers, log: FlightLog, tick: int) -> Group:
-    """A group at a tick."""
-    # From the shape of an array the compiler knows that it is not below zero.
-    w, once = len(buffers.lanes), log.used.shape[0]
-    lanes = Lanes(layouts.avionics, buffers.onboard, w, once, float(tick))
-    return Group(lanes, layouts.shape, buffers.motion)
-
-
-@kernel
 def state_of(group: Group, i: int) -> State:
     """State of one lane."""
     state: State = load(group.shape.motion.state, group.motion, group.lanes.width, i)
@@ -134,16 +128,12 @@ def truth_of(group: Group, i: int) -> Truth:
 
 
 @kernel
-def contacts_of(group: Group, i: int) -> ContactReport:
-    """Contacts of one lane so far, from its record."""
-    m, b, w = group.shape.record, group.motion, group.lanes.width
-    record = places(group.shape, w).record
-    return ContactReport(
-        read(m.touching, b, record + row_of(m, "touching"), w, i),
-        read(m.contacts, b, record + row_of(m, "contacts"), w, i),
-        read(m.last_touch_time, b, record + row_of(m, "last_touch_time"), w, i),
-        read(m.ground_time, b, record + row_of(m, "ground_time"), w, i),
-    )
+def contacts_of(group: Group, i: int) -> Contacts:
+    """Contacts of one lane so far."""
+    record, w = group.shape.record, group.lanes.width
+    row = places(group.shape, w).record + row_of(record, "contacts")
+    contacts: Contacts = read(record.contacts, group.motion, row, w, i)
+    return contacts
 
 
 @generic
@@ -298,9 +288,11 @@ def sense_and_decide(
         drawn: Normal numbers of this tick, channel by channel, lane by lane.
         log: Of a single flight.
     """
-    group = group_at(layouts, buffers, log, tick)
-    avionics, g, w, once, _ = group.lanes
-    settings, memory, b, shape = avionics.systems, avionics.onboard, group.motion, group.shape
+    # From the shape of an array the compiler knows that ``once`` is not below zero.
+    w, once, avionics = len(buffers.lanes), log.trajectory.used.shape[0], layouts.avionics
+    g, b, shape = buffers.onboard, buffers.motion, layouts.shape
+    group = Group(Lanes(avionics, g, w, once, float(tick)), shape, b)
+    settings, memory = avionics.systems, avionics.onboard
     look(settings.sensors, group, TickNoise(layouts.channels, drawn, 0))
     for i in range(w * once):
         store(state_of(group, i), memory.before, g, w, i)
@@ -308,7 +300,7 @@ def sense_and_decide(
     evaluate(settings.evaluator, group)
     row = places(shape, w).status
     for i in range(w * once):
-        status = read(shape.record.status, b, row, w, i)
+        status = read(shape.record.stepping.status, b, row, w, i)
         write(_status_after(load(memory.command, g, w, i), status), b, row, w, i)
     if w == 1 and log.telemetry.shape[0] > 0:
         write_telemetry(group.lanes, log.telemetry[tick])
@@ -333,9 +325,9 @@ def drive_rotors(
         log: Of a single flight.
         duration: Of the flight [s].
     """
-    group = group_at(layouts, buffers, log, tick)
-    avionics, g, w, once, now = group.lanes
-    settings, memory, b, shape = avionics.systems, avionics.onboard, group.motion, group.shape
+    w, once, now = len(buffers.lanes), log.trajectory.used.shape[0], float(tick)
+    g, b, shape = buffers.onboard, buffers.motion, layouts.shape
+    settings, memory = layouts.avionics.systems, layouts.avionics.onboard
     model, row, first = shape.model, places(shape, w).status, rows(layouts.channels)
     for i in range(w * once):
         thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
@@ -346,7 +338,7 @@ def drive_rotors(
         store(spun.mean, model.thrust, b, w, i)
         store(min((now + 1.0) * period, duration), model.timing.until, b, w, i)
         # A flight that reached this tick before its neighbours flies on.
-        status = read(shape.record.status, b, row, w, i)
+        status = read(shape.record.stepping.status, b, row, w, i)
         write(select(status == FINISHED, FLYING, status), b, row, w, i)
     for i in range(w * once):
         numbers, weather = read(layouts.gusts, drawn, first, w, i), load(settings.weather, g, w, i)

@@ -177,7 +177,7 @@ def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSigna
     for name in ("hall", "acceleration", "wrench"):
         column, pace = SIGNALS[name], paces[SIGNALS[name]]
         every = 1 if pace.perfect else round(1.0 / (pace.rate * tick))
-        values = np.ascontiguousarray(guided.telemetry[f"told.{column}"])
+        values = np.ascontiguousarray(guided.telemetry[f"pilot.{column}"])
         found[name] = TriggerSignal(values, tick, every)
     return found
 
@@ -266,7 +266,7 @@ def characterisation_error(
     telemetry, trace = guided.telemetry, guided.flown.trace
     assert telemetry is not None  # asked only of flights that keep both
     assert trace is not None
-    looking = np.flatnonzero(telemetry["told.phase"] == LOOK)
+    looking = np.flatnonzero(telemetry["pilot.phase"] == LOOK)
     if not len(looking):
         return None
     alarm, end = (
@@ -281,9 +281,9 @@ def characterisation_error(
     pressed = np.stack([trace[f"arms.{j + 1}.normal"][first : last + 1] for j in range(count)])
     shares = np.trapezoid(pressed, t[first : last + 1], axis=1)
     touched = shares >= TOOK_PART * shares.sum()
-    normal = np.array(guided.flown.record.inward)
-    told = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
-    said = dict(zip(SOURCES, told, strict=True))
+    normal = np.array(guided.flown.record.first_impact.inward)
+    directions = (hit.by_arms, hit.by_acceleration, hit.by_wrench, hit.by_fusion)
+    said = dict(zip(SOURCES, directions, strict=True))
     there = true_contact_point(trace, ready.model.airframe, at, normal, touched)
     force = np.linalg.norm(_vectors(trace, "contact_force")[first : last + 1], axis=1).max()
     place = _vectors(trace, "state.position")[at]
@@ -314,7 +314,7 @@ def fly_collision(
         changes: Tables merged over those of the test.
     """
     ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
-    touch = guided.flown.record.touch_time
+    touch = guided.flown.record.first_impact.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
     delays = {name: first - touch if first >= touch else None for name, first in firsts.items()}

@@ -164,8 +164,8 @@ def curve(
     points = []
     for threshold, false in zip(thresholds, free.false_alarms, strict=True):
         found = [delay(one, touch, threshold, persistence, within) for one, touch in hits]
-        told = tuple(x for x in found if x is not None)
+        delays = tuple(x for x in found if x is not None)
         points.append(
-            RocPoint(threshold, persistence, false, free.hours, len(told), len(hits), told)
+            RocPoint(threshold, persistence, false, free.hours, len(delays), len(hits), delays)
         )
     return points

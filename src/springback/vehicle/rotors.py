@@ -30,7 +30,7 @@ class Rotors(NamedTuple):
     time_constant: float  # τ [s]; 0 follows immediately
 
 
-class Lagged(NamedTuple):
+class LagStep(NamedTuple):
     """Thrust of one rotor after some time under a constant command."""
 
     thrust: float  # at the end [N]; pass it back as the memory
@@ -75,7 +75,7 @@ def lag_over(time_constant: float, duration: float) -> Lag:
 
 
 @kernel
-def lagged_thrust(thrust: float, command: float, rotors: Rotors, lag: Lag) -> Lagged:
+def lagged_thrust(thrust: float, command: float, rotors: Rotors, lag: Lag) -> LagStep:
     """Exact response of one rotor to a constant command u: τ Ṫ = u − T.
 
     T(h) = u + (T_0 − u) e^(−h/τ), and its mean over h is u + (T_0 − u) (1 − e^(−h/τ)) τ/h.  The
@@ -89,7 +89,7 @@ def lagged_thrust(thrust: float, command: float, rotors: Rotors, lag: Lag) -> La
         lag: `lag_over` τ and h.
     """
     u = limited_command(rotors, command)
-    return Lagged(u + (thrust - u) * lag.end, u + (thrust - u) * lag.mean)
+    return LagStep(u + (thrust - u) * lag.end, u + (thrust - u) * lag.mean)
 
 
 @kernel

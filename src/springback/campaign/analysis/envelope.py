@@ -37,7 +37,7 @@ class Axis(NamedTuple):
         return f"{self.name} {numbers}" + ("" if self.unit == "-" else f" {self.unit}")
 
 
-class Place(NamedTuple):
+class CellIndex(NamedTuple):
     """Robot of a cell, and its indices along both axes."""
 
     robot: str
@@ -75,7 +75,7 @@ class EnvelopeCell:
         return share(self.successes, self.trials)
 
 
-class Stretch(NamedTuple):
+class Interval(NamedTuple):
     """Interval of a line of cells on which a level is reached.
 
     It ends where the level is crossed, or at the last cell that was flown.
@@ -87,7 +87,7 @@ class Stretch(NamedTuple):
     crossed_high: bool
 
 
-def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> list[Stretch]:
+def spans(values: Sequence[float], shares: Values, level: float = LEVEL) -> list[Interval]:
     """Intervals in which shares, interpolated linearly between cell centres, reach a level.
 
     Args:
@@ -112,7 +112,7 @@ def stretches(values: Sequence[float], shares: Values, level: float = LEVEL) -> 
             k += 1
         if k > first:
             (low, crossed_low), (high, crossed_high) = end(first, first - 1), end(k - 1, k)
-            found.append(Stretch(low, high, crossed_low, crossed_high))
+            found.append(Interval(low, high, crossed_low, crossed_high))
         k += 1
     return found
 
@@ -129,12 +129,12 @@ class Envelope:
     seed: int
     settings: tuple[str, ...]
     """Common settings of all trials, as given."""
-    cells: dict[Place, EnvelopeCell]
+    cells: dict[CellIndex, EnvelopeCell]
 
     def shares(self, robot: str) -> Values:
         """Success rate of every cell, shape (values of y, values of x); NaN if not flown."""
         rows, columns = range(len(self.y.values)), range(len(self.x.values))
-        found = [[self.cells[Place(robot, i, j)].share for i in columns] for j in rows]
+        found = [[self.cells[CellIndex(robot, i, j)].share for i in columns] for j in rows]
         return np.array(found, float)
 
     @property
@@ -142,13 +142,13 @@ class Envelope:
         """Numbers of the rows, that of the largest y first."""
         return sorted(range(len(self.y.values)), key=lambda row: -self.y.values[row])
 
-    def along_x(self, robot: str, row: int) -> list[Stretch]:
+    def along_x(self, robot: str, row: int) -> list[Interval]:
         """Intervals along x, in displayed units, in which a row of cells reaches the level."""
-        return stretches(self.x.values, self.shares(robot)[row])
+        return spans(self.x.values, self.shares(robot)[row])
 
-    def along_y(self, robot: str, column: int) -> list[Stretch]:
+    def along_y(self, robot: str, column: int) -> list[Interval]:
         """Intervals along y, in displayed units, in which a column of cells reaches the level."""
-        return stretches(self.y.values, self.shares(robot)[:, column])
+        return spans(self.y.values, self.shares(robot)[:, column])
 
     def sentence(self, robot: str) -> str:
         """Sentence on the extent of a robot's envelope through the centre of the map."""
@@ -173,7 +173,7 @@ class Envelope:
         head = [f"{v:g}" for v in self.x.values]
         lines = []
         for row in self.rows_from_top:
-            cells = [self.cells[Place(robot, i, row)] for i in range(len(head))]
+            cells = [self.cells[CellIndex(robot, i, row)] for i in range(len(head))]
             entries = [str(cell.successes) if cell.trials else "-" for cell in cells]
             lines.append([f"{self.y.values[row]:g}", *entries])
         width = max(len(word) for line in [head, *lines] for word in line) + 2
@@ -188,7 +188,7 @@ class Envelope:
 
     def reasons(self, robot: str) -> list[str]:
         """Reasons why cells of a robot were not flown, one line each, with an example."""
-        found: dict[str, list[Place]] = {}
+        found: dict[str, list[CellIndex]] = {}
         for place, cell in self.cells.items():
             if place.robot == robot and not cell.trials:
                 found.setdefault(cell.reason, []).append(place)
@@ -260,7 +260,7 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:g} %"
 
 
-def _reach(line: list[Stretch], axis: Axis) -> str:
+def _reach(line: list[Interval], axis: Axis) -> str:
     """Text of intervals."""
     if not line:
         return "nowhere"

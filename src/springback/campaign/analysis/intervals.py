@@ -8,7 +8,7 @@ few samples and many repeats intervals are valid for those samples only.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -79,8 +79,3 @@ def paired_difference(first_only: int, second_only: int, pairs: int) -> Interval
     reach = z * math.sqrt((b + c - (b - c) ** 2) / total)
     difference = (first_only - second_only) / pairs
     return IntervalEstimate(difference, max(-1.0, b - c - reach), min(1.0, b - c + reach))
-
-
-def as_dict(estimate: IntervalEstimate) -> dict[str, Any]:
-    """Plain data."""
-    return estimate._asdict()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.intervals import (
     IntervalEstimate,
+    Values,
     paired_difference,
     quantile,
     share,
@@ -157,6 +159,12 @@ def _refusal(campaign: Campaign, refused: int) -> str:
     return f"{refused} refused, such as flight {flight} ({robot}): {why}"
 
 
+def _ordered(found: Mapping[str, Values]) -> dict[str, Values]:
+    """Known values of each column that has any, in ascending order."""
+    known = {name: np.sort(values[~np.isnan(values)]) for name, values in found.items()}
+    return {name: values for name, values in known.items() if len(values)}
+
+
 def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     sql = """SELECT outcome, count(*), coalesce(sum(success), 0) FROM flights WHERE robot = ?
              GROUP BY outcome ORDER BY outcome"""
@@ -168,11 +176,10 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     flown, won = sum(outcomes.values()), int(sum(row[2] for row in rows))
     columns = ", ".join(MAIN)
     found = campaign.arrays(f"SELECT {columns} FROM flights WHERE robot = ?", [robot])
-    measures = {}
-    for name, values in found.items():
-        known = np.sort(values[~np.isnan(values)])
-        if len(known):
-            measures[name] = (len(known), tuple(quantile(known, part) for part in PARTS))
+    measures = {
+        name: (len(known), tuple(quantile(known, part) for part in PARTS))
+        for name, known in _ordered(found).items()
+    }
     return RobotSummary(
         robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
         measures,
@@ -190,11 +197,8 @@ def _pair(campaign: Campaign, robots: tuple[str, str]) -> PairSummary:
     )  # fmt: skip
     total = both + first + second + neither
     columns = ", ".join(f"a.{name} - b.{name} AS {name}" for name in MAIN)
-    medians = {}
-    for name, values in campaign.arrays(f"SELECT {columns} {pairs}", robots).items():
-        known = np.sort(values[~np.isnan(values)])
-        if len(known):
-            medians[name] = (len(known), quantile(known, 0.5))
+    found = _ordered(campaign.arrays(f"SELECT {columns} {pairs}", robots))
+    medians = {name: (len(known), quantile(known, 0.5)) for name, known in found.items()}
     return PairSummary(
         robots, total, both, first, second, neither, paired_difference(first, second, total),
         medians,

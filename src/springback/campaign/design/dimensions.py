@@ -90,7 +90,7 @@ Extremes = tuple[tuple[Path, Any], ...]
 """Values to be tried before anything is flown, with their paths in the plan."""
 
 
-class Found(NamedTuple):
+class VariedField(NamedTuple):
     """A dimension, its extremes, and its field."""
 
     dimension: Dimension
@@ -104,7 +104,7 @@ def _is_number(value: Any) -> bool:
 
 def varied_dimension(
     k: int, entry: Vary, plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
-) -> Found | None:
+) -> VariedField | None:
     """Dimension of an entry of ``vary``; None if it has a problem, which is recorded.
 
     Args:
@@ -135,7 +135,7 @@ def varied_dimension(
     factor = entry.factor is not None
     table = str(goal.path[0])
     one = Dimension(column, unit, law, table, goal.place, own=own, factor=factor)
-    return Found(one, extremes, goal)
+    return VariedField(one, extremes, goal)
 
 
 class _Reader:

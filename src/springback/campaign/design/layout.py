@@ -13,9 +13,10 @@ from pydantic import ValidationError
 
 from springback.campaign.design.dimensions import (
     SLOTS,
+    Blame,
     Dimension,
     Extremes,
-    Found,
+    VariedField,
     scatter_dimensions,
     varied_dimension,
 )
@@ -263,7 +264,7 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
     return design
 
 
-def _in_order(fields: Sequence[Found], noise_stream: int) -> tuple[int, ...]:
+def _in_order(fields: Sequence[VariedField], noise_stream: int) -> tuple[int, ...]:
     """Order of insertion: tables before their fields, fields of a wall before its changes."""
     goals = [one.goal for one in fields]
     order = sorted(range(len(goals)), key=lambda k: (goals[k].relative, len(goals[k].path)))
@@ -318,7 +319,9 @@ def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario
 
 
 def _check_columns(
-    plan: Plan, found: Sequence[Found | None], blame: Callable[[Sequence[str | int], str], None]
+    plan: Plan,
+    found: Sequence[VariedField | None],
+    blame: Blame,
 ) -> None:
     """Reject fields given twice, and columns of the same name."""
     from springback.campaign.columns import known_columns
@@ -346,7 +349,7 @@ def _try_out(
     extremes: Extremes,
     bases: Sequence[Tables],
     plan: Plan,
-    blame: Callable[[Sequence[str | int], str], None],
+    blame: Blame,
 ) -> None:
     """Record values with which the otherwise unchanged scenario cannot be flown.
 

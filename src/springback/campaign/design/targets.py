@@ -122,7 +122,7 @@ def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
     index = next((k for k, kind in enumerate(kinds) if kind in ("wall", "mat")), None)
     if index is None:
         raise InputError("needs a wall or a mat in world.obstacles")
-    moved, unit = (_turned, "rad") if word == WALL_ANGLE else (_shifted, "m")
+    moved, unit = (_rotate, "rad") if word == WALL_ANGLE else (_shift, "m")
 
     def place(world: Any, value: float) -> Any:
         entries = world["obstacles"]
@@ -133,7 +133,7 @@ def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
     return TargetField(word, path, Parameter(word, path, unit), place, relative=True)
 
 
-def _faced(entry: Mapping[str, Any]) -> dict[str, Any]:
+def _by_face(entry: Mapping[str, Any]) -> dict[str, Any]:
     """Wall defined by a point of its face and its normal, in numbers."""
     if entry.get("distance") is None:
         return dict(entry)
@@ -141,16 +141,16 @@ def _faced(entry: Mapping[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in entry.items() if key != "distance"} | there
 
 
-def _turned(entry: Mapping[str, Any], angle: float) -> dict[str, Any]:
+def _rotate(entry: Mapping[str, Any], angle: float) -> dict[str, Any]:
     """Wall rotated about the vertical through its point, counterclockwise from above [rad]."""
-    wall, c, s = _faced(entry), math.cos(angle), math.sin(angle)
+    wall, c, s = _by_face(entry), math.cos(angle), math.sin(angle)
     x, y, z = wall["normal"]
     return wall | {"normal": [c * x - s * y, s * x + c * y, z]}
 
 
-def _shifted(entry: Mapping[str, Any], distance: float) -> dict[str, Any]:
+def _shift(entry: Mapping[str, Any], distance: float) -> dict[str, Any]:
     """Wall moved against its normal [m]."""
-    wall = _faced(entry)
+    wall = _by_face(entry)
     size = math.hypot(*wall["normal"])
     place = zip(wall["position"], wall["normal"], strict=True)
     return wall | {"position": [p - distance * n / size for p, n in place]}

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import click
 
 from springback.errors import InputError
@@ -11,7 +9,6 @@ from springback.interfaces.cli.common import Output, output_options, seed_option
 
 LEAST_DURATION, MOST_DURATION = 4.0, 60.0
 """Limits of the duration of a trial, longer than the longest run-up and an impact [s]."""
-Rows = list[dict[str, Any]]
 
 
 @click.group()

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from springback.campaign.analysis.envelope import LEVEL, Axis, Envelope, Place
+from springback.campaign.analysis.envelope import LEVEL, Axis, CellIndex, Envelope
 from springback.campaign.analysis.intervals import Values
 from springback.interfaces.figures.chart import Chart, add_share_bar, draw_shares
 from springback.interfaces.figures.style import StyledFigure, in_style
@@ -96,7 +96,7 @@ def _draw_cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
     if shares.size <= NUMBERED:
         across, up = 0.42 * (x[1] - x[0]), 0.4 * (y[1] - y[0])
         for row, column in np.argwhere(np.isfinite(shares)):
-            cell = envelope.cells[Place(robot, int(column), int(row))]
+            cell = envelope.cells[CellIndex(robot, int(column), int(row))]
             ax.text(
                 x[column] - abs(across), y[row] - abs(up), str(cell.successes), fontsize=7.5,
                 ha="left", va="bottom", color="white" if shares[row, column] < 0.6 else INK,

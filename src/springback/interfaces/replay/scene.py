@@ -33,6 +33,7 @@ from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
+from springback.vehicle.state import Airframe
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -151,7 +152,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         outcome=flight.outcome.word,
         sentence=flight.message,
         success=flight.success,
-        arms=_arm_shapes(model),
+        arms=arm_shapes(model.airframe),
         hull=tuple(HullShape((*one.centre,), one.radius) for one in model.airframe.hull),
         max_thrust=propulsion.max_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
@@ -173,7 +174,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     )
 
 
-def _arm_shapes(model: Model) -> tuple[ArmShape, ...]:
+def arm_shapes(airframe: Airframe) -> tuple[ArmShape, ...]:
+    """Shapes of the arms of an airframe."""
     return tuple(
         ArmShape(
             direction=(arm.cosine, arm.sine, 0.0),
@@ -183,7 +185,7 @@ def _arm_shapes(model: Model) -> tuple[ArmShape, ...]:
             compliant=arm.compliance > 0.0,
             spin=1 if arm.torque_ratio > 0.0 else -1,
         )
-        for arm in model.airframe.arms
+        for arm in airframe.arms
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from springback.campaign.analysis.envelope import LEVEL, Envelope, Place
+from springback.campaign.analysis.envelope import LEVEL, CellIndex, Envelope
 from springback.interfaces.figures.style import StyledFigure
 from springback.interfaces.output.robots import robot_label, with_labels
 from springback.interfaces.reports.page import Content, Table, TableCell, Wording, join, page
@@ -41,7 +41,7 @@ def _table(envelope: Envelope, robot: str) -> Table:
     """Table of successes, a row for each value of y, the largest on top."""
     lines = []
     for row in envelope.rows_from_top:
-        cells = [envelope.cells[Place(robot, i, row)] for i in range(len(envelope.x.values))]
+        cells = [envelope.cells[CellIndex(robot, i, row)] for i in range(len(envelope.x.values))]
         entries = (
             TableCell(f"{cell.successes} of {cell.trials}", cell.share)
             if cell.trials

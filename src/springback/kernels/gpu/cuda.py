@@ -122,7 +122,7 @@ def _free(pointer: int) -> None:
         pass  # the driver may be gone when the process ends
 
 
-class Loaded:
+class LoadedKernel:
     """A kernel loaded on the GPU."""
 
     def __init__(self, kernel: Kernel, *, registers: int | None = None) -> None:

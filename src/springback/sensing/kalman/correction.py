@@ -25,7 +25,7 @@ from springback.kernels.vectors import (
 from springback.sensing.kalman.covariance import (
     Column,
     Covariance,
-    corrected,
+    correct,
     correction,
     times,
     with_gyroscope_bias,
@@ -34,12 +34,12 @@ from springback.sensing.kalman.covariance import (
     with_velocity,
 )
 from springback.sensing.kalman.memory import (
+    Innovation,
     Kalman,
     KalmanMemory,
     Known,
     Nominal,
     StoredPose,
-    Surprise,
     Track,
     empty_window,
     exposed_before,
@@ -63,7 +63,7 @@ def _share(stored: StoredPose, delay: float, lag: float, interval: float) -> Sto
 
 
 @kernel
-def _recalled(kalman: Kalman, track: Track, since: float, lag: float) -> StoredPose:
+def _stored_pose_at(kalman: Kalman, track: Track, since: float, lag: float) -> StoredPose:
     """Present estimate of the pose at some time before the last sample.
 
     At an exposure this is the pose saved there.  Elsewhere, such as where motion capture is faster
@@ -98,7 +98,7 @@ def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
 
 
 @kernel
-def _moved(
+def _shift(
     stored: StoredPose, delay: float, since: float, before: Nominal, after: Nominal
 ) -> StoredPose:
     """Correct a saved pose as the last sample: at its time, δp − t δv, and the rotation.
@@ -116,7 +116,7 @@ class _Corrected(NamedTuple):
 
     nominal: Nominal
     covariance: Covariance
-    surprise: float
+    innovation: float
 
 
 @kernel
@@ -134,7 +134,7 @@ def _with_position(
     seen = axpy(position, times(with_rotation(c), transpose(lever)), 1.0)
     variance = isotropic(kalman.position_noise * kalman.position_noise)
     s = seen.p - lag * seen.v + lever @ seen.t + variance
-    return _taken_up(n, c, seen, s, z)
+    return _correct(n, c, seen, s, z)
 
 
 @kernel
@@ -149,19 +149,19 @@ def _with_attitude(
     z = (rotation(then.attitude) @ turn) @ rotation(n.attitude)
     seen = axpy(with_rotation(c), with_gyroscope_bias(c), lag)
     variance = isotropic(kalman.attitude_noise * kalman.attitude_noise)
-    return _taken_up(n, c, seen, seen.t + lag * seen.w + variance, z)
+    return _correct(n, c, seen, seen.t + lag * seen.w + variance, z)
 
 
 @kernel
-def _taken_up(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corrected:
+def _correct(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corrected:
     """Correct by an innovation z with covariance S, given P Hᵀ (section 6.1)."""
     inverse = inverse_symmetric(s)
     weighed = inverse @ z
-    return _Corrected(_injected(n, seen, weighed), corrected(c, seen, inverse), z @ weighed)
+    return _Corrected(_injected(n, seen, weighed), correct(c, seen, inverse), z @ weighed)
 
 
 @kernel
-def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
+def with_pose(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covariance) -> KalmanMemory:
     """Memory of the filter after a pose: first its position, then its attitude.
 
     Args:
@@ -175,9 +175,9 @@ def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covarianc
     late = positive_part(pose.age - track.waiting - kalman.inertial_lag)
     since = exposed_before(kalman, tick - track.waiting / kalman.tick)
     lag = minimum((late, since + kalman.delays[-1]))
-    then = _recalled(kalman, track, since, lag)
+    then = _stored_pose_at(kalman, track, since, lag)
     first = _with_position(kalman, pose, lag, then, before, c)
-    then = _moved(then, lag, 0.0, before, first.nominal)
+    then = _shift(then, lag, 0.0, before, first.nominal)
     second = _with_attitude(kalman, pose, lag, then, first.nominal, first.covariance)
     after = second.nominal
     corrected_track = Track(
@@ -185,8 +185,8 @@ def informed(kalman: Kalman, tick: float, pose: Pose, track: Track, c: Covarianc
         angular_velocity=track.angular_velocity + before.gyroscope_bias - after.gyroscope_bias,
         acceleration=track.acceleration,
         window=empty_window(after.attitude),
-        stored=tree_map(_moved, (track.stored, kalman.delays), (since, before, after)),
+        stored=tree_map(_shift, (track.stored, kalman.delays), (since, before, after)),
         waiting=track.waiting,
     )
-    known = Known(second.covariance, Surprise(first.surprise, second.surprise))
+    known = Known(second.covariance, Innovation(first.innovation, second.innovation))
     return KalmanMemory(corrected_track, Rarely(1.0, known))

@@ -76,7 +76,7 @@ class Noise(NamedTuple):
     gyroscope_bias: float  # [rad²/s²]
 
 
-def uncorrelated(p: float, v: float, t: float, a: float, w: float) -> Covariance:
+def diagonal_covariance(p: float, v: float, t: float, a: float, w: float) -> Covariance:
     """Covariance of independent errors with given standard deviations."""
     o = isotropic(0.0)
     return Covariance(
@@ -131,7 +131,7 @@ def _moved(f: Transition, c: Column) -> Column:
 
 
 @kernel
-def carried(c: Covariance, f: Transition, noise: Noise) -> Covariance:
+def propagate(c: Covariance, f: Transition, noise: Noise) -> Covariance:
     """Propagation P ← F P Fᵀ + Q: first F P column by column, then F (F P)ᵀ."""
     p, v, t = with_position(c), with_velocity(c), with_rotation(c)
     a = Column(c.pa, c.va, c.ta, c.aa, transpose(c.aw))
@@ -189,7 +189,7 @@ def correction(seen: Column, weighed: Vec) -> Correction:
 
 
 @kernel
-def corrected(c: Covariance, seen: Column, inverse: Mat3) -> Covariance:
+def correct(c: Covariance, seen: Column, inverse: Mat3) -> Covariance:
     """Covariance after a correction, P ← P − K S Kᵀ = P − (P Hᵀ) S⁻¹ (P Hᵀ)ᵀ.
 
     Args:

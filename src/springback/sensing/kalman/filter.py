@@ -28,8 +28,8 @@ from springback.kernels.vectors import (
     skew,
     transpose,
 )
-from springback.sensing.kalman.correction import informed
-from springback.sensing.kalman.covariance import Noise, Transition, carried
+from springback.sensing.kalman.correction import with_pose
+from springback.sensing.kalman.covariance import Noise, Transition, propagate
 from springback.sensing.kalman.memory import (
     ROUNDING,
     Deviations,
@@ -44,7 +44,7 @@ from springback.sensing.kalman.memory import (
     exposed_before,
     kalman_memory,
 )
-from springback.sensing.measurement import Estimate, EstimatorStep, Inertial, Measurement, estimated
+from springback.sensing.measurement import Estimate, EstimatorStep, Inertial, Measurement, update
 
 __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 
@@ -53,25 +53,25 @@ __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 AT_RANGE = 0.9
 
 
-@estimated.register(Kalman)
+@update.register(Kalman)
 @kernel
 def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> EstimatorStep:
     track = memory.track
     if seen.inertial.fresh > 0.5:
         track = _followed(kalman, tick, seen.inertial, track)
     else:
-        track = _waited(kalman, track)
+        track = _wait(kalman, track)
     after = KalmanMemory(track, Rarely(0.0, memory.known.tree))
     posed = seen.pose.fresh > 0.5
     if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
         after = _predicted(kalman, after)
         if posed:
-            after = informed(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
-    return EstimatorStep(_spoken(kalman, after.track), after)
+            after = with_pose(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
+    return EstimatorStep(_estimate(kalman, after.track), after)
 
 
 @kernel
-def _spoken(kalman: Kalman, track: Track) -> Estimate:
+def _estimate(kalman: Kalman, track: Track) -> Estimate:
     """Present motion of the main body: the last, delayed sample extrapolated at constant rates."""
     n, omega, a = track.nominal, track.angular_velocity, track.acceleration
     ahead = track.waiting + kalman.inertial_lag
@@ -83,7 +83,7 @@ def _spoken(kalman: Kalman, track: Track) -> Estimate:
 
 
 @kernel
-def _waited(kalman: Kalman, track: Track) -> Track:
+def _wait(kalman: Kalman, track: Track) -> Track:
     """Track after a tick without an inertial sample."""
     return Track(
         track.nominal,
@@ -96,7 +96,7 @@ def _waited(kalman: Kalman, track: Track) -> Track:
 
 
 @kernel
-def _begun(track: Track) -> Track:
+def _begin(track: Track) -> Track:
     """Track with a new, empty window."""
     return Track(
         track.nominal,
@@ -208,5 +208,5 @@ def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
     """Memory with the covariance propagated to the last sample, and a new window."""
     track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)
-    covariance = carried(known.covariance, transition, _noise(kalman, track.window))
-    return KalmanMemory(_begun(track), Rarely(1.0, Known(covariance, known.surprise)))
+    covariance = propagate(known.covariance, transition, _noise(kalman, track.window))
+    return KalmanMemory(_begin(track), Rarely(1.0, Known(covariance, known.innovation)))

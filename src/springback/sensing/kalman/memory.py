@@ -9,7 +9,7 @@ from typing import NamedTuple
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import Rarely
 from springback.kernels.vectors import ZERO, Quat, Vec, rotation
-from springback.sensing.kalman.covariance import Covariance, uncorrelated
+from springback.sensing.kalman.covariance import Covariance, diagonal_covariance
 from springback.sensing.measurement import Estimate
 
 #: Instants closer than this, as a fraction of a period, are the same: rounding.
@@ -84,7 +84,7 @@ class StoredPose(NamedTuple):
     attitude: Quat
 
 
-class Surprise(NamedTuple):
+class Innovation(NamedTuple):
     """Normalised innovations squared, zᵀ S⁻¹ z, of the last pose; each should be χ²(3)."""
 
     position: float
@@ -106,7 +106,7 @@ class Known(NamedTuple):
     """Uncertainty of the filter."""
 
     covariance: Covariance
-    surprise: Surprise
+    innovation: Innovation
 
 
 class KalmanMemory(NamedTuple):
@@ -146,4 +146,4 @@ def kalman_memory(kalman: Kalman, estimate: Estimate, deviations: Deviations) ->
 
 @functools.lru_cache(maxsize=64)  # the same for every flight of a campaign
 def _first_known(deviations: Deviations) -> Rarely:
-    return Rarely(0.0, Known(uncorrelated(*deviations), Surprise(0.0, 0.0)))
+    return Rarely(0.0, Known(diagonal_covariance(*deviations), Innovation(0.0, 0.0)))

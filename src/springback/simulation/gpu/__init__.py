@@ -1,1 +1,1 @@
-"""Flights on a GPU, one a thread."""
+"""Flights on a GPU, one in each thread."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from springback.kernels.compiler import Origin
-from springback.kernels.gpu.cuda import Loaded, Memory
+from springback.kernels.gpu.cuda import LoadedKernel, Memory
 from springback.kernels.gpu.nvptx import device_function
 from springback.kernels.gpu.ptx import (
     Constants,
@@ -87,7 +87,7 @@ class _KernelKind:
     def __init__(self, entry: Any, parameters: Any, parts: Any, files: Any) -> None:
         """Kernels of an entry point; none is compiled yet."""
         self._entry, self._parameters, self._parts, self._files = entry, parameters, parts, files
-        self._loaded: dict[tuple[Mask, ...], Loaded] = {}
+        self._loaded: dict[tuple[Mask, ...], LoadedKernel] = {}
 
     def masks(self, *trees: Buffer) -> tuple[Mask, ...]:
         """Leaves that vary, or those of a kernel that is already loaded, which may be more."""
@@ -96,13 +96,13 @@ class _KernelKind:
         fits = (m for m in self._loaded if not (flat & ~np.concatenate(m)).any())
         return min(fits, key=lambda masks: sum(map(sum, masks)), default=wanted)
 
-    def kernel(self, *masks: Mask) -> Loaded:
+    def kernel(self, *masks: Mask) -> LoadedKernel:
         """Kernel for flights among which these leaves vary."""
         if masks not in self._loaded:
             types = [parameter(p) for p in self._parameters(*masks)]
             with one_at_a_time():
                 lowered = program(self._entry, types, self._parts, self._files)
-                self._loaded[masks] = Loaded(kernel_of(lowered, types))
+                self._loaded[masks] = LoadedKernel(kernel_of(lowered, types))
         return self._loaded[masks]
 
 

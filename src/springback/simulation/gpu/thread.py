@@ -19,7 +19,7 @@ from springback.kernels.gpu.private_memory import (
     private_words,
 )
 from springback.kernels.layout import Buffer, SplitBuffer, TreeLayout, read, rows, write
-from springback.simulation.executor import advance, to_tick
+from springback.simulation.executor import TrajectoryLog, advance, to_tick
 from springback.simulation.flight import SLICE
 from springback.simulation.lanes import places
 from springback.simulation.noise import NoiseSource, generate
@@ -118,9 +118,10 @@ def fly_impact(
         shared, alone = array_view(flights.moving, 1, size)[0], private(memory)
         write(model, alone[0], 0, 1, 0)
         take_flight(shape, shared, flights.number, lane, alone[0])
-        logged, log = private_counters(1, 1)[0], array_view(flights.moving, 0, 1)
+        logged = private_counters(1, 1)[0]
         logged[0] = 0
-        advance(shape, alone, 0, 1, (0,), log, logged, budget, 0.0)
+        log = TrajectoryLog(array_view(flights.moving, 0, 1), logged)
+        advance(shape, alone, (0,), log, budget, 0.0)
         put_flight(shape, alone[0], shared, flights.number, lane)
 
 
@@ -164,7 +165,7 @@ def fly_ticks(
         words, pairs = private_words(7, 1), private_floats(2, 1)
         logged, nothing = private_counters(1, 1)[0], array_view(flights.moving, 0, 1)
         logged[0] = 0
-        log = FlightLog(nothing, logged, nothing)
+        log = FlightLog(TrajectoryLog(nothing, logged), nothing)
         for k in range(span.first, span.end):
             g: Any = SplitBuffer(avionics.systems, settings[0], opaque(mine[0]))
             buffers = FlightBuffers(alone[0], g, (0,))
@@ -172,7 +173,7 @@ def fly_ticks(
             sense_and_decide(layouts.guided, buffers, k, noise[0], log)
             drive_rotors(layouts.guided, buffers, k, noise[0], log, span.duration)
             early = 0.0 if k == span.last else 1.0
-            while to_tick(shape, alone, (0,), nothing, logged, SLICE, early) > 0:
+            while to_tick(shape, alone, (0,), log.trajectory, SLICE, early) > 0:
                 pass
         put_flight(shape, alone[0], shared, count, lane)
         after = opaque(mine[0])

@@ -23,7 +23,7 @@ from springback.interfaces.animation.bodies import (
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, RED, ROBOTS, SHADE
-from springback.interfaces.replay.scene import ArmShape, Scene
+from springback.interfaces.replay.scene import ArmShape, Scene, arm_shapes
 from springback.vehicle.library import VEHICLES
 
 AXES = ViewPlane(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.zeros(3))
@@ -32,28 +32,13 @@ LONGEST = 0.13
 """Chosen: length of the arrow of the largest force [m]."""
 
 
-def shapes(robot: str) -> tuple[ArmShape, ...]:
-    """Arms of a preset.
-
-    Args:
-        robot: Name of the preset.
-    """
-    return tuple(
-        ArmShape(
-            (arm.cosine, arm.sine, 0.0), arm.length, arm.shortest, arm.cage_radius,
-            arm.compliance > 0.0, 1 if arm.torque_ratio > 0.0 else -1,
-        )
-        for arm in VEHICLES[robot].vehicle.airframe().arms
-    )  # fmt: skip
-
-
 @in_style
 def robots_figure() -> Figure:
     """Both robots from above, to scale: arms with their directions, springs, cages, rotors."""
     figure = StyledFigure(figsize=(WIDTH, 2.95))
     axes = figure.subplots(1, 2, sharex=True, sharey=True)
     for ax, (robot, look) in zip(axes, ROBOTS.items(), strict=True):
-        arms = shapes(robot)
+        arms = arm_shapes(VEHICLES[robot].vehicle.airframe())
         kind = "springs in its arms" if arms[0].compliant else "rigid arms"
         chart = Chart(ax, "forward x [m]", "left y [m]", f"{look.label}: {kind}")
         lengths = np.array([arm.length for arm in arms])
