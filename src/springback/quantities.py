@@ -100,7 +100,7 @@ def si_number(
 
 
 def is_sizeable(number: Any) -> Any:
-    """Whether numbers are 0, or of a size of which squares and products can be formed."""
+    """True for numbers that are 0, or of a magnitude whose squares and products are finite."""
     return (number == 0.0) | (abs(number) >= SMALLEST) & (abs(number) <= LARGEST)
 
 
