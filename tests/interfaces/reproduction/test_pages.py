@@ -121,7 +121,7 @@ def test_the_verdict_counts_what_nothing_was_fitted_to() -> None:
     assert section.summary
     assert section.answer == (
         "Of 5 printed numbers to which nothing was fitted, each counted once, 1 agree within 5 % "
-        "with the default choices and 1 in one reading or another (2 within 10 %)."
+        "with the default choices and 1 in at least one reading (2 within 10 %)."
     )
     words = " ".join(block for block in section.blocks if isinstance(block, str))
     assert "1 further numbers were used as inputs and 1 fitted" in words

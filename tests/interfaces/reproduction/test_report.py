@@ -164,14 +164,14 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
 
     # Made up: Quad agrees throughout; of ARQ's readings only B, at the printed values, does.
     assert verdict(results) == (
-        "For Quad, 6 of its 6 other printed numbers come out within 5 %. For ARQ, all 4 printed numbers of "
-        "a test come out together for reading B on the wall and reading B on the mat."
+        "For Quad, 6 of its 6 other printed numbers agree within 5 %. For ARQ, all 4 printed numbers of "
+        "a test agree for reading B on the wall and reading B on the mat."
     )
     worse = replace(results, rows=[
         replace(row, mark=Mark.CONTRADICTED) if row.quantity == "travel" else row for row in results.rows
     ])  # fmt: skip
     assert verdict(worse) == (
-        "For Quad, 4 of its 6 other printed numbers come out within 5 %. For ARQ, none of the 7 readings of "
+        "For Quad, 4 of its 6 other printed numbers agree within 5 %. For ARQ, none of the 7 readings of "
         "its parameters gives the 4 printed numbers of a test together."
     )
 
@@ -189,7 +189,7 @@ def test_the_verdict_on_collisions_follows_the_trials() -> None:
     assert "ARQ recovers in 10 of 10 trials; printed are 100 %. Quad at 3.5 m/s" in against
     assert "contradicts the paper" in against
     assert "study why" in against
-    assert "No trial of the 20 failed" in against
+    assert "None of the 20 trials failed" in against
     as_printed = said(fake_trials(Outcome.HIT_GROUND))
     assert "Quad at 3.5 m/s recovers in 0 of 10 trials, as printed." in as_printed
     assert "contradicts the paper" not in as_printed
