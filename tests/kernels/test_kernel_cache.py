@@ -308,9 +308,9 @@ spec = importlib.util.spec_from_file_location(sys.argv[1], sys.argv[2])
 module = importlib.util.module_from_spec(spec)
 sys.modules[sys.argv[1]] = module
 spec.loader.exec_module(module)
-from springback.kernels.compiler import own_executor
+from springback.kernels.compiler import user_executor
 from springback.simulation.flight import sources
-entry = own_executor(module.entry, sources({module.Spring}))
+entry = user_executor(module.entry, sources({module.Spring}))
 print(json.dumps([entry(module.Spring(1.0)), sum(entry.stats.cache_hits.values())]))
 """
 MODULE = """

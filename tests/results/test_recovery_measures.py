@@ -69,6 +69,7 @@ def test_delays_count_from_the_exact_first_touch_or_the_tick_of_a_later_one(
 def test_outcomes_in_their_order() -> None:
     record, seen, _ = memories()
     touched, ran = record_with(record, contacts={"total": 1.0}), seen._replace(runs=1.0)
+    grounded = record_with(touched, contacts={"ground_time": 0.2})
     alarmed = ran._replace(run=ran.run._replace(alarm=0.1))
     cases = [
         (record, seen, Outcome.NO_CONTACT),
@@ -76,9 +77,13 @@ def test_outcomes_in_their_order() -> None:
         (touched, ran, Outcome.NOT_DETECTED),
         (touched, alarmed, Outcome.NOT_SETTLED),
         (touched, alarmed._replace(recovered=1.0), Outcome.RECOVERED),
-        (touched._replace(ground_time=0.2), alarmed._replace(recovered=1.0), Outcome.HIT_GROUND),
-        (touched._replace(status=NOT_FINITE, ground_time=0.2), alarmed, Outcome.NOT_FINITE),
-        (touched._replace(bottomed_time=0.1), alarmed, Outcome.NOT_SETTLED),
+        (grounded, alarmed._replace(recovered=1.0), Outcome.HIT_GROUND),
+        (
+            record_with(grounded, stepping={"status": NOT_FINITE}),
+            alarmed,
+            Outcome.NOT_FINITE,
+        ),
+        (record_with(touched, contacts={"bottomed_time": 0.1}), alarmed, Outcome.NOT_SETTLED),
     ]
     for one, judged, wanted in cases:
         assert recovery_outcomes(as_columns(one), as_columns(judged)) == [wanted]

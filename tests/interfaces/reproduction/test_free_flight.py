@@ -311,7 +311,7 @@ def test_tables_hold_the_numbers_of_the_json(page: Any, folder: Path) -> None:
 
 
 def test_table_i_shows_every_feature_with_its_mark(page: Any) -> None:
-    table = page.tables["Table I, ours beside print"]
+    table = page.tables["Table I, ours and printed"]
     shown = [cell["value"] for line in table[1:] for cell in (line[2], line[4])]
     assert sorted(v for v in shown if v is not None) == sorted(r.ours for r in feature_rows())
     (line,) = [line for line in table if line[0]["text"].startswith("largest payload")]
@@ -341,7 +341,7 @@ def test_nothing_is_said_to_disagree_that_does_not(results: FlightResults) -> No
         exact = dict(zip(QUANTITIES, TABLE_IV_CIRCLES[run.robot, run.pace], strict=True))
         good.circles[k] = replace(run, mse=exact)
     sections = {s.anchor: s for s in report.report_sections(Results(flight=good), ABOUT)}
-    assert sections["flight_wrong"].blocks[0] == "Nothing of Table IV disagrees with print."
+    assert sections["flight_wrong"].blocks[0] == "All numbers of Table IV agree with print."
 
 
 def test_csv_holds_the_curves(folder: Path) -> None:
