@@ -14,7 +14,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,7 +22,8 @@ from benchmarks.job import reference_model, starts
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
-from springback.kernels.gpu.cuda import device
+from springback.kernels.gpu.cuda import LoadedKernel, device
+from springback.kernels.gpu.nvptx import Precision
 from springback.kernels.layout import Buffer, row_of, rows
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import LANES, flight_buffers, fly_buffers, shape_of
@@ -68,18 +69,41 @@ def _copied(buffers: Buffer, times: int) -> Buffer:
     return np.tile(buffers, (times, 1))
 
 
-def _timed(fly: Callable[[], None], reset: Callable[[], None], rounds: int) -> float:
-    best = float("inf")
-    for _ in range(rounds + 1):  # the first compiles
-        reset()
+class _Seconds(NamedTuple):
+    """The best of several rounds."""
+
+    whole: float
+    """With copying to the GPU and back [s]."""
+    kernels: float
+    """On the GPU alone [s]."""
+
+
+def _timed(fly: Callable[[], None], reset: Callable[[], None], rounds: int) -> _Seconds:
+    launched: list[float] = []
+    launch = LoadedKernel.launch
+
+    def timed_launch(*arguments: Any) -> None:
         start = time.perf_counter()
-        fly()
-        best = min(best, time.perf_counter() - start)
+        launch(*arguments)
+        launched.append(time.perf_counter() - start)
+
+    best = _Seconds(float("inf"), float("inf"))
+    LoadedKernel.launch = timed_launch  # type: ignore[assignment,method-assign]
+    try:
+        for _ in range(rounds + 1):  # the first compiles
+            reset()
+            launched.clear()
+            start = time.perf_counter()
+            fly()
+            took = time.perf_counter() - start
+            best = _Seconds(min(best.whole, took), min(best.kernels, sum(launched)))
+    finally:
+        LoadedKernel.launch = launch  # type: ignore[method-assign]
     return best
 
 
 def impacts(flights: int, rounds: int) -> dict[str, Any]:
-    """Steps a second of free impacts, on both."""
+    """Steps a second of free impacts, on both; in single precision with the error of measures."""
     model = reference_model()
     states = starts(model, DIFFERENT)
     shape = shape_of(model, states[0])
@@ -90,21 +114,51 @@ def impacts(flights: int, rounds: int) -> dict[str, Any]:
     def reset() -> None:
         work[:] = there
 
-    on_gpu = _timed(lambda: fly_buffers_on_gpu(shape, work, LANES), reset, rounds)
+    def fly(precision: Precision) -> None:
+        fly_buffers_on_gpu(shape, work, LANES, precision=precision)
+
+    single = _timed(lambda: fly("single"), reset, rounds)
+    roughly = work.reshape(len(work), -1, LANES).copy()
+    on_gpu = _timed(lambda: fly("double"), reset, rounds)
     here = ready.copy()
-
-    def begin() -> None:
-        here[:] = ready
-
-    on_cpu = _timed(lambda: fly_buffers(shape, here, LANES), begin, rounds)
+    begun = time.perf_counter()
+    fly_buffers(shape, here.copy(), LANES)  # compiles
+    first = time.perf_counter() - begun
+    begun = time.perf_counter()
+    fly_buffers(shape, here, LANES)
+    on_cpu = time.perf_counter() - begun
     steps = -rows(shape.record) + row_of(shape.record.stepping, "steps")
     lanes = work.reshape(len(work), -1, LANES)
+    taken, roughly_taken = (float(each[:, steps].sum()) for each in (lanes, roughly))
     return {
         "impacts": flights,
-        "steps/s, gpu, with copying": float(lanes[:, steps].sum()) / on_gpu,
+        "steps/s, gpu": taken / on_gpu.kernels,
+        "steps/s, gpu, with copying": taken / on_gpu.whole,
+        "steps/s, gpu, single": roughly_taken / single.kernels,
+        "steps/s, gpu, single, with copying": roughly_taken / single.whole,
         "steps/s, cpu": float(here.reshape(len(here), -1, LANES)[:, steps].sum()) / on_cpu,
+        "first on the cpu, seconds": first,
         "equal": _equal(shape, work, here, LANES),
+        "errors, single": _errors(shape.record, roughly, lanes),
     }
+
+
+def _errors(record: Any, some: Buffer, others: Buffer) -> dict[str, dict[str, float]]:
+    """Relative differences of measures in flights that touch: median, 99 in 100, and largest."""
+    wanted = {
+        "peak acceleration": ("impact_peaks", "acceleration"),
+        "speed at separation": ("first_impact", "separation_speed"),
+        "time in contact": ("contacts", "duration"),
+    }
+    found = {}
+    for name, (group, field) in wanted.items():
+        row = row_of(record, group) + row_of(getattr(record, group), field) - rows(record)
+        one, other = some[:, row].ravel(), others[:, row].ravel()
+        touched = other > 0.0
+        relative = np.abs(one[touched] / other[touched] - 1.0)
+        median, most = np.quantile(relative, (0.5, 0.99))
+        found[name] = {"median": median, "99 %": most, "largest": relative.max()}
+    return found
 
 
 def _equal(shape: Any, some: Buffer, others: Buffer, width: int) -> bool:
@@ -154,7 +208,8 @@ def guided(flights: int, rounds: int) -> dict[str, Any]:
     remembered = inside.reshape(times, *beside.shape).view(np.uint64)
     return {
         "guided flights": flights,
-        "flights/s, gpu, with copying": flights / on_gpu,
+        "flights/s, gpu": flights / on_gpu.kernels,
+        "flights/s, gpu, with copying": flights / on_gpu.whole,
         "flights/s, cpu": DIFFERENT / on_cpu,
         "equal": _equal(laid.shape, work, here, GUIDED_LANES)
         and bool((remembered == beside.view(np.uint64)).all()),
@@ -196,15 +251,17 @@ def campaign(flights: int, workers: int) -> dict[str, Any]:
 def main() -> None:
     """Print one line a job."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--impacts", type=int, default=131_072)
-    parser.add_argument("--guided", type=int, default=33_792)
+    parser.add_argument("--impacts", type=int, default=131_072, help="flights; 0 for none")
+    parser.add_argument("--guided", type=int, default=33_792, help="flights; 0 for none")
     parser.add_argument("--campaign", type=int, default=0, help="flights; 0 for none")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--rounds", type=int, default=3)
     given = parser.parse_args()
     print(device().name, flush=True)
-    print(json.dumps(impacts(given.impacts, given.rounds)), flush=True)
-    print(json.dumps(guided(given.guided, given.rounds)), flush=True)
+    if given.impacts:
+        print(json.dumps(impacts(given.impacts, given.rounds)), flush=True)
+    if given.guided:
+        print(json.dumps(guided(given.guided, given.rounds)), flush=True)
     if given.campaign:
         print(json.dumps(campaign(given.campaign, given.workers)), flush=True)
 

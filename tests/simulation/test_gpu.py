@@ -19,7 +19,7 @@ from builders.impacts import towards_wall
 from springback.errors import InputError
 from springback.kernels.compiler import with_globals
 from springback.kernels.gpu import cuda
-from springback.kernels.gpu.nvptx import device_function
+from springback.kernels.gpu.nvptx import Precision, device_function
 from springback.kernels.gpu.private_memory import array_view
 from springback.kernels.gpu.ptx import (
     Constants,
@@ -186,15 +186,21 @@ def test_a_kernel_that_is_there_serves_flights_of_which_less_varies() -> None:
     assert kind.masks(model, np.array([[0.0, -0.0]])) == ((True, False, False), (True,))
 
 
-@pytest.fixture(scope="module")
-def impact_ptx() -> str:
+def ptx_of_impacts(precision: Precision) -> str:
     """The kernel of impacts of which the mass alone varies."""
     model, start = scene(2.0, 1.0)
     shape = shape_of(model, start)
-    kind = flying._impacts(shape)
+    kind = flying._impacts(shape, precision)
     mask = tuple(k == 0 for k in range(rows(shape.model)))
     types = [parameter(p) for p in kind._parameters(mask)]
-    return kernel_of(program(kind._entry, types, kind._parts, kind._files), types).text
+    given = kind._entry, types, kind._parts, kind._files, precision
+    return kernel_of(program(*given), types).text
+
+
+@pytest.fixture(scope="module")
+def impact_ptx() -> str:
+    """The kernel of impacts in double precision."""
+    return ptx_of_impacts("double")
 
 
 def test_nothing_is_contracted_or_approximated(impact_ptx: str) -> None:
@@ -204,6 +210,37 @@ def test_nothing_is_contracted_or_approximated(impact_ptx: str) -> None:
     assert re.search(r"div\.rn\.f64|rcp\.rn\.f64", impact_ptx)
     assert not re.search(r"\bfma|\bmad\.\w+\.f|approx|\.ftz|\.f32", impact_ptx)
     assert not re.search(r"(?:add|sub|mul|div|sqrt)\.f64", impact_ptx)
+
+
+def test_single_precision_is_single_throughout(impact_ptx: str) -> None:
+    """The same instructions, each of them on floats; memory, constants and launch included."""
+    single = ptx_of_impacts("single")
+    counts = [len(re.findall(r"\.f(?:32|64)\b", text)) for text in (single, impact_ptx)]
+    assert counts[0] == pytest.approx(counts[1], rel=0.01)
+    assert "f64" not in single
+    assert not re.search(r"\bfma|\bmad\.\w+\.f|approx|\.ftz", single)
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_a_gpu_gets_single_precision_where_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Flights are laid out as floats of 32 bits, and come back as doubles."""
+    kinds: set[Any] = set()
+
+    def held(array: np.ndarray[Any, Any]) -> HeldMemory:
+        kinds.add(array.dtype)
+        return HeldMemory(array)
+
+    monkeypatch.setattr(flying, "Memory", held)
+    model, start = scene(2.0, 1.0)
+    shape = shape_of(model, start)
+    buffers = [flight_buffers(shape, [model], [start], WIDTH) for _ in range(2)]
+    fly_buffers_on_gpu(shape, buffers[0], WIDTH, precision="single")
+    assert kinds == {np.dtype(np.float32)}
+    fly_buffers_on_gpu(shape, buffers[1], WIDTH)
+    rough, fine = (flight_records(shape, [model], [start], each, WIDTH)[0] for each in buffers)
+    assert leaves(rough.record) != leaves(fine.record)
+    speeds = [one.record.first_impact.separation_speed for one in (rough, fine)]
+    assert speeds[0] == pytest.approx(speeds[1], rel=1e-3)
 
 
 def test_a_flight_lives_in_registers(impact_ptx: str) -> None:

@@ -1,4 +1,4 @@
-"""Crazyflow (JAX, on processors), worlds in batches, flying the given step.
+"""Crazyflow (JAX, on its default device), worlds in batches, flying the given step.
 
 Its own drone, dynamics from first principles, its own controllers for state, attitude and torque,
 default rates and integrator, single precision.  A flight is scanned within compiled code, and so
@@ -34,7 +34,7 @@ def made(count: int, look: int) -> tuple[Any, Callable[..., Any], Callable[..., 
         from crazyflow.control import Control
         from crazyflow.sim import Sim
 
-    sim = Sim(n_worlds=count, control=Control.state)
+    sim = Sim(n_worlds=count, control=Control.state, device=jax.default_backend())
     wall = sim.spec.worldbody.add_geom()
     wall.name, wall.type = "wall", mujoco.mjtGeom.mjGEOM_BOX
     wall.size, wall.pos = [0.1, 5.0, 5.0], [2.85, 0.0, 0.0]

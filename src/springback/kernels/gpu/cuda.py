@@ -134,6 +134,7 @@ class LoadedKernel:
         """
         _enter()
         driver = _driver()
+        self._float = ctypes.c_float if kernel.precision == "single" else ctypes.c_double
         options: list[Any] = []
         values: list[Any] = []
         if registers is not None:
@@ -153,13 +154,12 @@ class LoadedKernel:
         """Run the kernel in at least this many threads, and wait until it ends."""
         _enter()
         values = tuple(a.pointer if isinstance(a, Memory) else a for a in arguments)
-        kinds = tuple(_kind(a) for a in arguments)
+        kinds = tuple(map(self._kind, arguments))
         grid = -(-threads // block)
         _call("cuLaunchKernel", self._function, grid, 1, 1, block, 1, 1, 0, 0, (values, kinds), 0)
         _call("cuCtxSynchronize")
 
-
-def _kind(argument: Any) -> Any:
-    if isinstance(argument, Memory):
-        return None  # the bindings recognise their own pointers
-    return ctypes.c_int64 if isinstance(argument, int) else ctypes.c_double
+    def _kind(self, argument: Any) -> Any:
+        if isinstance(argument, Memory):
+            return None  # the bindings recognise their own pointers
+        return ctypes.c_int64 if isinstance(argument, int) else self._float

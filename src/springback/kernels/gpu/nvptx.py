@@ -8,21 +8,24 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal
 
-from llvmlite import binding
+from llvmlite import binding, ir
 from numba.core import (
     codegen,
     cpu,
+    datamodel,
     descriptors,
     dispatcher,
     fastmathpass,
     registry,
     runtime,
     target_extension,
+    types,
     typing,
 )
 from numba.core.compiler_lock import global_compiler_lock
+from numba.core.datamodel import models
 
 from springback.kernels.compiler import STRICT, with_globals
 from springback.kernels.gpu.private_memory import MEMORY
@@ -35,18 +38,26 @@ _CPU: Any = target_extension.CPU
 _Descriptor: Any = descriptors.TargetDescriptor
 _AnyDispatcher: Any = dispatcher.Dispatcher
 _typing: Any = typing
+_models: Any = models
+_datamodel: Any = datamodel
 _runtime: Any = runtime
 _fastmath: Any = fastmathpass
 _override: Any = target_extension.target_override
 
+Precision = Literal["double", "single"]
+"""Of all floats of a kernel."""
 _TRIPLE = "nvptx64-nvidia-cuda"
 #: Architectures are upward compatible: PTX for this one runs on all later ones.
 ARCHITECTURE = "sm_70"
-_NAME = "ptx"
+_NAMES: dict[Precision, str] = {"double": "ptx", "single": "ptx-single"}
 
 
 class _Ptx(_CPU):  # type: ignore[misc]
     """Target that lowers whatever numba can lower for a processor."""
+
+
+class _SinglePtx(_Ptx):
+    """The same with all floats in single precision."""
 
 
 class _Library(_AOTLibrary):  # type: ignore[misc]
@@ -102,13 +113,32 @@ class _Context(_CPUContext):  # type: ignore[misc]
         return object()  # a placeholder for lowered code, which this process cannot call
 
 
+class _SingleFloat(_models.PrimitiveModel):  # type: ignore[misc]
+    """What numba types as float64, in single precision."""
+
+    def __init__(self, manager: Any, float_type: Any) -> None:
+        super().__init__(manager, float_type, ir.FloatType())
+
+
+class _SingleContext(_Context):
+    def init(self) -> None:
+        super().init()
+        manager = _datamodel.default_manager.copy()
+        manager.register(types.Float, _SingleFloat)
+        self.data_model_manager = manager
+
+
 class _Target(_Descriptor):  # type: ignore[misc]
     options = cpu.CPUTargetOptions
+
+    def __init__(self, precision: Precision) -> None:
+        super().__init__(_NAMES[precision])
+        self._context = _SingleContext if precision == "single" else _Context
 
     @functools.cached_property
     def _contexts(self) -> tuple[Any, Any]:
         known = _typing.Context()
-        return known, _Context(known, _NAME)
+        return known, self._context(known, self._target_name)
 
     @property
     def typing_context(self) -> Any:
@@ -120,25 +150,39 @@ class _Target(_Descriptor):  # type: ignore[misc]
 
 
 class _Dispatcher(_AnyDispatcher):  # type: ignore[misc]
-    targetdescr = _Target(_NAME)
+    targetdescr = _Target("double")
 
     def add_overload(self, cres: Any) -> None:
         self.overloads[tuple(cres.signature.args)] = cres
 
 
-def _device_decorator(function: Any = None, **options: Any) -> Any:
+class _SingleDispatcher(_Dispatcher):
+    targetdescr = _Target("single")
+
+
+_DISPATCHERS: dict[Precision, Any] = {"double": _Dispatcher, "single": _SingleDispatcher}
+
+
+def _device_decorator(dispatcher: Any, function: Any = None, **options: Any) -> Any:
     """Substitute for `numba.njit` while code for a GPU is compiled."""
     if function is None:
-        return lambda function: _device_decorator(function, **options)
+        return functools.partial(_device_decorator, dispatcher, **options)
     for name in ("pipeline_class", "nopython", "cache", "nogil"):
         options.pop(name, None)
     options |= {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return _Dispatcher(function, targetoptions={"nopython": True, **options})
+    return dispatcher(function, targetoptions={"nopython": True, **options})
 
 
-target_extension.target_registry[_NAME] = _Ptx
-target_extension.dispatcher_registry[_Ptx] = _Dispatcher
-target_extension.jit_registry[_Ptx] = _device_decorator
+def _register(precision: Precision, kind: type) -> None:
+    """Tell numba of a target."""
+    dispatcher = _DISPATCHERS[precision]
+    target_extension.target_registry[_NAMES[precision]] = kind
+    target_extension.dispatcher_registry[kind] = dispatcher
+    target_extension.jit_registry[kind] = functools.partial(_device_decorator, dispatcher)
+
+
+_register("double", _Ptx)
+_register("single", _SinglePtx)
 
 
 def machine(architecture: str) -> Any:
@@ -149,20 +193,23 @@ def machine(architecture: str) -> Any:
     return target.create_target_machine(cpu=architecture, features="+ptx81", opt=3)
 
 
-def device_function(function: Callable[..., Any], **others: Any) -> Any:
+def device_function(
+    function: Callable[..., Any], precision: Precision = "double", **others: Any
+) -> Any:
     """A function that entry points call on a GPU; ``others`` replace globals of these names."""
     plain = getattr(function, "py_func", function)
-    return _device_decorator(with_globals(plain, **MEMORY, **others), forceinline=True, **STRICT)
+    decorated = with_globals(plain, **MEMORY, **others)
+    return _device_decorator(_DISPATCHERS[precision], decorated, forceinline=True, **STRICT)
 
 
-def target_context() -> Any:
+def target_context(precision: Precision) -> Any:
     """Numba's context for lowering to this target."""
-    return _Dispatcher.targetdescr.target_context
+    return _DISPATCHERS[precision].targetdescr.target_context
 
 
-def lower(function: Any, arguments: tuple[Any, ...]) -> Any:
+def lower(function: Any, precision: Precision, arguments: tuple[Any, ...]) -> Any:
     """A device function, typed and lowered for the given argument types."""
-    with _override(_NAME):
+    with _override(_NAMES[precision]):
         result = function._compiler.compile(arguments, None)
     result.library._ensure_finalized()
     return result

@@ -60,7 +60,8 @@ def opaque(buffer: Any) -> Any:
 def _array(context: Any, builder: Any, kind: Any, data: Any, shape: Sequence[Any]) -> Any:
     """An array over memory that it does not own."""
     array = context.make_array(kind)(context, builder)
-    strides = [size := ir.Constant(ir.IntType(64), 8)]
+    element = context.get_abi_sizeof(context.get_data_type(kind.dtype))
+    strides = [size := ir.Constant(ir.IntType(64), element)]
     for count in reversed(shape[1:]):
         strides.insert(0, builder.mul(strides[0], count))
     _arrays.populate_array(

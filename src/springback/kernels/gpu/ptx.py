@@ -25,6 +25,7 @@ from numba.core.compiler_lock import global_compiler_lock
 from springback.kernels.compiler import Origin, cache_folder
 from springback.kernels.gpu.nvptx import (
     ARCHITECTURE,
+    Precision,
     device_function,
     lower,
     machine,
@@ -62,6 +63,7 @@ class Kernel(NamedTuple):
 
     name: str
     text: str
+    precision: Precision = "double"
 
 
 class Constants(NamedTuple):
@@ -110,6 +112,7 @@ class Program(NamedTuple):
     bitcode: bytes
     digest: str | None
     """Digest of everything it depends on; None if it must not be cached."""
+    precision: Precision = "double"
 
 
 def program(
@@ -117,6 +120,7 @@ def program(
     parameters: Sequence[Any],
     parts: Callable[[], dict[str, Any]],
     sources: Origin | None = Origin((), (), ""),  # noqa: B008
+    precision: Precision = "double",
 ) -> Program:
     """Lower an entry point, or load it from the cache.
 
@@ -126,20 +130,21 @@ def program(
         parameters: Types of all arguments but the last, see `parameter`.
         parts: Returns replacements for globals of the entry, see `device_function`.
         sources: Origin of a user's code among the types; None disables caching.
+        precision: Of all floats.
     """
     kinds = [_kind(p) for p in parameters]
     versions = [numba.__version__, str(binding.llvm_version_info), ARCHITECTURE]
-    said = [entry.__qualname__, *versions, *map(str, kinds)]
+    said = [entry.__qualname__, precision, *versions, *map(str, kinds)]
     said += sources.words() if sources is not None else []
     digest = hashlib.sha256("\n".join(said).encode()).hexdigest()[:32]
     if sources is None:
-        return Program(entry.__name__, _bitcode(entry, kinds, parts()), None)
+        return Program(entry.__name__, _bitcode(entry, kinds, parts(), precision), None, precision)
     path = _folder() / f"{digest}.bc"
     bitcode = load_program(path)
     if bitcode is None:
-        bitcode = _bitcode(entry, kinds, parts())
+        bitcode = _bitcode(entry, kinds, parts(), precision)
         save_program(path, bitcode)
-    return Program(entry.__name__, bitcode, digest)
+    return Program(entry.__name__, bitcode, digest, precision)
 
 
 def _folder() -> Path:
@@ -157,11 +162,14 @@ def one_at_a_time() -> Iterator[None]:
 
 
 @global_compiler_lock  # type: ignore[untyped-decorator]
-def _bitcode(entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any]) -> bytes:
+def _bitcode(
+    entry: Callable[..., Any], kinds: Sequence[Any], parts: dict[str, Any], precision: Precision
+) -> bytes:
     """Bitcode of an entry point and its callees, under the name of the entry point."""
-    result = lower(device_function(entry, **parts), (*kinds, types.int64))
+    function = device_function(entry, precision, **parts)
+    result = lower(function, precision, (*kinds, types.int64))
     module = binding.parse_assembly(str(result.library._final_module))
-    _define_built_in(module)
+    _define_built_in(module, precision)
     for number, each in enumerate(module.functions):
         if each.name == result.fndesc.llvm_func_name:
             each.name = _INNER
@@ -193,16 +201,16 @@ def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     path = _folder() / f"{program.digest}-{mask}.ptx"
     known = load_program(path) if program.digest else None
     if known is not None:
-        return Kernel(program.name, known.decode())
+        return Kernel(program.name, known.decode(), program.precision)
     module = binding.parse_bitcode(program.bitcode)
-    module.link_in(binding.parse_assembly(_entry_text(program.name, parameters)))
+    module.link_in(binding.parse_assembly(_entry_text(program, parameters)))
     module.get_function(_INNER).linkage = "internal"
     _optimise(module)
     _check_calls(module)
     text = machine(ARCHITECTURE).emit_assembly(module)
     if program.digest:
         save_program(path, text.encode())
-    return Kernel(program.name, text)
+    return Kernel(program.name, text, program.precision)
 
 
 def flat(parameters: Iterable[Any]) -> Iterator[Any]:
@@ -223,14 +231,15 @@ def _check_calls(module: Any) -> None:
             raise PtxError(f"there is no {name} on a GPU")
 
 
-def _define_built_in(module: Any) -> None:
+def _define_built_in(module: Any, precision: Precision) -> None:
     """Implement functions of the C library by GPU instructions, which round identically."""
+    kind, suffix = ("float", "f32") if precision == "single" else ("double", "f64")
     declared = {function.name for function in module.functions if function.is_declaration}
     for name in declared.intersection(_BUILT_IN):
         text = (
-            f"define double @{name}(double %x) alwaysinline {{\n"
-            f"%y = call double @llvm.{name}.f64(double %x)\nret double %y\n}}\n"
-            f"declare double @llvm.{name}.f64(double)\n"
+            f"define {kind} @{name}({kind} %x) alwaysinline {{\n"
+            f"%y = call {kind} @llvm.{name}.{suffix}({kind} %x)\nret {kind} %y\n}}\n"
+            f"declare {kind} @llvm.{name}.{suffix}({kind})\n"
         )
         module.link_in(binding.parse_assembly(text))
 
@@ -240,19 +249,19 @@ def _arguments_of(context: Any, p: Any) -> list[Any]:
     if isinstance(p, TreeLayoutType):
         return []
     if isinstance(p, Constants):
-        number = ir.DoubleType()
+        number = context.get_value_type(types.float64)
         fixed = [number] * p.varies.count(False)
         return [*fixed, number.as_pointer(), ir.IntType(64)]
     return [context.get_value_type(p)]
 
 
-def _entry_text(name: str, parameters: Sequence[Any]) -> str:
+def _entry_text(program: Program, parameters: Sequence[Any]) -> str:
     """Text of a kernel that calls a lowered entry point once in every thread."""
-    context = target_context()
+    context = target_context(program.precision)
     module = context.codegen()._create_empty_module("entry")
     passed = [_arguments_of(context, p) for p in flat(parameters)]
     kind = ir.FunctionType(ir.VoidType(), list(itertools.chain.from_iterable(passed)))
-    kernel = ir.Function(module, kind, name)
+    kernel = ir.Function(module, kind, program.name)
     kernel.calling_convention = "ptx_kernel"
     builder = ir.IRBuilder(kernel.append_basic_block())
     word = ir.IntType(32)

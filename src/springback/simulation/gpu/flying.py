@@ -14,7 +14,7 @@ import numpy as np
 
 from springback.kernels.compiler import Origin
 from springback.kernels.gpu.cuda import LoadedKernel, Memory
-from springback.kernels.gpu.nvptx import device_function
+from springback.kernels.gpu.nvptx import Precision, device_function
 from springback.kernels.gpu.ptx import (
     Constants,
     kernel_of,
@@ -71,7 +71,7 @@ Mask = tuple[bool, ...]
 
 
 def _varying(columns: Buffer) -> Mask:
-    bits = columns.view(np.uint64)
+    bits = columns.view(np.uint64 if columns.dtype == np.float64 else np.uint32)
     return tuple((bits != bits[:, :1]).any(axis=1).tolist())
 
 
@@ -84,9 +84,12 @@ def _constants(columns: Buffer, mask: Mask) -> list[Any]:
 class _KernelKind:
     """Kernels for flights of one structure, by the leaves that vary among them."""
 
-    def __init__(self, entry: Any, parameters: Any, parts: Any, files: Any) -> None:
+    def __init__(
+        self, entry: Any, parameters: Any, parts: Any, files: Any, precision: Precision = "double"
+    ) -> None:
         """Kernels of an entry point; none is compiled yet."""
         self._entry, self._parameters, self._parts, self._files = entry, parameters, parts, files
+        self._precision = precision
         self._loaded: dict[tuple[Mask, ...], LoadedKernel] = {}
 
     def masks(self, *trees: Buffer) -> tuple[Mask, ...]:
@@ -101,7 +104,7 @@ class _KernelKind:
         if masks not in self._loaded:
             types = [parameter(p) for p in self._parameters(*masks)]
             with one_at_a_time():
-                lowered = program(self._entry, types, self._parts, self._files)
+                lowered = program(self._entry, types, self._parts, self._files, self._precision)
                 self._loaded[masks] = LoadedKernel(kernel_of(lowered, types))
         return self._loaded[masks]
 
@@ -114,8 +117,8 @@ def _kinds() -> dict[Any, _KernelKind]:
     return {}
 
 
-def _impacts(shape: Shape) -> _KernelKind:
-    key = fly_impact, structure(shape)
+def _impacts(shape: Shape, precision: Precision) -> _KernelKind:
+    key = fly_impact, structure(shape), precision
     if key not in _kinds():
         like, memory = TreeLayout(shape), TreeLayout((0.0,) * buffer_rows(shape, 1))
 
@@ -124,9 +127,10 @@ def _impacts(shape: Shape) -> _KernelKind:
             return [like, memory, constants, SharedFlights(_FLOATS, 1), 1]
 
         def parts() -> dict[str, Any]:
-            return {"advance": device_function(advance)}
+            return {"advance": device_function(advance, precision)}
 
-        _kinds()[key] = _KernelKind(fly_impact, parameters, parts, _files(shape.model))
+        files = _files(shape.model)
+        _kinds()[key] = _KernelKind(fly_impact, parameters, parts, files, precision)
     return _kinds()[key]
 
 
@@ -165,7 +169,12 @@ def _files(*trees: Any) -> Origin | None:
 
 
 def fly_buffers_on_gpu(
-    shape: Shape, buffers: Buffer, width: int, *, progress: Progress | None = None
+    shape: Shape,
+    buffers: Buffer,
+    width: int,
+    *,
+    precision: Precision = "double",
+    progress: Progress | None = None,
 ) -> None:
     """Fly all flights to their end on a GPU, in their buffers.
 
@@ -173,6 +182,8 @@ def fly_buffers_on_gpu(
         shape: Layout of the buffers.
         buffers: Shape (groups, rows x width).
         width: Lanes in a group.
+        precision: In which the GPU computes. In single precision results are not the processor's:
+            restitution and peaks keep three to five digits, see docs/benchmarks.md.
         progress: Called from time to time with the share of flights done.
 
     Raises:
@@ -181,8 +192,10 @@ def fly_buffers_on_gpu(
     """
     lanes, at = buffers.reshape(len(buffers), -1, width), places(shape, width)
     moving, status = rows(shape.motion), at.status - at.record
-    kind, model = _impacts(shape), _columns(lanes, 0, at.motion)
+    kind, model = _impacts(shape, precision), _columns(lanes, 0, at.motion)
     flights = np.vstack((_columns(lanes, at.motion, at.total), _columns(lanes, at.record, at.end)))
+    if precision == "single":
+        model, flights = model.astype(np.float32), flights.astype(np.float32)
     masks = kind.masks(model)
     kernel, constants = kind.kernel(*masks), _constants(model, *masks)
     there, count = Memory(flights), flights.shape[1]
