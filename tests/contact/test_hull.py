@@ -199,6 +199,9 @@ def test_the_impulse_law_strikes_it(restitution: float) -> None:
         -2.0 * (1.0 + restitution) * flight.scenario.vehicle.mass, rel=1e-9
     )
     assert value(flight, "body_contacts") == 1.0
+    # At the very touch: it does not sink in until the cages, 60 mm behind, meet the wall.
+    assert value(flight, "touch_time") == pytest.approx((0.1 - RADIUS) / 2.0, abs=1e-9)
+    assert flight.columns["x"].max() == pytest.approx(1.0 - RADIUS, abs=1e-9)
 
 
 def test_it_is_felt_at_the_very_touch() -> None:

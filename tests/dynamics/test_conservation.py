@@ -15,7 +15,7 @@ from oracles.rigid import rigid
 from springback.dynamics.crossing import NO_CROSSING, time_to
 from springback.dynamics.energy import Energy, angular_momentum, energy, locked_state
 from springback.dynamics.impulse import apply_impulses
-from springback.dynamics.motion import Motion
+from springback.dynamics.motion import RESTING, Motion
 from springback.kernels.trees import axpy
 from springback.simulation.flight import FlightRecord, still_work
 
@@ -432,6 +432,19 @@ def test_two_cages_that_hit_squarely_obey_newton_too() -> None:
     )
 
 
+def test_a_cage_that_approaches_slowly_rests() -> None:
+    """Below `RESTING` nothing rebounds, whatever the restitution; just above it, all of it does."""
+    for seed in range(10):
+        scene, start, (k,) = at_the_wall(seed, 1, friction=0.0, restitution=1.0)
+        closing = -_contact_velocity(scene, start, k) @ scene.wall.normal
+        for share, rebound in ((0.9, 0.0), (1.1, 1.0)):
+            scale = share * RESTING / closing
+            slow = replace(start, velocity=start.velocity * scale, omega=start.omega * scale)
+            end, _ = kicked(scene, slow)
+            speed = _contact_velocity(scene, end, k) @ scene.wall.normal
+            assert speed == pytest.approx(rebound * share * RESTING, abs=1e-9)
+
+
 @pytest.mark.parametrize("friction", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
 def test_one_cage_with_friction_bounces_as_routh_and_stronge_say(
@@ -479,5 +492,7 @@ def test_impulses_never_add_energy(cages: int, restitution: float) -> None:
         before, then = mechanical(scene, start), mechanical(scene, end)
         lost = before.total - then.total
         assert after.work.contact + after.work.friction == pytest.approx(lost, abs=1e-9)
+        assert after.work.friction >= -1e-12  # friction opposes the slip
+        assert (after.work.friction > 1e-6) == (friction > 0.0)
         # Taking a cage out of the wall by a micrometre may lift the vehicle by as much.
         assert then.kinetic <= before.kinetic * (1.0 + 1e-9)

@@ -43,13 +43,17 @@ PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.
 IMPULSE = (
     "contact/test_hull.py dynamics/test_conservation.py simulation/test_combinations.py",
-    "impulse_law_strikes or impulses or squarely or routh or combination_flies and impulse",
+    "impulse_law_strikes or impulses or squarely or rests or routh or combination_flies and impulse",
 )
 #: Of what only a flight shows; these compile.
 FLIGHT = (
     "simulation/test_steps.py contact/test_hull.py",
     "isolator or dashpot or travel or felt or stop",
 )
+
+
+#: Crossings and end stops, rule by rule.
+CROSSINGS = ("dynamics/test_crossings.py", "")
 
 
 class Mutation(NamedTuple):
@@ -175,10 +179,10 @@ MUTATIONS = (
     Mutation("contact on within a step", CAGE, "touches & (engaged > 0.0)", "touches", FLIGHT),
     Mutation("contact never on", CAGE, "touches & (engaged > 0.0)", "touches & (engaged > 2.0)", QUICK),
     Mutation("law not felt at the touch", CAGE, "(gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))", "gap < -AT_TOUCH", FLIGHT),
-    Mutation("crossing, sign of the rate", CROSSING, "value * rate < 0.0", "value * rate > 0.0", FLIGHT),
+    Mutation("crossing, sign of the rate", CROSSING, "value * rate < 0.0", "value * rate > 0.0", CROSSINGS),
     Mutation("crossing, the later one", CROSSING, "a.distance * b.speed < b.distance", "a.distance * b.speed > b.distance", RULES),
     Mutation("crossing, speed over distance", CROSSING, "c.distance / c.speed", "c.speed / c.distance", RULES),
-    Mutation("the other stop is next", STOPS, "growing if rate > 0.0 else shrinking", "shrinking if rate > 0.0 else growing", FLIGHT),
+    Mutation("the other stop is next", STOPS, "growing if rate > 0.0 else shrinking", "shrinking if rate > 0.0 else growing", CROSSINGS),
     Mutation("leaving at once", TOUCHES, "(met.gap < -LANDED) & (met.impulsive == 0.0)", "(met.gap < -LANDED) & (met.rate < 0.0)", FLIGHT),
     Mutation("impulse where it leaves", TOUCHES, "closing = (met.gap <= LANDED) & (met.rate < 0.0)", "closing = (met.gap <= LANDED) & (met.rate > 0.0)", IMPULSE),
     # steps
@@ -215,8 +219,8 @@ MUTATIONS = (
     Mutation("peak, across a touch", RECORD, "smooth = (now.step > 0.0) & (not jumped)", "smooth = now.step > 0.0", PEAK),
     Mutation("peak, of stale instants", RECORD, "Recent(select(smooth, now.step, 0.0), m.recent.latest, sample)", "Recent(select(smooth, now.step, 0.0), sample, m.recent.latest)", PEAK),
     # stops, as steps see them
-    Mutation("stop ahead unseen", STOPS, "(shift != 0.0) | soon", "shift != 0.0", FLIGHT),
-    Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * abs", "damper = -arm.stop_dissipation * abs", FLIGHT),
+    Mutation("stop ahead unseen", STOPS, "(shift != 0.0) | soon", "shift != 0.0", CROSSINGS),
+    Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * abs", "damper = -arm.stop_dissipation * abs", CROSSINGS),
     # bounds of friction
     Mutation("grip, about z", GRIPS, "g * (pn * pn + out * square)", "g * (out * square)", GRIP),
     Mutation("grip, about x", GRIPS, "upright * point.y * point.y", "upright * point.x * point.x", GRIP),

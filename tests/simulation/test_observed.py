@@ -8,7 +8,8 @@ import pytest
 
 from builders.records import record_with
 from springback.dynamics.crossing import Crossing
-from springback.dynamics.motion import Motion
+from springback.dynamics.motion import Engaged, Motion
+from springback.kernels.trees import field_of
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.model import flight_model, start_state
 from springback.scenario.scenario import scenario_from
@@ -292,6 +293,38 @@ def test_first_impact_measures_stop_with_it() -> None:
     assert leaves.first_impact.travel == pytest.approx(0.013)
     assert leaves.first_impact.separation_speed == pytest.approx(1.0)
     assert left.first_impact.separation_time == -1.0
+    # The separation of another impact is none of the first.
+    again = record_after(model, moved, swings, later)
+    assert again.contacts.touching == 0.0
+    assert again.first_impact.separation_time == -1.0
+
+
+def test_peaks_between_instants_need_three_of_one_contact() -> None:
+    """The last two instants follow each other; a contact that begins or ends breaks the stretch."""
+    model, motion, view, m = scene()
+
+    def at(acceleration: float, seen: View) -> View:
+        return seen._replace(acceleration=Vec(-acceleration, 0.0, 0.0))
+
+    touch = armed(view, 2, **TOUCHES)
+    pressed = record_with(m, stepping={"phase": IMPACT, "step": 1e-4}, contacts={"impact_open": 1.0, "impacts": 1.0, "total": 1.0, "touching": 1.0, "engaged": Engaged(field_of(touch.arms, "engaged"), field_of(touch.hull, "engaged"))}, first_impact={"inward": Vec(1.0, 0.0, 0.0), "touch_time": 0.0})  # fmt: skip
+    first = record_after(model, motion, at(100.0, touch), pressed)
+    second = record_after(
+        model, motion, at(104.0, touch), record_with(first, stepping={"step": 1e-4})
+    )
+    assert [s.acceleration for s in (second.recent.earlier, second.recent.latest)] == [100.0, 104.0]
+    assert second.recent.step == 1e-4
+    third = record_after(
+        model, motion, at(102.0, touch), record_with(second, stepping={"step": 1e-4})
+    )
+    # The parabola through 100, 104, 102 has its vertex at 104 + 1/12.
+    assert third.peaks.acceleration == pytest.approx(104.0 + 1.0 / 12.0, abs=1e-9)
+    # The same samples, but the contact ends at the third.
+    apart = record_after(
+        model, motion, at(102.0, view), record_with(second, stepping={"step": 1e-4})
+    )
+    assert apart.peaks.acceleration == 104.0
+    assert apart.recent.step == 0.0
 
 
 def test_the_return_is_where_the_first_touch_was() -> None:
