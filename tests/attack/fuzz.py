@@ -52,9 +52,12 @@ def attack(kind: str, number: int, cases: int, tally: Counter[str]) -> str:
     try:
         each()
     except Exception as error:
-        notes = "\n".join(getattr(error, "__notes__", []))
-        trace = "".join(traceback.format_exception(error)[-4:])
-        return f"{kind}, seed {number}:\n{trace}{notes}\n"
+        each_found = error.exceptions if isinstance(error, ExceptionGroup) else (error,)
+        said = [f"{kind}, seed {number}:\n"]
+        for one in each_found:
+            notes = "\n".join(getattr(one, "__notes__", []))
+            said.append("".join(traceback.format_exception(one)[-4:]) + notes + "\n")
+        return "".join(said)
     return ""
 
 

@@ -142,6 +142,14 @@ def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
     del summary["measures"]["contacts"]
     with pytest.raises(InputError, match=r"measures\.contacts: is missing"):
         result_files(Changed([], {SUMMARY: json.dumps(with_digest(summary)).encode()}))
+    for path, value, said in (
+        (("arms", "directions"), [0.8, -0.8, 3.0], "with 4 arms; that of the scenario has 3"),
+        (("hull",), False, "with a hull; that of the scenario has none"),
+    ):
+        summary = json.loads(result()[1][SUMMARY])
+        summary = put(summary, ("scenario", "vehicle", *path), value)
+        with pytest.raises(InputError, match=said):
+            result_files(Changed([], {SUMMARY: json.dumps(with_digest(summary)).encode()}))
     about = json.loads(campaign()[1][store.ABOUT])
     for name in store._NEEDED:
         less = {key: value for key, value in about.items() if key != name}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,9 @@ from springback.simulation.measures import MEASURES, Outcome
 from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: No flight has such a number; its square is still finite.
+LARGEST = 1e100
 
 
 def read_result(folder: str | Path) -> Flight:
@@ -48,6 +52,7 @@ def read_result(folder: str | Path) -> Flight:
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
     _check(path, columns, _required_columns(scenario.vehicle))
+    _check_vehicle(path, columns, scenario.vehicle)
     telemetry: dict[str, Array] = {}
     path = folder / "telemetry.parquet"
     if path.name in summary["files"]:
@@ -144,6 +149,18 @@ def _required_columns(vehicle: Vehicle) -> list[str]:
     return names + (["fn_body", "ff_body"] if vehicle.hull else [])
 
 
+def _check_vehicle(path: Path, columns: Mapping[str, Array], vehicle: Vehicle) -> None:
+    """Reject a trajectory of a vehicle with more arms, or with a hull that this one lacks."""
+    arms = sum(1 for name in columns if re.fullmatch(r"l\d+", name))
+    if arms != vehicle.arm_count:
+        raise InputError(
+            f"{path}: is of a vehicle with {arms} arms; that of the scenario has "
+            f"{vehicle.arm_count}"
+        )
+    if "fn_body" in columns and not vehicle.hull:
+        raise InputError(f"{path}: is of a vehicle with a hull; that of the scenario has none")
+
+
 def _table(path: Path) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns of a Parquet file, and their units."""
     path = path.absolute()
@@ -190,7 +207,9 @@ def _check(path: Path, columns: Mapping[str, Array], wanted: list[str]) -> None:
     if len(t) < 2:
         raise InputError(f"{path}: has {len(t)} instants; a flight has at least 2")
     for name in wanted:
-        if not np.isfinite(columns[name]).all():
-            raise InputError(f"{path}: column {name}: must be finite numbers")
+        if not (np.abs(columns[name]) < LARGEST).all():
+            raise InputError(
+                f"{path}: column {name}: must be finite numbers below {LARGEST:g} in magnitude"
+            )
     if not (np.diff(t) > 0.0).all():
         raise InputError(f"{path}: column t: must increase from row to row, in s")
