@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from builders.bodies import LEVEL, STILL, body
 from builders.scenes import CAGE, FACE, LENGTH, surface
 from builders.user_obstacles import Ball, Pole
 from springback.contact.cage import ArmTip, CageContact, Ring, cage_contact, support
@@ -25,7 +26,6 @@ from springback.vehicle.state import ArmPose
 Array = NDArray[np.float64]
 ROUNDING = 1e-3
 EXACT, ROUNDED, PAPER = Ring(0.0), Ring(ROUNDING), ArmTip(0.0)
-LEVEL = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
 GRIPPY = surface(friction=0.8, dissipation=0.65)
 seeds = st.integers(0, 2**32 - 1)
 
@@ -60,7 +60,9 @@ class Moving:
         r = Mat3(*(vec(row) for row in turn.as_matrix()))
         position = vec(self.place + self.velocity * t)
         there = obstacle_in_body_frame(Obstacle(shape, GRIPPY, 0.0), position, r)
-        return cage_contact(there, model, CAGE, pose, vec(turn.inv().apply(self.omega)), r.z)
+        return cage_contact(
+            there, model, CAGE, pose, body(r, omega=vec(turn.inv().apply(self.omega)))
+        )
 
 
 @given(seed=seeds)
@@ -129,10 +131,7 @@ def test_both_points_agree_for_a_level_vehicle_hit_along_an_arm(
     pose = ArmPose(ahead, LENGTH * ahead, Vec(speed + slide, 0.0, 0.0))
     place = Vec(depth - LENGTH - CAGE, 0.0, 0.0)
     wall = obstacle_in_body_frame(Obstacle(FACE, GRIPPY, 0.0), place, LEVEL)
-    still = Vec(0.0, 0.0, 0.0)
-    ring, paper = (
-        cage_contact(wall, model, CAGE, pose, still, Vec(0.0, 0.0, 1.0)) for model in (EXACT, PAPER)
-    )
+    ring, paper = (cage_contact(wall, model, CAGE, pose, body()) for model in (EXACT, PAPER))
     assert ring.gap == pytest.approx(-depth, abs=1e-14)
     assert paper.gap == pytest.approx(-depth, abs=1e-14)
     assert ring.rate == paper.rate == -(speed + slide)
@@ -144,9 +143,9 @@ def test_flat_cage_on_the_ground_is_carried_at_its_centre() -> None:
     """A level cage touches all around, so the force acts at the arm's end, not at some rim point."""
     below = Obstacle(Plane(Vec(0.0, 0.0, 1.0), 0.0), GRIPPY, 1.0)
     ground = obstacle_in_body_frame(below, Vec(0.0, 0.0, -0.002), LEVEL)
-    ahead, up, still = Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 1.0), Vec(0.0, 0.0, 0.0)
-    pose = ArmPose(ahead, LENGTH * ahead, still)
-    met = cage_contact(ground, ROUNDED, CAGE, pose, still, up)
+    ahead = Vec(1.0, 0.0, 0.0)
+    pose = ArmPose(ahead, LENGTH * ahead, STILL)
+    met = cage_contact(ground, ROUNDED, CAGE, pose, body())
     # The rounded corner lets a flat cage sink by ε r_0 more, 0.11 mm.
     assert met.gap == pytest.approx(-0.002, abs=1.2e-4)
     assert met.touch.on_ground == 1.0
@@ -174,8 +173,7 @@ def test_central_gap_on_a_curved_obstacle(shape: Any) -> None:
     towards = np.array([0.5, 0.1, 0.0])
     e = towards / np.linalg.norm(towards)
     pose = ArmPose(vec(e), vec(LENGTH * e), vec(2.0 * e))
-    still = Vec(0.0, 0.0, 0.0)
-    there = obstacle_in_body_frame(Obstacle(shape, GRIPPY, 0.0), still, LEVEL)
-    met = cage_contact(there, EXACT, CAGE, pose, still, Vec(0.0, 0.0, 1.0))
+    there = obstacle_in_body_frame(Obstacle(shape, GRIPPY, 0.0), STILL, LEVEL)
+    met = cage_contact(there, EXACT, CAGE, pose, body())
     assert met.gap == pytest.approx(math.hypot(0.5, 0.1) - shape.radius - LENGTH - CAGE)
     assert met.rate == pytest.approx(-2.0)

@@ -25,6 +25,7 @@ from springback.vehicle.state import Airframe, Sphere, State
 
 RUBBER = surface(stiffness=2e4, friction=0.5, slip_speed=0.03)
 OFF = (0.0,) * 4
+POINT, FREE, STILL = Ring(1e-6), Free(0.0), Still(0.0)
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,10 @@ class Pressed:
     world: World
     state: State
     released: float
+    contact_point: Ring = POINT
+    guide: Free = FREE
+    air: Still = STILL
+    thrust: tuple[float, ...] = OFF
 
     @property
     def bound(self) -> float:
@@ -60,9 +65,7 @@ class Pressed:
         return np.array(leaves(known.motion.state))
 
     def _rates(self, state: State) -> Rates:
-        return rates(
-            self.airframe, self.world, Ring(1e-6), Free(0.0), Still(0.0), state, OFF, self.released
-        )
+        return rates(self, state, self.released)
 
 
 def pressed(robot: str, attitude: Quat, depths: tuple[float, float], released: float) -> Pressed:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from builders.bodies import LEVEL, body
 from builders.scenes import surface
 from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
@@ -47,7 +48,7 @@ def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADI
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
     return hull_contact(
-        Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), velocity, omega, UP, 0.0
+        Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), body(LEVEL, velocity, omega)
     )
 
 

@@ -41,10 +41,7 @@ def random_instant(seed: int) -> tuple[models.Scene, models.Start]:
 
 def rates_in(air: Any, scene: models.Scene, start: models.Start) -> Any:
     """Rates of all that is integrated, arms free, in some air."""
-    return rates(
-        models.airframe_of(scene.craft), models.world_of(scene), models.contact_point_of(scene),
-        models.Free(0.0), air, models.state_of(start), models.thrust_of(scene), 1.0,
-    )  # fmt: skip
+    return rates(models.model_of(scene, until=1.0)._replace(air=air), models.state_of(start), 1.0)
 
 
 def flown_in(air: Any, scene: models.Scene, start: models.Start, **how: Any) -> FlightRecord:
@@ -196,10 +193,7 @@ def test_on_a_slider_only_drag_along_it_counts() -> None:
     seen = []
     for wind in (Vec(2.0, 0.0, 0.0), Vec(2.0, 7.0, 0.0)):
         air = Air(wind, Vec(0.3, 0.3, 0.3), 0.0, ZERO)
-        known = rates(
-            model.airframe, model.world, model.contact_point, model.guide, air, start,
-            model.thrust, 0.0,
-        )  # fmt: skip
+        known = rates(model._replace(air=air), start, 0.0)
         seen.append(known.motion.state.velocity)
     assert seen[0].x == pytest.approx(seen[1].x, rel=1e-12)
     assert seen[0].x == pytest.approx(0.3 * (2.0 - start.velocity.x) / model.airframe.mass)

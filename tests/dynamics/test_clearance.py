@@ -46,8 +46,6 @@ def test_it_is_the_smallest_gap_of_any_cage(world: str, point: str) -> None:
             tuple(map(float, rng.normal(size=4))),
         )
         m = model
-        seen = rates(
-            m.airframe, m.world, m.contact_point, m.guide, m.air, state, m.thrust, 1.0
-        ).seen
+        seen = rates(m, state, 1.0).seen
         told = clearance(m.airframe, m.world, m.contact_point, state)
         assert told == min(arm.gap for arm in seen.arms)

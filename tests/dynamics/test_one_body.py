@@ -51,10 +51,7 @@ def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
                 arm_length=tuple(float(x) for x in rng.uniform(0.15, 0.19, 4)),
             )
         )
-        whole = rates(
-            model.airframe, model.world, model.contact_point, model.guide, air, state,
-            model.thrust, 0.0,
-        )  # fmt: skip
+        whole = rates(model._replace(air=air), state, 0.0)
         body = rigid_body(model.airframe, state.arm_length, model.thrust)
         x = RigidState(
             state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0
@@ -213,9 +210,6 @@ def test_room_shrinks_no_slower_than_the_gap() -> None:
             start.arm_length,
             start.arm_rate,
         )
-        m = model
-        seen = rates(
-            m.airframe, m.world, m.contact_point, m.guide, m.air, state, m.thrust, 0.0
-        ).seen
+        seen = rates(model, state, 0.0).seen
         told = min(row[f"arms.{j}.gap"] for j in range(1, 5))
         assert 0.0 < told <= min(arm.gap for arm in seen.arms) + 1e-12

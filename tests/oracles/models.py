@@ -248,15 +248,9 @@ def rates_of(
     scene: Scene, start: Start, *, released: bool = True, slider: Array | None = None
 ) -> Rates:
     """The package's rate of change of everything, run by Python; on a slider along some axis."""
+    guide = Free(0.0) if slider is None else Slider(vec(slider))
     return rates(
-        airframe_of(scene.craft),
-        world_of(scene),
-        contact_point_of(scene),
-        Free(0.0) if slider is None else Slider(vec(slider)),
-        Still(0.0),
-        state_of(start),
-        thrust_of(scene),
-        1.0 if released else 0.0,
+        model_of(scene, until=1.0)._replace(guide=guide), state_of(start), 1.0 if released else 0.0
     )
 
 

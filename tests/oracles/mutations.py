@@ -174,7 +174,7 @@ MUTATIONS = (
     Mutation("hull, its normal left out", MOTION, "field_of(arms, \"touched\") + field_of(hull, \"touched\")", "field_of(arms, \"touched\")", RULES),
     Mutation("hull, no impulse", RECORD, "maximum(field_of(view.arms, \"impulsive\") + field_of(view.hull, \"impulsive\"))", "maximum(field_of(view.arms, \"impulsive\"))", RULES),
     Mutation("hull, its contacts uncounted", RECORD, "(before.hull, at.hull,", "(before.hull, before.hull,", RULES),
-    Mutation("hull, not struck", IMPULSES, "of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, state, r))", "of_cages", IMPULSE),
+    Mutation("hull, not struck", IMPULSES, "of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body))", "of_cages", IMPULSE),
     # contact on or off
     Mutation("contact on within a step", CAGE, "touches & (engaged > 0.0)", "touches", FLIGHT),
     Mutation("contact never on", CAGE, "touches & (engaged > 0.0)", "touches & (engaged > 2.0)", QUICK),

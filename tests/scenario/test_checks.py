@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from builders.bodies import STILL, body
 from springback.contact.cage import cage_contact
 from springback.contact.obstacles import obstacle_in_body_frame
 from springback.frames import attitude_from_euler
@@ -20,12 +21,11 @@ from springback.vehicle.state import State, arm_pose
 
 
 def least_gap(model: Model, state: State) -> float:
-    r, still = rotation(state.attitude), Vec(0.0, 0.0, 0.0)
-    vertical = Vec(0.0, 0.0, 1.0) @ r
+    r = rotation(state.attitude)
     return min(
         cage_contact(
             obstacle_in_body_frame(obstacle, state.position, r), model.contact_point, arm.cage_radius,
-            arm_pose(arm, arm.length, 0.0, still), still, vertical,
+            arm_pose(arm, arm.length, 0.0, STILL), body(r),
         ).gap
         for obstacle in model.world.obstacles
         for arm in model.airframe.arms

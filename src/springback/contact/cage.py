@@ -26,8 +26,8 @@ from springback.contact.obstacles import (
 from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Vec, larger
-from springback.vehicle.state import ArmPose
+from springback.kernels.vectors import Mat3, Vec, larger, rotation
+from springback.vehicle.state import ArmPose, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -111,6 +111,31 @@ class ContactLoad(NamedTuple):
     on_ground: float  # number of grounds touched
     grip: FrictionDamping  # friction as a damper
     press: ContactStiffness  # the normal force as a spring and a damper
+
+
+class BodyMotion(NamedTuple):
+    """Motion of the main body at one instant, the same for all contacts; vectors in body axes."""
+
+    position: Vec  # world axes [m]
+    r: Mat3  # body axes to world axes
+    velocity: Vec  # Rᵀ v [m/s]
+    omega: Vec  # ω [rad/s]
+    vertical: Vec  # Rᵀ e_Z
+    ahead: float  # stiffness and damping hold for depths up to this much larger [m]
+
+
+@kernel
+def body_motion(state: State, ahead: float) -> BodyMotion:
+    """Motion of the main body; contacts look ``ahead`` [m]."""
+    r = rotation(state.attitude)
+    return BodyMotion(
+        position=state.position,
+        r=r,
+        velocity=state.velocity @ r,
+        omega=state.angular_velocity,
+        vertical=Vec(r.z.x, r.z.y, r.z.z),
+        ahead=ahead,
+    )
 
 
 class CageContact(NamedTuple):
@@ -237,8 +262,7 @@ def cage_contact(
     contact_point: Any,
     radius: float,
     arm: ArmPose,
-    omega: Vec,
-    vertical: Vec,
+    body: BodyMotion,
 ) -> CageContact:
     """Contact of one cage with one obstacle of any shape and orientation, eqs. (13)-(15).
 
@@ -247,10 +271,9 @@ def cage_contact(
         contact_point: `Ring` or `ArmTip`.
         radius: r_0 [m].
         arm: Pose of the arm.
-        omega: ω [rad/s].
-        vertical: Rᵀ e_Z.
+        body: Motion of the main body.
     """
-    return cage_contact_while(obstacle, 1.0, contact_point, radius, arm, omega, vertical, 0.0)
+    return cage_contact_while(obstacle, 1.0, contact_point, radius, arm, body)
 
 
 @kernel
@@ -260,9 +283,7 @@ def cage_contact_while(
     contact_point: Any,
     radius: float,
     arm: ArmPose,
-    omega: Vec,
-    vertical: Vec,
-    ahead: float,
+    body: BodyMotion,
 ) -> CageContact:
     """Contact as by `cage_contact`, without forces if the cage is not engaged.
 
@@ -276,19 +297,17 @@ def cage_contact_while(
         contact_point: As for `cage_contact`.
         radius: As for `cage_contact`.
         arm: As for `cage_contact`.
-        omega: As for `cage_contact`.
-        vertical: As for `cage_contact`.
-        ahead: Stiffness and damping hold for depths up to this much larger [m].
+        body: As for `cage_contact`.
     """
-    surface, end = obstacle.surface, arm.lever
+    surface, end, omega = obstacle.surface, arm.lever, body.omega
     gap, n, at = facing(obstacle, contact_point, radius, arm)
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
     # A step ends on the face to within rounding; a law with a jump there must act at once.
     touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
     depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
-    pressed = normal_force(surface, depth, rate, ahead)
-    slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, vertical)
+    pressed = normal_force(surface, depth, rate, body.ahead)
+    slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, body.vertical)
     rubbed = friction_force(surface, pressed.force, slip)
 
     push = n * (-pressed.force)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.cage import (
+    BodyMotion,
     CageContact,
     NearestFace,
     NearestFaces,
@@ -59,10 +60,7 @@ def hull_contact(
     obstacle: Obstacle,
     engaged: float,
     hull: Sphere,
-    velocity: Vec,
-    omega: Vec,
-    vertical: Vec,
-    ahead: float,
+    body: BodyMotion,
 ) -> CageContact:
     """Contact of the hull with one obstacle, eqs. (13)-(15).
 
@@ -70,10 +68,7 @@ def hull_contact(
         obstacle: In the body frame.
         engaged: As for `springback.contact.cage.cage_contact_while`.
         hull: Hull of the main body.
-        velocity: Rᵀ v, of the main body, body axes [m/s].
-        omega: ω [rad/s].
-        vertical: Rᵀ e_Z.
-        ahead: As for `springback.contact.cage.cage_contact_while`.
+        body: Motion of the main body.
     """
-    pose = _pose(hull, velocity)
-    return cage_contact_while(obstacle, engaged, hull, hull.radius, pose, omega, vertical, ahead)
+    pose = _pose(hull, body.velocity)
+    return cage_contact_while(obstacle, engaged, hull, hull.radius, pose, body)

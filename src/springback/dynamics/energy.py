@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import cage_contact
+from springback.contact.cage import BodyMotion, body_motion, cage_contact
 from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel
-from springback.kernels.trees import field_of, fold, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, replace, tree_map, tree_sum
 from springback.kernels.vectors import (
     Mat3,
     Vec,
@@ -48,23 +48,21 @@ def _arm_energy(
     arm: Arm,
     length: float,
     rate: float,
-    obstacles: tuple[Obstacle, ...],
+    world: World,
     contact_point: Any,
-    gravity: float,
-    state: State,
-    r: Mat3,
+    body: BodyMotion,
 ) -> Energy:
-    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
-    pose = arm_pose(arm, length, rate, state.velocity @ r)
-    velocity = pose.sliding + (omega ^ pose.lever)
+    """Energy of an arm in a world whose obstacles are in the body frame."""
+    pose = arm_pose(arm, length, rate, body.velocity)
+    velocity = pose.sliding + (body.omega ^ pose.lever)
     stored = tree_map(
-        _contact_energy, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical)
+        _contact_energy, (world.obstacles,), (contact_point, arm.cage_radius, pose, body)
     )
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
     pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
-        gravity=arm.mass * gravity * (state.position.z + vertical @ pose.lever),
+        gravity=arm.mass * world.gravity * (body.position.z + body.vertical @ pose.lever),
         springs=0.5
         * arm.compliance
         * arm.stiffness
@@ -77,9 +75,9 @@ def _arm_energy(
 
 @rare_kernel
 def _contact_energy(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
 ) -> float:
-    met = cage_contact(obstacle, contact_point, radius, arm, omega, vertical)
+    met = cage_contact(obstacle, contact_point, radius, arm, body)
     return elastic_energy(obstacle.surface, positive_part(-met.gap))
 
 
@@ -97,12 +95,12 @@ def _hull_contact_energy(obstacle: Obstacle, hull: Sphere) -> float:
 @rare_kernel
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
-    r, omega = rotation(state.attitude), state.angular_velocity
-    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
+    body, omega = body_motion(state, 0.0), state.angular_velocity
+    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, body.r))
     arms = tree_map(
         _arm_energy,
         (airframe.arms, state.arm_length, state.arm_rate),
-        (obstacles, contact_point, world.gravity, state, r),
+        (replace(world, obstacles=obstacles), contact_point, body),
     )
     a = tree_sum(arms)
     body_mass = airframe.mass - tree_sum(field_of(airframe.arms, "mass"))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.cage import CageContact
+from springback.contact.cage import BodyMotion, CageContact
 from springback.contact.friction_rate import InverseInertia
 from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
+    BodyAcceleration,
     Contact,
     Slip,
     contact_of,
@@ -22,7 +23,7 @@ from springback.dynamics.touches import (
 )
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, maximum, minimum, tree_map, tree_sum
-from springback.kernels.vectors import Mat3, Vec, positive_part
+from springback.kernels.vectors import Vec, positive_part
 from springback.vehicle.state import Sphere
 
 
@@ -54,10 +55,7 @@ def hull_state(
     hull: Sphere,
     engaged: tuple[float, ...],
     obstacles: tuple[Obstacle, ...],
-    r: Mat3,
-    velocity: Vec,
-    omega: Vec,
-    ahead: float,
+    body: BodyMotion,
 ) -> HullState:
     """Contact, view and step limits of the hull at one instant.
 
@@ -65,20 +63,16 @@ def hull_state(
         hull: Hull of the main body.
         engaged: For each obstacle, 0 if it was not touched when the step began.
         obstacles: In the body frame.
-        r: Body axes to world axes.
-        velocity: Rᵀ v, of the main body, body axes [m/s].
-        omega: ω [rad/s].
-        ahead: Stiffness and damping hold for depths up to this much larger [m].
+        body: Motion of the main body.
     """
-    vertical = Vec(r.z.x, r.z.y, r.z.z)
-    met = tree_map(hull_contact, (obstacles, engaged), (hull, velocity, omega, vertical, ahead))
+    met = tree_map(hull_contact, (obstacles, engaged), (hull, body))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     engaged_now = tree_map(touching, (met,), ())
     view = HullView(
         gap=gap,
         depth=positive_part(-gap),
         normal=touch.normal,
-        friction=r @ touch.friction,
+        friction=body.r @ touch.friction,
         crossing=soonest(tree_map(crossing_of, (met,), ())),
         engaged=engaged_now,
         impulsive=maximum(tree_map(strikes, (met,), ())),
@@ -114,15 +108,13 @@ def friction_rate_with_hull(
 
 @kernel
 def hull_slip_rate(
-    hull: HullState, obstacles: tuple[Obstacle, ...], linear: Vec, angular: Vec, vertical: Vec
+    hull: HullState, obstacles: tuple[Obstacle, ...], body: BodyAcceleration
 ) -> float:
     """Square of an upper bound on the rate of change of the hull's slip [1/s²].
 
     Args:
         hull: State of the hull.
         obstacles: In the body frame.
-        linear: Acceleration of the main body, body axes [m/s²].
-        angular: Angular acceleration, body axes [rad/s²].
-        vertical: Rᵀ e_Z.
+        body: Acceleration of the main body.
     """
-    return maximum(tree_map(slip_rate, (obstacles, hull.slips), (linear, angular, vertical)))
+    return maximum(tree_map(slip_rate, (obstacles, hull.slips), (body,)))

@@ -15,7 +15,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import CageContact, cage_contact, slip_velocity
+from springback.contact.cage import (
+    BodyMotion,
+    CageContact,
+    body_motion,
+    cage_contact,
+    slip_velocity,
+)
 from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import Surface
@@ -23,7 +29,7 @@ from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import tree_map, tree_sum
-from springback.kernels.vectors import Mat3, Vec, positive_part, rotation, solve_symmetric
+from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose, arms_inertia
 
 #: Speeds below this are rounding [m/s].
@@ -53,18 +59,15 @@ class ImpulseContact(NamedTuple):
 
 @rare_kernel
 def _hit_obstacle(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, r: Mat3, omega: Vec
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
 ) -> ImpulseContact:
-    met = cage_contact(obstacle, contact_point, radius, arm, omega, Vec(r.z.x, r.z.y, r.z.z))
-    return _hit(met, obstacle.surface, r)
+    met = cage_contact(obstacle, contact_point, radius, arm, body)
+    return _hit(met, obstacle.surface, body.r)
 
 
 @rare_kernel
-def _hull_hits_obstacle(
-    obstacle: Obstacle, hull: Sphere, velocity: Vec, r: Mat3, omega: Vec
-) -> ImpulseContact:
-    met = hull_contact(obstacle, 1.0, hull, velocity, omega, Vec(r.z.x, r.z.y, r.z.z), 0.0)
-    return _hit(met, obstacle.surface, r)
+def _hull_hits_obstacle(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> ImpulseContact:
+    return _hit(hull_contact(obstacle, 1.0, hull, body), obstacle.surface, body.r)
 
 
 @rare_kernel
@@ -89,20 +92,17 @@ def _hits_of_arm(
     rate: float,
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
-    state: State,
-    r: Mat3,
+    body: BodyMotion,
 ) -> tuple[ImpulseContact, ...]:
-    pose = arm_pose(arm, length, rate, state.velocity @ r)
-    shared = (contact_point, arm.cage_radius, pose, r, state.angular_velocity)
-    return tree_map(_hit_obstacle, (obstacles,), shared)
+    pose = arm_pose(arm, length, rate, body.velocity)
+    return tree_map(_hit_obstacle, (obstacles,), (contact_point, arm.cage_radius, pose, body))
 
 
 @rare_kernel
 def _hits_of_hull(
-    hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat3
+    hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion
 ) -> tuple[ImpulseContact, ...]:
-    shared = (hull, state.velocity @ r, r, state.angular_velocity)
-    return tree_map(_hull_hits_obstacle, (obstacles,), shared)
+    return tree_map(_hull_hits_obstacle, (obstacles,), (hull, body))
 
 
 @rare_kernel
@@ -127,7 +127,8 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     impulses as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
-    r, m = rotation(state.attitude), airframe.mass
+    body, m = body_motion(state, 0.0), airframe.mass
+    r = body.r
     arms = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
@@ -137,9 +138,9 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     of_cages = tree_map(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
-        (obstacles, contact_point, state, r),
+        (obstacles, contact_point, body),
     )
-    hits = of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, state, r))
+    hits = of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body))
     count = len(hits) * len(hits[0])
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift

@@ -26,10 +26,10 @@ Newton–Euler equations (1), for any position of the centre of mass.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import cage_contact_while
+from springback.contact.cage import BodyMotion, body_motion, cage_contact_while
 from springback.contact.friction_rate import (
     ArmFrictionDamping,
     FrictionDamping,
@@ -51,6 +51,7 @@ from springback.dynamics.stops import AHEAD, next_stop
 from springback.dynamics.stops import end_stop as end_stop
 from springback.dynamics.touches import RESTING as RESTING
 from springback.dynamics.touches import (
+    BodyAcceleration,
     Contact,
     Slip,
     contact_of,
@@ -73,13 +74,7 @@ from springback.kernels.trees import (
     tree_map_sum,
     tree_sum,
 )
-from springback.kernels.vectors import (
-    Mat3,
-    Vec,
-    positive_part,
-    quaternion_rate,
-    rotation,
-)
+from springback.kernels.vectors import Vec, positive_part, quaternion_rate
 from springback.vehicle.state import (
     Airframe,
     Arm,
@@ -173,6 +168,15 @@ class Engaged(NamedTuple):
     hull: tuple[tuple[float, ...], ...]  # of the main body
 
 
+class Surroundings(NamedTuple):
+    """What all arms of a vehicle share at one instant."""
+
+    obstacles: tuple[Obstacle, ...]  # in the body frame
+    contact_point: Any  # Ring or ArmTip
+    body: BodyMotion
+    released: float  # 1 lets compliant arms slide, 0 locks them
+
+
 class ArmState(NamedTuple):
     """All quantities of one arm at one instant."""
 
@@ -208,13 +212,7 @@ def arm_state(
     rate: float,
     thrust: float,
     engaged: tuple[float, ...],
-    obstacles: tuple[Obstacle, ...],
-    contact_point: Any,
-    state: State,
-    r: Mat3,
-    velocity: Vec,
-    released: float,
-    ahead: float,
+    around: Surroundings,
 ) -> ArmState:
     """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
 
@@ -224,23 +222,17 @@ def arm_state(
         rate: l̇_j [m/s].
         thrust: T_j [N].
         engaged: For each obstacle, 0 if the cage did not touch it when the step began.
-        obstacles: In the body frame.
-        contact_point: `Ring` or `ArmTip`.
-        state: State of the vehicle.
-        r: Body axes to world axes.
-        velocity: Rᵀ v, of the main body, body axes [m/s].
-        released: 1 lets compliant arms slide, 0 locks them.
-        ahead: Stiffness and damping hold for depths up to this much larger [m].
+        around: What all arms share.
     """
-    m, u, omega = arm.mass, arm.compliance * released, state.angular_velocity
-    pose = arm_pose(arm, length, rate, velocity)
+    body, omega = around.body, around.body.omega
+    m, u = arm.mass, arm.compliance * around.released
+    pose = arm_pose(arm, length, rate, body.velocity)
     e, lever = pose.direction, pose.lever
 
-    vertical = Vec(r.z.x, r.z.y, r.z.z)
     met = tree_map(
         cage_contact_while,
-        (obstacles, engaged),
-        (contact_point, arm.cage_radius, pose, omega, vertical, ahead),
+        (around.obstacles, engaged),
+        (around.contact_point, arm.cage_radius, pose, body),
     )
     touch = tree_sum(field_of(met, "touch"))
     gap = minimum(field_of(met, "gap"))
@@ -278,7 +270,7 @@ def arm_state(
         gap=gap,
         depth=positive_part(-gap),
         normal=touch.normal,
-        friction=r @ touch.friction,
+        friction=body.r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
         crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
@@ -312,12 +304,10 @@ def _arm_slip_rate(
     sliding: float,
     slips: tuple[Slip, ...],
     obstacles: tuple[Obstacle, ...],
-    linear: Vec,
-    angular: Vec,
-    vertical: Vec,
+    body: BodyAcceleration,
 ) -> float:
-    end = linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return maximum(tree_map(slip_rate, (obstacles, slips), (end, angular, vertical)))
+    end = body.linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
+    return maximum(tree_map(slip_rate, (obstacles, slips), (replace(body, linear=end),)))
 
 
 class Rates(NamedTuple):
@@ -342,79 +332,76 @@ def _together(so_far: Contact, more: Contact) -> Contact:
     return tree_sum((so_far, more))
 
 
+class Plant(Protocol):
+    """A vehicle, and all that acts on it: `springback.simulation.record.Model` is one."""
+
+    @property
+    def airframe(self) -> Airframe:
+        """Constants of the vehicle."""
+
+    @property
+    def world(self) -> World:
+        """Obstacles and gravity."""
+
+    @property
+    def contact_point(self) -> Any:
+        """`Ring` or `ArmTip`."""
+
+    @property
+    def guide(self) -> Any:
+        """`Free` or `Slider`."""
+
+    @property
+    def air(self) -> Any:
+        """`Still` or `Air`."""
+
+    @property
+    def thrust(self) -> tuple[float, ...]:
+        """Thrust of each rotor, along body z at the end of its arm [N]."""
+
+
 @kernel
-def rates(
-    airframe: Airframe,
-    world: World,
-    contact_point: Any,
-    guide: Any,
-    air: Any,
-    state: State,
-    thrust: tuple[float, ...],
-    released: float,
-) -> Rates:
+def rates(plant: Plant, state: State, released: float) -> Rates:
     """Rate of change of all integrated quantities.
 
     Args:
-        airframe: Constants of the vehicle.
-        world: Obstacles and gravity.
-        contact_point: `Ring` or `ArmTip`.
-        guide: `Free` or `Slider`.
-        air: `Still` or `Air`.
+        plant: The vehicle, and all that acts on it.
         state: Present state.
-        thrust: Thrust of each rotor, along body z at the end of its arm [N].
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     engaged = Engaged(
-        tree_map(_engaged_part, (airframe.arms,), (world.obstacles,)),
-        tree_map(_engaged_part, (airframe.hull,), (world.obstacles,)),
+        tree_map(_engaged_part, (plant.airframe.arms,), (plant.world.obstacles,)),
+        tree_map(_engaged_part, (plant.airframe.hull,), (plant.world.obstacles,)),
     )
-    return rates_while(airframe, world, contact_point, guide, air, state, thrust, released, engaged)
+    return rates_while(plant, state, released, engaged)
 
 
 @kernel
-def rates_while(
-    airframe: Airframe,
-    world: World,
-    contact_point: Any,
-    guide: Any,
-    air: Any,
-    state: State,
-    thrust: tuple[float, ...],
-    released: float,
-    engaged: Engaged,
-) -> Rates:
+def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -> Rates:
     """Rates as by `rates`, with contact off where not engaged.
 
     See `springback.contact.cage.cage_contact_while`.
 
     Args:
-        airframe: As for `rates`.
-        world: As for `rates`.
-        contact_point: As for `rates`.
-        guide: As for `rates`.
-        air: As for `rates`.
+        plant: As for `rates`.
         state: As for `rates`.
-        thrust: As for `rates`.
         released: As for `rates`.
         engaged: 0 where contact is off.
     """
-    r, omega = rotation(state.attitude), state.angular_velocity
-    velocity = state.velocity @ r
+    airframe, world = plant.airframe, plant.world
+    body = body_motion(state, AHEAD * fastest_cage(airframe, state))
+    r, omega, velocity = body.r, body.omega, body.velocity
     obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
-    ahead = AHEAD * fastest_cage(airframe, state)
     arms, a = tree_map_sum(
         arm_state,
         "share",
-        (airframe.arms, state.arm_length, state.arm_rate, thrust, engaged.arms),
-        (obstacles, contact_point, state, r, velocity, released, ahead),
+        (airframe.arms, state.arm_length, state.arm_rate, plant.thrust, engaged.arms),
+        (Surroundings(obstacles, plant.contact_point, body, released),),
     )
-    hull = tree_map(
-        hull_state, (airframe.hull, engaged.hull), (obstacles, r, velocity, omega, ahead)
-    )
+    hull = tree_map(hull_state, (airframe.hull, engaged.hull), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
 
-    blown = aerodynamics(air, velocity, r, a.thrust)
+    blown = aerodynamics(plant.air, velocity, r, a.thrust)
     turning = omega ^ a.carried
     inertia = airframe.inertia + arms_inertia(a.inertia)
     inertia_rate = arms_inertia(a.half_inertia_rate + a.half_inertia_rate)
@@ -428,7 +415,7 @@ def rates_while(
     system = System(
         airframe.mass, sliding_mass, mobility, a.carried, inertia, force + blown.force, moment
     )
-    solved = solve(guide, system, r, world.gravity)
+    solved = solve(plant.guide, system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
     sliding = tree_map(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
@@ -465,14 +452,12 @@ def rates_while(
     stays = airframe.mass - sliding_mass.x - sliding_mass.y
     friction_rate = fold(friction_rate_with_hull, friction_rate, hull, (stays, inverse))
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
-    vertical = Vec(r.z.x, r.z.y, r.z.z)
-    linear = solved.linear - world.gravity * vertical
+    linear = solved.linear - world.gravity * body.vertical
+    moving = BodyAcceleration(linear, solved.angular, body.vertical)
     cage_slips = tree_map(
-        _arm_slip_rate,
-        (airframe.arms, sliding, field_of(arms, "slips")),
-        (obstacles, linear, solved.angular, vertical),
+        _arm_slip_rate, (airframe.arms, sliding, field_of(arms, "slips")), (obstacles, moving)
     )
-    hull_slips = tree_map(hull_slip_rate, (hull,), (obstacles, linear, solved.angular, vertical))
+    hull_slips = tree_map(hull_slip_rate, (hull,), (obstacles, moving))
     view = View(
         acceleration,
         solved.linear,

@@ -96,9 +96,17 @@ def slip_of(met: CageContact) -> Slip:
     return Slip(met.inward, met.rubbing_at, met.per_speed)
 
 
+class BodyAcceleration(NamedTuple):
+    """Acceleration of the main body in its own axes."""
+
+    linear: Vec  # [m/s²]
+    angular: Vec  # [rad/s²]
+    vertical: Vec  # Rᵀ e_Z
+
+
 @kernel
-def slip_rate(obstacle: Obstacle, slip: Slip, end: Vec, angular: Vec, vertical: Vec) -> float:
+def slip_rate(obstacle: Obstacle, slip: Slip, body: BodyAcceleration) -> float:
     """Square of the rate of a slip, |v̇| / √(v² + v_s²), of main body and part [1/s²]."""
-    change = end + (angular ^ slip.point)
-    along = slip_velocity(obstacle.surface, change, slip.inward, vertical)
+    change = body.linear + (body.angular ^ slip.point)
+    along = slip_velocity(obstacle.surface, change, slip.inward, body.vertical)
     return (along @ along) * (slip.per_speed * slip.per_speed)

@@ -83,8 +83,7 @@ def build_flight(
 
 def _check_start_beside(model: Model, start: State) -> None:
     """Reject a start inside an obstacle of the user's own."""
-    m = model
-    seen = rates(m.airframe, m.world, m.contact_point, m.guide, m.air, start, m.thrust, 0.0).seen
+    seen = rates(model, start, 0.0).seen
     gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
     gaps += [("main body", hull.gap) for hull in seen.hull]
     for part, gap in gaps:

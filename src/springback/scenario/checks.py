@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import cage_contact
+from springback.contact.cage import cage_gap
 from springback.contact.hull import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
@@ -169,15 +169,14 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     """Reject a start inside an obstacle."""
     if is_clear(model, state):
         return
-    r, still = rotation(state.attitude), Vec(0.0, 0.0, 0.0)
-    vertical, given = Vec(0.0, 0.0, 1.0) @ r, scenario.world.obstacles
+    r, given = rotation(state.attitude), scenario.world.obstacles
     owners = [k for k, entry in enumerate(given) for _ in faces(entry)]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
         there, gaps = obstacle_in_body_frame(obstacle, state.position, r), []
         for j, arm in enumerate(model.airframe.arms):
-            pose = arm_pose(arm, arm.length, 0.0, still)
-            met = cage_contact(there, model.contact_point, arm.cage_radius, pose, still, vertical)
-            gaps.append((f"cage of arm {j + 1}", met.gap))
+            pose = arm_pose(arm, arm.length, 0.0, Vec(0.0, 0.0, 0.0))
+            gap = cage_gap(there, model.contact_point, arm.cage_radius, pose)
+            gaps.append((f"cage of arm {j + 1}", gap))
         gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
         for part, gap in gaps:
             if gap < 0.0:

@@ -96,33 +96,14 @@ def _motion_after_impulses(laws: Impulses, model: Model, motion: Motion, request
 def rates_of(model: Model, state: State, phase: float) -> Rates:
     """Rates of one flight; its arms can slide during an impact, or always."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
-    return rates(
-        model.airframe,
-        model.world,
-        model.contact_point,
-        model.guide,
-        model.air,
-        state,
-        model.thrust,
-        released,
-    )
+    return rates(model, state, released)
 
 
 @kernel
 def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> Rates:
     """`rates_of` within a step, with the contacts of its beginning."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
-    return rates_while(
-        model.airframe,
-        model.world,
-        model.contact_point,
-        model.guide,
-        model.air,
-        state,
-        model.thrust,
-        released,
-        engaged,
-    )
+    return rates_while(model, state, released, engaged)
 
 
 @kernel

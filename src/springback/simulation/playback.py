@@ -11,14 +11,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import CageContact, cage_contact
+from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
 from springback.contact.hull import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map, tree_sum
-from springback.kernels.vectors import Mat3, Quat, Vec, rotation
+from springback.kernels.vectors import Quat, Vec
 from springback.simulation.flight import own_types, sources
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
@@ -57,10 +57,10 @@ class Evaluation(NamedTuple):
 
 @kernel
 def _cage_load(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, omega: Vec, vertical: Vec
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
 ) -> PartLoad:
     """Load of one obstacle on one cage, in body axes from the main body."""
-    return _load(cage_contact(obstacle, contact_point, radius, arm, omega, vertical))
+    return _load(cage_contact(obstacle, contact_point, radius, arm, body))
 
 
 @kernel
@@ -70,10 +70,8 @@ def _load(met: CageContact) -> PartLoad:
 
 
 @kernel
-def _sphere_load(
-    obstacle: Obstacle, hull: Sphere, velocity: Vec, omega: Vec, vertical: Vec
-) -> PartLoad:
-    return _load(hull_contact(obstacle, 1.0, hull, velocity, omega, vertical, 0.0))
+def _sphere_load(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> PartLoad:
+    return _load(hull_contact(obstacle, 1.0, hull, body))
 
 
 @kernel
@@ -83,41 +81,36 @@ def _arm_load(
     rate: float,
     obstacles: tuple[Obstacle, ...],
     contact_point: Any,
-    state: State,
-    r: Mat3,
+    body: BodyMotion,
 ) -> PartLoad:
-    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
-    pose = arm_pose(arm, length, rate, state.velocity @ r)
-    loads = tree_map(
-        _cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, omega, vertical)
-    )
-    return _in_world(tree_sum(loads), state, r)
+    pose = arm_pose(arm, length, rate, body.velocity)
+    loads = tree_map(_cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, body))
+    return _in_world(tree_sum(loads), body)
 
 
 @kernel
-def _in_world(p: PartLoad, state: State, r: Mat3) -> PartLoad:
-    point = r @ p.point + p.normal * state.position
+def _in_world(p: PartLoad, body: BodyMotion) -> PartLoad:
+    r = body.r
+    point = r @ p.point + p.normal * body.position
     return PartLoad(r @ p.force, p.normal, r @ p.friction, point)
 
 
 @kernel
-def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], state: State, r: Mat3) -> PartLoad:
-    omega, vertical = state.angular_velocity, Vec(r.z.x, r.z.y, r.z.z)
-    loads = tree_map(_sphere_load, (obstacles,), (hull, state.velocity @ r, omega, vertical))
-    return _in_world(tree_sum(loads), state, r)
+def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion) -> PartLoad:
+    return _in_world(tree_sum(tree_map(_sphere_load, (obstacles,), (hull, body))), body)
 
 
 @kernel
 def _evaluate(at: Instant) -> Evaluation:
     state = at.state
-    r = rotation(state.attitude)
-    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, r))
+    body = body_motion(state, 0.0)
+    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, body.r))
     arms = tree_map(
         _arm_load,
         (at.airframe.arms, state.arm_length, state.arm_rate),
-        (obstacles, at.contact_point, state, r),
+        (obstacles, at.contact_point, body),
     )
-    parts = arms + tree_map(_hull_load, (at.airframe.hull,), (obstacles, state, r))
+    parts = arms + tree_map(_hull_load, (at.airframe.hull,), (obstacles, body))
     return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
 
 
