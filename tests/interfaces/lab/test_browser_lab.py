@@ -189,6 +189,16 @@ def test_a_wrong_link_is_told_and_the_lab_opens_all_the_same(browser: Any, lab: 
     assert shown(browser)["query"] == ""
 
 
+def test_numbers_from_other_units_fit_into_their_field(browser: Any, lab: str) -> None:
+    """10 km/h and -0.5 rad are shown whole, not cut off at the edge."""
+    opened(browser, f"{lab}?speed=10+km/h&pitch=-0.5+rad")
+    for name, shows in (("speed", "2.77778"), ("pitch", "-28.6479")):
+        field = browser.find_element(ID, f"set-{name}")
+        assert field.get_attribute("value") == shows
+        inside = "const f = arguments[0]; return f.clientWidth - f.scrollWidth"
+        assert browser.execute_script(inside, field) >= 0, name
+
+
 def test_a_pinned_flight_stays_beside_the_next(browser: Any, lab: str) -> None:
     opened(browser, lab)
     kept = next(c["peak"] for c in shown(browser)["peaks"] if c["name"] == "ARQ")

@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 9a5a85428965fa5e2a69fe7f9969aa23270f5cab0d0e534a112393cf212b6d74
+/*! springback, MIT licence; sources 0c7c217ae19daf669b39cda46258cc4cdcbe2a9af5c00b9c65b9f018baa63452
 
 It holds:
 
