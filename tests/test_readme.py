@@ -112,6 +112,17 @@ def test_readme_runs_from_top_to_bottom_in_an_empty_folder(tmp_path: Path) -> No
         assert (tmp_path / file).is_file(), file
 
 
+@pytest.mark.parametrize("page", ["README.md", "docs/start.md"])
+def test_no_two_lines_of_a_page_write_to_the_same_place(page: str) -> None:
+    """A campaign refuses a folder with a flight in it, so whoever types them all would be stuck."""
+    places = [
+        place for this in typed(ROOT / page) if this.kind == "shell"
+        for place in re.findall(r" --out (\S+)", this.text)
+    ]  # fmt: skip
+    assert len(places) > 5
+    assert sorted(places) == sorted(set(places))
+
+
 def test_one_line_installs_all_that_follows() -> None:
     """It comes before the first command that needs it, and its extra holds all others."""
     text = README.read_text()

@@ -8,6 +8,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import duckdb
 import numpy as np
 import pytest
 import scipy.stats
@@ -19,7 +20,9 @@ from springback.campaign.design.layout import Design, design_of, lay_out
 from springback.campaign.design.plan import Plan, Source, plan_from, read_plan
 from springback.campaign.design.sampling import POINTS, grid_point, seeds
 from springback.errors import InputError
+from springback.results.flight import Flight
 from springback.scenario.scenario import scenario_from
+from springback.simulation.measures import Outcome
 from springback.studies.trials import HOME, Scatter, TrialNoise, trial_tables
 
 METHODS = ("random", "latin-hypercube", "sobol")
@@ -238,6 +241,24 @@ def test_own_values_are_each_robots() -> None:
 
 
 # -- the plan itself ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("recovery", [False, True])
+def test_success_means_the_same_of_a_flight_and_of_its_row(recovery: bool) -> None:
+    """Whatever the outcome: without recovery, to end on the ground is none of either."""
+    pilot = {"reference": {"type": "hold"}, "recovery": {}} if recovery else {}
+    tables = {key: value for key, value in THROW.items() if not (recovery and key == "thrust")}
+    rule = lay_out(plan(scenario=tables | pilot)).success
+    scenario = scenario_from({"vehicle": "arq"})
+    measures: dict[str, float | None] = {"runs": 1.0} if recovery else {}
+    found = {}
+    for outcome in Outcome:
+        row = f"SELECT {rule} FROM (SELECT '{outcome.word}' AS outcome)"
+        [(found[outcome],)] = duckdb.sql(row).fetchall()
+        assert Flight(scenario, outcome, measures, {}, {}).success is found[outcome], outcome
+    assert not found[Outcome.HIT_GROUND]
+    assert found[Outcome.RECOVERED]
+    assert found[Outcome.SEPARATED] is not recovery
 
 
 def test_the_hash_is_of_all_that_decides_the_rows() -> None:

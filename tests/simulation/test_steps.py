@@ -99,6 +99,14 @@ def test_the_first_impact_is_measured_apart_from_the_whole_flight() -> None:
     assert value(flight, "penetration") > value(flight, "impact_penetration")
 
 
+def test_the_peak_printed_beside_the_impact_is_its_own() -> None:
+    """Between touch speed and contact time; that of the whole flight comes after the contacts."""
+    names = [line.split()[0] for line in repr(flown("quad")).splitlines()[1:]]
+    assert names.index("touch_speed") < names.index("impact_peak_acceleration")
+    assert names.index("impact_peak_acceleration") < names.index("contact_time")
+    assert names.index("contacts") < names.index("peak_acceleration")
+
+
 def test_a_ledger_that_does_not_close_is_said() -> None:
     """By Python's `fly` as a warning, and in a campaign's rows."""
     scenario, coarse = COARSE

@@ -1,6 +1,8 @@
 """Films: what they show is the flight, they are the same again, and wrong wishes get one line."""
 
+import json
 import math
+import re
 import shutil
 import sys
 from dataclasses import replace
@@ -18,6 +20,7 @@ from springback.interfaces.animation import film as animation
 from springback.interfaces.animation.frame import Frame
 from springback.interfaces.cli.app import cli
 from springback.interfaces.output.folders import output_folder
+from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, scene_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
@@ -130,14 +133,39 @@ def test_the_obstacle_that_is_hit_stands_on_the_right() -> None:
 
 
 def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
-    from springback.interfaces.replay.geometry import Drawable
-
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
     thing = Drawable("mesh", "tetrahedron", vertices=corners, triangles=faces)
     view = bodies.ViewPlane(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), np.array([0, 0, 0.5]))
     pieces = bodies.plane_section(thing, view).reshape(-1, 2)
     assert {tuple(np.round(p, 9)) for p in pieces} == {(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)}
+
+
+def test_a_shape_of_ones_own_is_in_the_picture(scene: Scene) -> None:
+    """A robot that turns back in front of nothing would say something else."""
+    corners = np.array([[3.0, y, z] for y in (-1.0, 1.0) for z in (0.0, 2.0)])
+    wall = Drawable("mesh", "own", vertices=corners, triangles=np.array([[0, 1, 2], [1, 3, 2]]))
+    when = timing.timing([scene], slow=20.0, fps=25.0)
+    without, within = (
+        Frame([replace(scene, obstacles=things)], when, (400, 360)).at(0)
+        for things in (scene.obstacles, (*scene.obstacles, wall))
+    )
+    assert not np.array_equal(without, within)
+
+
+def test_the_force_beside_a_picture_is_the_sum_of_those_in_it(scene: Scene) -> None:
+    """As vectors, and called so: each arrow is the force on one cage."""
+    k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
+    picture = Frame([scene], timing.timing([scene], slow=20.0, fps=500.0), (400, 360))
+    picture.at(int(np.argmin(np.abs(picture.timing.t - scene.t[k] + scene.impacts[0][0]))))
+    said = picture.panels[0][0].said.get_text().splitlines()[0]
+    found = re.fullmatch(r"contact, sum (\d+) N", said)
+    assert found, said
+    parts = np.linalg.norm(scene.force[k], axis=1)
+    assert np.count_nonzero(parts) == 2
+    whole = np.linalg.norm(scene.force[k].sum(axis=0))
+    assert whole < 0.95 * parts.sum()  # friction of one cage cancels that of the other
+    assert float(found[1]) == pytest.approx(whole, rel=0.02)
 
 
 def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) -> None:
@@ -229,6 +257,27 @@ def test_two_flights_and_mp4(folder: Path, tmp_path: Path) -> None:
         pictures = [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
     assert pictures[0].shape == (180, 200, 3)
     assert not np.array_equal(pictures[0], pictures[-1])
+
+
+def test_two_flights_of_one_robot_go_by_their_folders(folder: Path, tmp_path: Path) -> None:
+    """Above their panels and in the legend; the command says in which settings they differ."""
+    other = tmp_path / "softer"
+    with output_folder(other) as place:
+        tables = json.loads((folder / "summary.json").read_text())["scenario"]
+        soft = scenario_from(tables).vehicle.model_copy(update={"arms": {"stiffness": "2 N/mm"}})
+        write_flight(fly(scenario_from(tables | {"vehicle": soft})), place, figures=False)
+    out = tmp_path / "film.gif"
+    words = ("--size", "200x180", "--from", "0", "--to", "0.01", "--fps", "20")
+    done = animate(folder, other, "--out", out, *words)
+    assert done.exit_code == 0, done.output
+    assert "ARQ (softer): differs from ARQ (arq) in vehicle.arms.stiffness (2000" in done.output
+    scenes = [replace(scene_of(thrown()), label=label) for label in ("ARQ (arq)", "ARQ (softer)")]
+    picture = Frame(scenes, timing.timing(scenes, slow=20.0, fps=25.0), (400, 360))
+    titles = [text.get_text() for side, _ in picture.panels for text in side.ax.texts]
+    legend = picture.curve.ax.get_legend()
+    assert legend is not None
+    keys = [text.get_text() for text in legend.get_texts()]
+    assert set(keys) == {"ARQ (arq)", "ARQ (softer)"} <= set(titles)
 
 
 def test_durations_add_up_to_the_time_that_is_shown() -> None:

@@ -6,6 +6,7 @@ import base64
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qsl
@@ -23,6 +24,7 @@ from interfaces.lab.lab_served import WRONG
 from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.interfaces.lab.app import page
+from springback.interfaces.lab.measures import sentence
 from springback.interfaces.lab.responses import RESOLUTION, answer
 from springback.interfaces.lab.scenarios import BEFORE, lab_scenario, lab_tables, lab_toml
 from springback.interfaces.lab.settings import (
@@ -220,6 +222,15 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
     assert not answer(setting(speed=2))["printed_for"]["same"]
 
 
+def test_the_sentence_tells_the_peak_of_the_first_impact() -> None:
+    """A harder hit later on, such as on the ground, is not the wall's."""
+    flight = fly(lab_scenario(DEFAULTS, "arq"), trajectory=False)
+    later = replace(flight, measures=flight.measures | {"peak_acceleration": 999.0})
+    said = sentence(DEFAULTS, "arq", later)
+    assert f"peaks at {flight.impact_peak_acceleration:.0f} m/s²" in said
+    assert said == sentence(DEFAULTS, "arq", flight)
+
+
 def test_what_a_page_gets_is_small_and_keeps_touch_and_peak() -> None:
     told = answer(DEFAULTS)
     assert len(json.dumps(told)) < 250_000
@@ -247,15 +258,22 @@ def test_numbers_from_other_units_are_as_short_as_the_field(
     assert settings_from([tuple(query.split("="))]) == settings  # type: ignore[list-item]
 
 
-def test_the_force_of_the_lab_is_the_sum_of_the_forces_that_it_draws() -> None:
-    """Not of the normal forces alone: with an oblique wall friction has a part in it."""
-    settings = settings_from({"yaw": "20", "guide": "free", "robot": "quad"}.items())
+@pytest.mark.parametrize(("robot", "yaw", "cages"), [("quad", 20, 1), ("arq", 0, 2)])
+def test_the_force_of_the_lab_is_the_sum_of_the_forces_that_it_draws(
+    robot: str, yaw: int, cages: int
+) -> None:
+    """As vectors: friction has a part in it on one cage, and cancels on two that hold each other."""
+    settings = setting(yaw=yaw, guide="free", robot=robot)
     [told] = answer(settings)["flights"]
     scene = told["scene"]
     force, at = (numbers(scene["force"][part]) for part in ("of", "at"))
     [curve] = [one for one in scene["series"] if one["panel"] == "Contact force"]
     drawn = np.zeros(scene["t"]["shape"][0])
-    drawn[at.astype(int)] = np.linalg.norm(force.reshape(len(at), -1, 3).sum(axis=1), axis=1)
+    parts = force.reshape(len(at), -1, 3)
+    drawn[at.astype(int)] = np.linalg.norm(parts.sum(axis=1), axis=1)
+    sizes = np.linalg.norm(parts, axis=2)[np.argmax(drawn[at.astype(int)])]
+    assert np.count_nonzero(sizes) == cages
+    assert (drawn.max() < 0.95 * sizes.sum()) == (cages == 2)
     assert curve["name"] == "sum of all contacts"
     assert drawn.max() > 100.0
     assert numbers(curve["values"]) == pytest.approx(drawn, rel=1e-5, abs=1e-3)

@@ -7,6 +7,7 @@ import contextlib
 import hashlib
 import json
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -160,6 +161,19 @@ def test_flights_of_one_robot_go_by_their_folders(flight: Flight) -> None:
     ]
     assert labels_of([flight, flight], ["a/out", "b/out"]) == ["ARQ (a/out)", "ARQ (b/out)"]
     assert labels_of([flight, flight], ["out", "out"]) == ["ARQ 1", "ARQ 2"]
+
+
+def test_the_command_labels_flights_by_the_folders_it_was_given(
+    folder: Path, tmp_path: Path
+) -> None:
+    for name in ("plain", "softer"):
+        shutil.copytree(folder, tmp_path / name)
+    done = run("plain", "softer", "--export", "two.html", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    data = re.search(r'id="data">(.*?)</script>', (tmp_path / "two.html").read_text(), re.S)
+    assert data
+    labels = [flight["label"] for flight in json.loads(data[1])["flights"]]
+    assert labels == ["ARQ (plain)", "ARQ (softer)"]
 
 
 def test_the_second_of_two_flights_says_in_what_it_differs(flight: Flight) -> None:
