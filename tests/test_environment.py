@@ -6,10 +6,13 @@ uv and the Python of the environment are stand-ins that note how they were calle
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 from builders.missing import needs
 
@@ -58,6 +61,14 @@ def made(folder: Path, uv: str = "", pip: str = "") -> tuple[list[str], str]:
     assert done.returncode == 0, done.stderr
     assert (folder / ".venv/.made-with-all").exists()
     return (folder / "calls").read_text().splitlines(), done.stderr
+
+
+@pytest.mark.parametrize(("target", "extra"), [("run", "all"), ("test", "dev")])
+def test_make_begins_with_it(target: str, extra: str) -> None:
+    """So that what is said here holds for `make run` and `make test`."""
+    rule = re.search(rf"^{target}:.*\n\t(.*)$", (ROOT / "Makefile").read_text(), re.M)
+    assert rule
+    assert rule[1] == f"@tools/environment {extra}"
 
 
 def test_uv_alone_says_nothing(tmp_path: Path) -> None:

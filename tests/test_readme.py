@@ -20,6 +20,7 @@ import pytest
 from builders.interrupts import heed_interrupts
 from builders.typed_lines import Typed, typed
 from springback.extras import packages
+from springback.interfaces.cli.common import FIRST
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
@@ -133,6 +134,15 @@ def test_one_line_installs_all_that_follows() -> None:
         "optional-dependencies"
     ]
     assert extras["all"] == [f"springback[{','.join(x for x in extras if x in packages())}]"]
+
+
+def test_pages_and_spinner_tell_the_same_of_compiling() -> None:
+    """A pilot takes a minute or two, which whoever waits for it has to know."""
+    pages = [(ROOT / page).read_text() for page in ("README.md", "docs/start.md")]
+    for text in (*pages, FIRST):
+        [said] = re.findall(r"[^.]*\b15 s\b[^.]*", " ".join(text.split()))
+        assert "with a pilot" in said
+        assert re.search("one or two minutes|a minute or two", said), said
 
 
 @pytest.mark.parametrize("name", ["toml", "py"])

@@ -418,7 +418,7 @@ def test_entries_that_are_not_there_are_counted(tmp_path: Path) -> None:
 CALLS = {
     "executor": (lambda: fly({"vehicle": "arq"}, executor="gpu"), "executor must be 'compiled'"),
     "pilot": (lambda: fly({"vehicle": "arq"}, pilot=3), r"pilot must be a function .*\(got 3\)"),
-    "scenario": (lambda: fly(3), r"scenario must be .* \(got 3\)"),
+    "scenario": (lambda: fly(3), r"scenario must be a Scenario, tables, or .* \(got 3\)"),
     "plan": (
         lambda: springback.Plan(scenario={"vehicle": "arq"}, method="sobool"),
         r"^method: must be .*'sobol'.*\(got 'sobool'\)$",

@@ -212,6 +212,7 @@ def test_questions_and_answers(place: Path, here: Here) -> None:
     listed = here("query", "whole").stdout
     assert "varied by the plan" in listed
     assert "largest |dv/dt| of the main body" in listed
+    assert re.search(r"^nose_up +rad ", listed, re.M)  # summary and `fly` print degrees
 
     done = here("query", "whole", "FROM flights WHERE NOT success", "--out", "a.csv")
     assert done.returncode == 0, done.stderr

@@ -128,6 +128,14 @@ def test_the_bundle_is_that_of_the_sources() -> None:
         assert f"sources {digest.hexdigest()}" in part(name)[:300], f"{name} is stale: make web"
 
 
+def test_page_and_guide_both_tell_what_the_mouse_does_in_a_plot() -> None:
+    """A click, a drag, and the way back: each told one of them and left out the others."""
+    guide = (ROOT / "docs/howto/replay.md").read_text()
+    for text in (guide, part("springback.js")):
+        for word in ("a click", "a drag", "a double click"):
+            assert word in text, word
+
+
 def test_the_bundle_carries_its_licences() -> None:
     """Beside it and in it, so that an exported page has them."""
     told = (resources.files("springback.interfaces") / "web" / "LICENSES.txt").read_text()
