@@ -56,7 +56,7 @@ def attack(kind: str, number: int, cases: int, tally: Counter[str]) -> str:
         said = [f"{kind}, seed {number}:\n"]
         for one in each_found:
             notes = "\n".join(getattr(one, "__notes__", []))
-            said.append("".join(traceback.format_exception(one)[-4:]) + notes + "\n")
+            said.append("".join(traceback.format_exception(one)[-6:]) + notes + "\n")
         return "".join(said)
     return ""
 

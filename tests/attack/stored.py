@@ -168,6 +168,10 @@ def _tables(draw: st.DrawFn, columns: Columns, told: list[str]) -> bytes:
             columns[name] = np.full(count, None, dtype=object)
         columns = columns or {"t": np.zeros(2)}
     about = draw(st.sampled_from([{}, {"units": "[1]"}, {"units": "x"}, {"units": '{"x": 3}'}]))
+    return _parquet(columns, about)
+
+
+def _parquet(columns: Columns, about: dict[str, str]) -> bytes:
     with tempfile.TemporaryDirectory() as scratch:
         path = Path(scratch) / "x.parquet"
         write_parquet(path, columns, {}, about)
@@ -244,7 +248,24 @@ def parts(draw: st.DrawFn) -> Changed:
     told: list[str] = []
     files = campaign()[1]
     columns = draw(st.booleans()) or draw(st.booleans())
-    data = draw(_tables(_columns("part"), told) if columns else _bytes(files[PART], told))
+    return _with_part(
+        draw(_tables(_columns("part"), told) if columns else _bytes(files[PART], told)), told
+    )
+
+
+def part_with(values: dict[str, float]) -> Changed:
+    """A part in which some columns hold one value throughout."""
+    columns = dict(_columns("part"))
+    count = len(columns["flight"])
+    columns |= {name: np.full(count, value) for name, value in values.items()}
+    return _with_part(
+        _parquet(columns, {}), [f"{name} = {value}" for name, value in values.items()]
+    )
+
+
+def _with_part(data: bytes, told: list[str]) -> Changed:
+    """A part, with its digest and size in the ledger."""
+    files = campaign()[1]
     fitting = {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
     lines = [json.loads(line) for line in files[manifest.NAME].splitlines()]
     lines = [_sealed(line | fitting) if line["file"] == PART else line for line in lines]
@@ -278,12 +299,13 @@ def result_files(changed: Changed) -> None:
         scenes_of([flight], [folder])
 
 
-def campaign_files(changed: Changed) -> None:
+def campaign_files(changed: Changed, *, summed: bool | None = None) -> None:
     """As `query`, `--resume` without flying and, one time in eight, `summary` do."""
     folder, files = campaign()
     with _become(folder, files, changed.files):
         try:
-            summed = zlib.crc32(repr(changed).encode("utf-8", "replace")) % 8 == 0
+            if summed is None:
+                summed = zlib.crc32(repr(changed).encode("utf-8", "replace")) % 8 == 0
             rows, *_ = all_said(folder, summed=summed)
         except (
             Exception

@@ -31,6 +31,7 @@ from attack.stored import (
     campaign,
     campaign_files,
     ledgers,
+    part_with,
     parts,
     result,
     result_files,
@@ -173,3 +174,10 @@ def test_ledgers(changed: Changed) -> None:
 @given(parts())
 def test_parts(changed: Changed) -> None:
     timed(campaign_files, changed)
+
+
+def test_a_summary_of_rows_that_no_flight_has_is_refused() -> None:
+    """Was a warning from within NumPy's quantiles, though all digests fit."""
+    changed = part_with({"excursion": math.inf})
+    with pytest.raises(InputError, match="column excursion: must be finite numbers below"):
+        campaign_files(changed, summed=True)

@@ -18,6 +18,7 @@ from springback.campaign.analysis.intervals import (
 )
 from springback.campaign.columns import known_columns
 from springback.errors import InputError
+from springback.results.saved import LARGEST
 from springback.studies.proportions import CONFIDENCE
 
 #: Measures of a summary, if any flight has them.
@@ -159,9 +160,19 @@ def _refusal(campaign: Campaign, refused: int) -> str:
     return f"{refused} refused, such as flight {flight} ({robot}): {why}"
 
 
-def _ordered(found: Mapping[str, Values]) -> dict[str, Values]:
-    """Known values of each column that has any, in ascending order."""
+def _ordered(campaign: Campaign, found: Mapping[str, Values]) -> dict[str, Values]:
+    """Known values of each column that has any, in ascending order.
+
+    Raises:
+        InputError: If a value is one that no flight has.
+    """
     known = {name: np.sort(values[~np.isnan(values)]) for name, values in found.items()}
+    for name, values in known.items():
+        if not (np.abs(values) < LARGEST).all():
+            raise InputError(
+                f"{campaign.folder}: column {name}: must be finite numbers below {LARGEST:g} in "
+                "magnitude"
+            )
     return {name: values for name, values in known.items() if len(values)}
 
 
@@ -178,7 +189,7 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     found = campaign.arrays(f"SELECT {columns} FROM flights WHERE robot = ?", [robot])
     measures = {
         name: (len(known), tuple(quantile(known, part) for part in PARTS))
-        for name, known in _ordered(found).items()
+        for name, known in _ordered(campaign, found).items()
     }
     return RobotSummary(
         robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
@@ -197,7 +208,7 @@ def _pair(campaign: Campaign, robots: tuple[str, str]) -> PairSummary:
     )  # fmt: skip
     total = both + first + second + neither
     columns = ", ".join(f"a.{name} - b.{name} AS {name}" for name in MAIN)
-    found = _ordered(campaign.arrays(f"SELECT {columns} {pairs}", robots))
+    found = _ordered(campaign, campaign.arrays(f"SELECT {columns} {pairs}", robots))
     medians = {name: (len(known), quantile(known, 0.5)) for name, known in found.items()}
     return PairSummary(
         robots, total, both, first, second, neither, paired_difference(first, second, total),
