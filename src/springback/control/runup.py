@@ -79,11 +79,14 @@ class RunUpTiming(NamedTuple):
     begins: float = 0.0
 
 
+USUAL_TIMING = RunUpTiming()
+
+
 def run_up(
     start: Vec,
     contact: RunUpContact,
     limits: Limits,
-    timing: RunUpTiming = RunUpTiming(),  # noqa: B008
+    timing: RunUpTiming = USUAL_TIMING,
     advises: bool = True,
 ) -> RunUp:
     """A run-up from rest at ``start`` to contact.

@@ -20,7 +20,6 @@ from springback.control.cascade import (
 from springback.control.target import Target
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, store
-from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.recovery.characterisation import (
@@ -105,26 +104,23 @@ class RecoveryPilotMemory(NamedTuple):
     """1 while a lane has an event to process at this tick, an alarm or the end of a phase."""
 
 
-def recovery_pilot_memory(
-    pilot: RecoveryPilot, flight: CascadeMemory, build: Build = plain_build
-) -> RecoveryPilotMemory:
+def recovery_pilot_memory(pilot: RecoveryPilot, flight: CascadeMemory) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 
     Args:
         pilot: Settings.
         flight: Memory of the cascade, from `springback.control.cascade.cascade_memory`.
-        build: Builder of the parts.
     """
     start, airframe = flight.estimate, pilot.cascade.airframe
-    nothing = build(no_collision, airframe)
+    nothing = no_collision(airframe)
     return RecoveryPilotMemory(
         flight,
-        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust, build),
+        no_wrench(pilot.observer, airframe, start, flight.autopilot.thrust),
         NOT_DETECTED,
-        build(no_observation, airframe),
+        no_observation(airframe),
         nothing,
         History(start.velocity, start.velocity),
-        recovery_at_start(pilot.route, nothing, build),
+        recovery_at_start(pilot.route, nothing),
         0.0,
     )
 

@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 from springback.control.references import Polynomials
 from springback.control.target import Target, target
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
@@ -95,17 +94,14 @@ def _without_jerk(reference: SmoothReturn, time: float) -> Target:
     return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
 
-def recovery_at_start(
-    route: Route, nothing: Collision, build: Build = plain_build
-) -> RecoveryState:
+def recovery_at_start(route: Route, nothing: Collision) -> RecoveryState:
     """State before the first run-up.
 
     Args:
         route: Settings.
         nothing: A collision that has not happened.
-        build: Builder of the parts.
     """
-    back, home = build(_unplanned, route.response, route.speed, nothing)
+    back, home = _unplanned(route.response, route.speed, nothing)
     log = Log(NOT_YET, NOT_YET, NOT_YET, NOT_YET, 0.0)
     return RecoveryState(CRUISE, 0.0, TILTING, 0.0, back, home, 0.0, route.home, NOT_YET, log)
 

@@ -19,7 +19,6 @@ from springback.control.mixing import wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.memo import Build, plain_build
 from springback.kernels.trees import select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
@@ -75,21 +74,13 @@ class ExternalWrench(NamedTuple):
 
 
 def no_wrench(
-    observer: Observer,
-    airframe: Airframe,
-    start: Estimate,
-    thrust: tuple[float, ...],
-    build: Build = plain_build,
+    observer: Observer, airframe: Airframe, start: Estimate, thrust: tuple[float, ...]
 ) -> ExternalWrench:
     """Estimate and memory of an observer at the start, without an external wrench."""
-    none, inertia = ZERO, build(_whole_inertia, airframe)
+    none, inertia = ZERO, inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
     momentum, spin = start.velocity * observer.mass, inertia @ start.angular_velocity
     recent = RecentImpulse(none, none, none, start.velocity, spin, none, none)
     return ExternalWrench(none, none, none, thrust, momentum, spin, recent)
-
-
-def _whole_inertia(airframe: Airframe) -> Mat3:
-    return inertia_at(airframe, tuple(arm.length for arm in airframe.arms))
 
 
 @kernel

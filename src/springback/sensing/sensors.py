@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import TreeLayout, load, rows, store
-from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Quat, Vec
 from springback.sensing.clock import draws
 from springback.sensing.hall import arms_at_start, arms_read, read_arms
@@ -65,28 +64,19 @@ def draws_of(sensors: Sensors, arm_count: int) -> tuple[Draw, ...]:
     )
 
 
-def sensors_at_start(
-    sensors: Sensors, start: State, gravity: float, build: Build = plain_build
-) -> SensorsMemory:
+def sensors_at_start(sensors: Sensors, start: State, gravity: float) -> SensorsMemory:
     """Memory of all sensors before tick 0; plain Python.
 
     Args:
         sensors: Settings.
         start: State at tick 0.
         gravity: g along −Z [m/s²].
-        build: Builder of the parts.
     """
     return SensorsMemory(
         motion_capture_at_start(sensors.motion_capture, start),
         inertial_at_start(sensors.inertial, start, gravity),
-        build(_arms_at_start, sensors.arm_length, start.arm_length),
+        arms_at_start(sensors.arm_length, start),
     )
-
-
-def _arms_at_start(device: Any, lengths: tuple[float, ...]) -> Any:
-    """Memory of arm-length sensors, which depend on the lengths [m] only."""
-    zero, level = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
-    return arms_at_start(device, State(zero, level, zero, zero, lengths, (0.0,) * len(lengths)))
 
 
 @kernel

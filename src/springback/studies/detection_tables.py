@@ -120,11 +120,11 @@ def delay_table(results: DetectionResults) -> list[str]:
             cells = []
             for speed in SPEEDS:
                 found = results.delays(robot, trigger, speed)
-                told = [x for x in found if x is not None]
-                missed = f", {len(found) - len(told)} of {len(found)} missed"
-                cells.append(_spread(told, 1e3, 1) if told else missed[2:])
-                if told and len(told) < len(found):
-                    cells[-1] = f"{1e3 * float(np.median(told)):.1f}{missed}"
+                known = [x for x in found if x is not None]
+                missed = f", {len(found) - len(known)} of {len(found)} missed"
+                cells.append(_spread(known, 1e3, 1) if known else missed[2:])
+                if known and len(known) < len(found):
+                    cells[-1] = f"{1e3 * float(np.median(known)):.1f}{missed}"
             lines.append(f"  {robot + ', ' + trigger:<34}" + "".join(f"{x:>22}" for x in cells))
     return lines
 
@@ -138,8 +138,8 @@ def direction_table(results: DetectionResults) -> list[str]:
         for robot, speed in product(ROBOTS, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
             found = results.characterisation_error(robot, speed)
             cells = [sizes(found, name, to) for name in SOURCES]
-            told = [f"{np.median(c):.1f} ({max(c):.1f})" if c else "-" for c in cells]
-            lines.append(f"  {f'{robot}, {speed:g} m/s':<34}" + "".join(f"{x:>16}" for x in told))
+            texts = [f"{np.median(c):.1f} ({max(c):.1f})" if c else "-" for c in cells]
+            lines.append(f"  {f'{robot}, {speed:g} m/s':<34}" + "".join(f"{x:>16}" for x in texts))
     return lines
 
 
@@ -156,9 +156,9 @@ def place_table(results: DetectionResults) -> list[str]:
         if not found:
             continue
         cells = [[value(one) for one in found] for _, value in kinds]
-        told = "".join(f"{f'{np.median(c):.2g} ({max(c):.2g})':>20}" for c in cells)
+        text = "".join(f"{f'{np.median(c):.2g} ({max(c):.2g})':>20}" for c in cells)
         right = sum(one.arms_right for one in found)
-        lines.append(f"  {f'{robot}, {speed:g} m/s':<34}{told}  {right} of {len(found)} right")
+        lines.append(f"  {f'{robot}, {speed:g} m/s':<34}{text}  {right} of {len(found)} right")
     return lines
 
 

@@ -84,14 +84,14 @@ def campaign(
     with output.spinner("reading the plan"):
         design = _design(plan, overrides, out)
     if dry_run:
-        _foretold(design, workers, output)
+        _print_cost(design, workers, output)
         return
     if out is None:
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
     interrupts.say(f"interrupted; completed flights are saved; resume with: {again}")
     try:
-        with _told(output) as (tell, remark):
+        with _progress(output) as (tell, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
                 tls=tls, device=device, progress=tell, remark=remark,
@@ -142,7 +142,7 @@ def _finished(flown: Any, output: Output) -> None:
 
 
 @contextlib.contextmanager
-def _told(
+def _progress(
     output: Output,
 ) -> Iterator[tuple[Callable[[CampaignProgress], None], Callable[[str], None]]]:
     """Progress as a bar on a terminal, else as lines at intervals; remarks as lines on stderr."""
@@ -150,8 +150,8 @@ def _told(
 
     console = Console(stderr=True)
     if console.is_terminal and not output.quiet:
-        with _bar(console) as told:
-            yield told
+        with _bar(console) as both:
+            yield both
         return
     last = [-BETWEEN_LINES]
 
@@ -184,7 +184,7 @@ def _bar(
         yield tell, remark
 
 
-def _foretold(design: Any, workers: int | None, output: Output) -> None:
+def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
