@@ -54,7 +54,7 @@ def run() -> None:
         except BrokenPipeError:  # the reader has ended, too
             code = code or 1
         except (OSError, ValueError) as error:
-            if stream is sys.stdout:
+            if stream is sys.stdout and not code:  # else an error was reported
                 _last(f"error: stdout: {getattr(error, 'strerror', None) or error}")
             code = code or 1
     os._exit(code if isinstance(code, int) else 0 if code is None else 1)

@@ -249,12 +249,17 @@ def test_a_mistake_of_ours_keeps_its_traceback() -> None:
 def test_output_that_nobody_takes_is_said_in_one_line() -> None:
     words = [sys.executable, "-m", "springback", "show"]
     with Path("/dev/full").open("w") as full:
-        done = subprocess.run(words, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
-    assert done.returncode == 1
-    assert done.stderr in (
-        "error: stdout: No space left on device\n",
-        "error: No space left on device\n",
-    )
+        for buffered in ({"PYTHONUNBUFFERED": "1"}, {}):  # what is buffered fails once more
+            rest = {k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"}
+            done = subprocess.run(
+                words, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+                env=rest | buffered,
+            )  # fmt: skip
+            assert done.returncode == 1
+            assert done.stderr in (
+                "error: stdout: No space left on device\n",
+                "error: No space left on device\n",
+            )
     done = subprocess.run(
         ["sh", "-c", f"{sys.executable} -m springback show >&-"], capture_output=True, text=True, check=False
     )  # fmt: skip
