@@ -27,7 +27,7 @@ LEAST_ALONG = 0.5
 WALL_OFFSET = 0.1
 
 
-class DerivedNumber(NamedTuple):
+class ScenarioQuantity(NamedTuple):
     """A number that follows from a scenario."""
 
     name: str
@@ -37,7 +37,7 @@ class DerivedNumber(NamedTuple):
     about: str
 
 
-class Approach(NamedTuple):
+class WallApproach(NamedTuple):
     """Approach of a vehicle to the first wall or mat of its scenario."""
 
     speed: float
@@ -50,18 +50,18 @@ class Approach(NamedTuple):
     """Share of the wall's normal force that presses the arm, if its cage slides inwards."""
 
 
-def derived_numbers(scenario: Scenario) -> list[DerivedNumber]:
+def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
     """Numbers that follow from a scenario's vehicle, and from its approach to a wall."""
     vehicle, found = scenario.vehicle, [*_masses(scenario)]
     for group in _alike(vehicle.arms):
         found += _of_arms(vehicle, group)
     found += _gaps(vehicle.arms)
     if (approach := approach_to_wall(scenario)) is not None:
-        found.append(DerivedNumber(
+        found.append(ScenarioQuantity(
             "speed into the wall", approach.speed, "m/s", "of the main body, at the start or as "
             "planned by a run-up",
         ))  # fmt: skip
-        found.append(DerivedNumber(
+        found.append(ScenarioQuantity(
             "force along the foremost arm", approach.along, "",
             "share of the wall's normal force, cos θ − μ sin θ; "
             f"arm {approach.arm + 1} at θ = {degrees(approach.angle):.3g} deg to the normal",
@@ -82,18 +82,20 @@ def check_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
 # -- numbers --------------------------------------------------------------------------------------
 
 
-def _masses(scenario: Scenario) -> Iterator[DerivedNumber]:
+def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
     vehicle = scenario.vehicle
-    yield DerivedNumber("mass", vehicle.mass, "kg", "body and arms")
+    yield ScenarioQuantity("mass", vehicle.mass, "kg", "body and arms")
     for axis, moment in zip("xyz", vehicle.inertia().diagonal(), strict=True):
         about = "about the body's centre, arms at their free length"
-        yield DerivedNumber(f"inertia about {axis}", float(moment), "kg m^2", about)
+        yield ScenarioQuantity(f"inertia about {axis}", float(moment), "kg m^2", about)
     propulsion = vehicle.propulsion
     if propulsion is None:
         return
-    yield DerivedNumber("hover thrust share", hover_share(scenario), "", "of the rotors' maximum")
+    yield ScenarioQuantity(
+        "hover thrust share", hover_share(scenario), "", "of the rotors' maximum"
+    )
     if None not in (propulsion.figure_of_merit, propulsion.disk_radius, propulsion.battery_energy):
-        yield DerivedNumber("hover time", hover_time(vehicle), "s", "with the full battery")
+        yield ScenarioQuantity("hover time", hover_time(vehicle), "s", "with the full battery")
 
 
 def hover_share(scenario: Scenario) -> float:
@@ -115,18 +117,18 @@ def _alike(arms: Arms) -> list[list[int]]:
     return list(groups.values())
 
 
-def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[DerivedNumber]:
+def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
     arms, j = vehicle.arms, group[0]
     of = (
         "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
     )
     m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
     free = "on its spring, the body held"
-    yield DerivedNumber(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
-    yield DerivedNumber(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
+    yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
+    yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
     if arms.end_stops:
         about = "estimate: the body on this one spring, its cage held by the wall ahead"
-        yield DerivedNumber(
+        yield ScenarioQuantity(
             f"speed that uses up the stroke{of}", stop_speed(vehicle, j), "m/s", about
         )
 
@@ -156,18 +158,20 @@ def stop_speed(vehicle: Vehicle, arm: int) -> float:
     return float(arms.at("stroke", arm) * omega * math.exp(decay))
 
 
-def _gaps(arms: Arms) -> Iterator[DerivedNumber]:
+def _gaps(arms: Arms) -> Iterator[ScenarioQuantity]:
     """Smallest gap between two cages: arms free, and pressed in together."""
     pairs = [(i, j) for j in range(len(arms.directions)) for i in range(j)]
     if not pairs:
         return
     free = min(_gap(arms, i, j, 0.0) for i, j in pairs)
-    yield DerivedNumber("gap between cages", free, "m", "the smallest, arms at their free length")
+    yield ScenarioQuantity(
+        "gap between cages", free, "m", "the smallest, arms at their free length"
+    )
     soft = [pair for pair in pairs if all(arms.at("compliant", k) for k in pair)]
     touching = [share for i, j in soft if (share := _touching_share(arms, i, j)) is not None]
     if touching:
         about = "share of it, two neighbouring arms pressed in together"
-        yield DerivedNumber("stroke until cages touch", min(touching), "", about)
+        yield ScenarioQuantity("stroke until cages touch", min(touching), "", about)
 
 
 def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
@@ -196,7 +200,7 @@ def _touching_share(arms: Arms, i: int, j: int) -> float | None:
 # -- the approach ---------------------------------------------------------------------------------
 
 
-def approach_to_wall(scenario: Scenario) -> Approach | None:
+def approach_to_wall(scenario: Scenario) -> WallApproach | None:
     """Approach to the first wall or mat at the attitude of the start; None if there is none."""
     wall = _first_wall(scenario)
     if wall is None:
@@ -215,7 +219,7 @@ def approach_to_wall(scenario: Scenario) -> Approach | None:
     angle = abs(math.remainder(angles[first], math.tau))
     friction = wall.surface.friction if wall.surface.friction_axes == "both" else 0.0
     along = math.cos(angle) - friction * math.sin(angle)
-    return Approach(float(speed), first, angle, along)
+    return WallApproach(float(speed), first, angle, along)
 
 
 def _first_wall(scenario: Scenario) -> PlaneSettings | None:

@@ -15,7 +15,7 @@ from springback.campaign.design.plan import read_plan
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
-from springback.interfaces.cli.examples import STARTERS
+from springback.interfaces.cli.examples import TEMPLATES
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.fields import fields_of
 from springback.scenario.user_obstacles import check_own_obstacles
@@ -91,11 +91,11 @@ def test_a_campaign_is_laid_out_with_the_scenario_beside_it() -> None:
     assert design.units.keys() >= {"stiffness", "damping"}
 
 
-@pytest.mark.parametrize("kind", STARTERS)
+@pytest.mark.parametrize("kind", TEMPLATES)
 def test_the_next_commands_exist_with_their_options(kind: str) -> None:
     said = new(kind, "mine")
     lines = re.findall(r"^  (\w+) (.*)", said, re.M)
-    assert len(lines) == len(STARTERS[kind].next)
+    assert len(lines) == len(TEMPLATES[kind].next)
     context = click.Context(cli, info_name="springback")
     for program, rest in lines:
         words = shlex.split(rest)

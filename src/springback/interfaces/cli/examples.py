@@ -58,7 +58,7 @@ def examples(output: Output) -> None:
 # -- files of one's own ---------------------------------------------------------------------------
 
 
-class Starter(NamedTuple):
+class TemplateFiles(NamedTuple):
     """Files that ``springback new`` writes for one kind of thing."""
 
     files: dict[str, str]
@@ -67,8 +67,8 @@ class Starter(NamedTuple):
     """Commands to type next, with ``{stem}`` of the file's path."""
 
 
-STARTERS = {
-    "vehicle": Starter(
+TEMPLATES = {
+    "vehicle": TemplateFiles(
         {".toml": "own_vehicle.toml"},
         (
             "springback check {stem}.toml",
@@ -76,7 +76,7 @@ STARTERS = {
             "springback view {stem}-flight",
         ),
     ),
-    "pilot": Starter(
+    "pilot": TemplateFiles(
         {".py": "own_pilot.py", ".toml": "own_pilot.toml"},
         (
             "springback check {stem}.py:hover",
@@ -84,11 +84,11 @@ STARTERS = {
             "python {stem}.py",
         ),
     ),
-    "obstacle": Starter(
+    "obstacle": TemplateFiles(
         {".py": "own_obstacle.py"},
         ("springback check {stem}.py:POLE", "python {stem}.py"),
     ),
-    "campaign": Starter(
+    "campaign": TemplateFiles(
         {".toml": "own_campaign.toml", "_vehicle.toml": "own_vehicle.toml"},
         (
             "springback check {stem}.toml",
@@ -102,7 +102,7 @@ STARTERS = {
 
 
 @click.command()
-@click.argument("kind", type=click.Choice(list(STARTERS)))
+@click.argument("kind", type=click.Choice(list(TEMPLATES)))
 @click.argument("name", required=False)
 @click.option("--compiled", is_flag=True, help="A pilot that is compiled.")
 @click.option("--out", type=PATH, metavar="FILE", help="File to write; by default NAME, here.")
@@ -126,19 +126,19 @@ def new(
     from springback.errors import InputError
     from springback.files import write_atomically
 
-    starter = STARTERS[kind]
+    template = TEMPLATES[kind]
     if compiled and kind != "pilot":
         raise InputError(f"--compiled belongs to a pilot, not to a {kind}")
     if name is not None and out is not None:
         raise InputError(f"NAME {name} and --out {out}: give only one")
-    suffix = next(iter(starter.files))
+    suffix = next(iter(template.files))
     path = out or Path(f"{(name or f'own_{kind}').removesuffix(suffix)}{suffix}")
     if path.suffix != suffix:
         raise InputError(f"--out {path}: must end in {suffix}")
     _check_name(path.stem, "--out" if out else "NAME", is_module=suffix == ".py")
     written = {
         path.with_name(path.stem + end): _renamed(source, kind, path.stem, compiled)
-        for end, source in starter.files.items()
+        for end, source in template.files.items()
     }
     there = [str(one) for one in written if one.exists() or one.is_symlink()]
     if there and not force:
@@ -153,7 +153,7 @@ def new(
     terminal.print(
         {"files": [str(one) for one in written]}, f"written: {', '.join(map(str, written))}"
     )
-    terminal.note("next:\n" + "\n".join(f"  {line.format(stem=stem)}" for line in starter.next))
+    terminal.note("next:\n" + "\n".join(f"  {line.format(stem=stem)}" for line in template.next))
 
 
 def _renamed(example: str, kind: str, name: str, compiled: bool) -> str:
