@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from springback.interfaces.cli.common import Terminal, say, terminal_options
+from springback.interfaces.cli.completion import complete_checked, complete_setting
 
 if TYPE_CHECKING:
     from springback.campaign.design.dimensions import Dimension
@@ -17,8 +18,10 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("file", metavar="FILE.toml|FILE.py:NAME")
-@click.argument("more", nargs=-1, metavar="[SCENARIO] [KEY=VALUE]...")
+@click.argument("file", metavar="FILE.toml|FILE.py:NAME", shell_complete=complete_checked)
+@click.argument(
+    "more", nargs=-1, metavar="[SCENARIO] [KEY=VALUE]...", shell_complete=complete_setting()
+)
 @terminal_options("as_json", "quiet")
 def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     """Check a scenario, a plan, or a pilot of your own, before it is flown for long.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from springback.interfaces.cli.common import Output, output_options
+from springback.interfaces.cli.completion import complete_preset
 
 
 @click.command(name="map")
@@ -12,7 +13,7 @@ from springback.interfaces.cli.common import Output, output_options
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
 @click.option(
     "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
-    help="Vehicle preset; may be repeated.",
+    help="Vehicle preset; may be repeated.", shell_complete=complete_preset("vehicle"),
 )  # fmt: skip
 @click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")

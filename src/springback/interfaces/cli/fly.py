@@ -10,14 +10,15 @@ from pathlib import Path
 import click
 
 from springback.errors import FlightWarning
-from springback.interfaces.cli.common import FIRST, PATH, Output, output_options, say
+from springback.interfaces.cli.common import FIRST, Output, output_options, say
+from springback.interfaces.cli.completion import ScenarioPath, complete_code, complete_setting
 
 
 @click.command()
-@click.argument("scenario", type=PATH)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("scenario", type=ScenarioPath())
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting())
 @click.option(
-    "--pilot", metavar="FILE.py:NAME",
+    "--pilot", metavar="FILE.py:NAME", shell_complete=complete_code,
     help="Fly with a pilot of your own: a function, or a CompiledPilot, which is compiled.",
 )  # fmt: skip
 @output_options("Folder for summary.json, trajectory.parquet, figures.")
