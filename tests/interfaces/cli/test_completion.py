@@ -81,7 +81,7 @@ def test_every_key_offered_is_one_of_a_scenario() -> None:
     entry = {"type": "mat", "distance": 9.0, "surface": surface, "backing": surface}
     full = scenario_from({
         "vehicle": "arq", "reference": {"type": "hold"}, "world": {"obstacles": [entry]},
-        "recovery": {}, "air": {"gusts": {"wind_at_6_m": 5.0}} ,
+        "recovery": {}, "air": {} ,
     })  # fmt: skip
     strange = []
     keys = [key for key, _ in setting_keys(Scenario)]
