@@ -16,7 +16,7 @@ from springback.interfaces.cli.app import cli
 
 
 def paragraphs(text: str) -> Iterator[str]:
-    """Lines of a help text; a block after ``\\b`` is kept as it is."""
+    """Lines of a help text; a block that click prints as it is stays as it is."""
     for block in inspect.cleandoc(text).split("\n\n"):
         if block.startswith("\b"):
             yield from ("::", "", *(f"   {line}" for line in block.splitlines()[1:]), "")
