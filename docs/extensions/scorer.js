@@ -2,7 +2,9 @@
 var Scorer = {
   score: ([docname, title, anchor, descr, score]) => {
     const weights = [
-      [/^(start|commands|coming_from|howto\/|story\/)/, 30],
+      [/^story\//, 34],
+      [/^(start|howto\/)/, 32],
+      [/^(commands|coming_from)/, 28],
       [/^(paper\/|glossary|benchmarks)/, 15],
       [/^(changelog|decisions\/)/, -5],
       [/^api\//, -10],
