@@ -127,6 +127,13 @@ def complete_preset(kind: str = "") -> Complete:
     return lambda ctx, param, incomplete: _items(presets(kind), incomplete)
 
 
+def complete_vehicle(
+    ctx: click.Context, param: click.Parameter, incomplete: str
+) -> list[CompletionItem]:
+    """Presets of vehicles, and files in TOML."""
+    return _items([*presets("vehicle"), *files_below(incomplete, ".toml")], incomplete)
+
+
 # -- overrides ------------------------------------------------------------------------------------
 
 
