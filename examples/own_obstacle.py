@@ -1,6 +1,7 @@
 """ARQ flies into a vertical pole: a user-defined obstacle.
 
 springback check own_obstacle.py:POLE
+springback fly own_obstacle.toml --out own_obstacle
 python own_obstacle.py
 """
 

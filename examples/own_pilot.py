@@ -1,7 +1,7 @@
 """A user-defined pilot in plain Python: it hovers with motion capture and a gyroscope.
 
 springback check own_pilot.py:hover
-springback fly own_pilot.toml --pilot own_pilot.py:hover --out own_pilot
+springback fly own_pilot.toml --out own_pilot
 """
 
 import math

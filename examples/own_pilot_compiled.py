@@ -3,7 +3,7 @@
 Settings and memory are NamedTuples of floats and vectors; no arrays, integers, or exceptions.
 
 springback check own_pilot_compiled.py:hover
-springback fly own_pilot.toml --pilot own_pilot_compiled.py:hover --out own_pilot
+springback fly own_pilot.toml --out own_pilot
 """
 
 import math

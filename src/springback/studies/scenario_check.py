@@ -69,13 +69,9 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
     return found
 
 
-def check_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
-    """Warnings for a scenario, one sentence each: those of a flight, and more.
-
-    Args:
-        scenario: Scenario to be flown.
-        own: True if a pilot of the user's own flies it.
-    """
+def check_warnings(scenario: Scenario) -> list[str]:
+    """Warnings for a scenario, one sentence each: those of a flight, and more."""
+    own = scenario.pilot is not None
     return [*scenario_warnings(scenario, own=own), *_vehicle_warnings(scenario)]
 
 

@@ -17,6 +17,7 @@ from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.examples import TEMPLATES
 from springback.scenario.avionics import CompiledPilot
+from springback.scenario.build import user_parts
 from springback.scenario.fields import fields_of
 from springback.scenario.user_obstacles import check_own_obstacles
 from springback.scenario.user_pilots import read_pilot
@@ -71,7 +72,10 @@ def test_a_pilot_is_one_and_its_scenario_can_be_flown_by_it(compiled: bool) -> N
     new("pilot", "mine", *(["--compiled"] if compiled else []))
     pilot = read_pilot("mine.py:hover")
     assert isinstance(pilot, CompiledPilot) is compiled
-    assert springback.read_scenario("mine.toml", pilot=True).simulation.duration == 3.0
+    scenario = springback.read_scenario("mine.toml")
+    assert scenario.simulation.duration == 3.0
+    assert scenario.pilot == f"{Path.cwd() / 'mine.py'}:hover"
+    assert scenario.build().built_avionics is not None
     assert "own_pilot" not in Path("mine.py").read_text()
 
 
@@ -81,6 +85,8 @@ def test_an_obstacle_is_a_distance_with_its_gradient() -> None:
     exec(compile(Path("tree.py").read_text(), "tree.py", "exec"), names)
     check_own_obstacles([(names["POLE"], springback.WALL)], springback.Vec(2.2, 0.0, 1.0))
     assert signed_distance(names["POLE"], springback.Vec(2.75, 0.0, 7.0)) == -0.05
+    [(pole, _)] = user_parts(springback.read_scenario("tree.toml")).obstacles
+    assert pole == names["POLE"]
 
 
 def test_a_campaign_is_laid_out_with_the_scenario_beside_it() -> None:

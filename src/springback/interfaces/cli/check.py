@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from pydantic import ValidationError
 
 from springback.interfaces.cli.common import Terminal, say, terminal_options
 from springback.interfaces.cli.completion import complete_checked, complete_setting
@@ -15,6 +16,7 @@ from springback.interfaces.cli.completion import complete_checked, complete_sett
 if TYPE_CHECKING:
     from springback.campaign.design.dimensions import Dimension
     from springback.scenario.scenario import Scenario
+    from springback.studies.pilot_check import Finding
 
 
 @click.command()
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 )
 @terminal_options("as_json", "quiet")
 def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
-    """Check a scenario, a plan, or a pilot of your own, before it is flown for long.
+    """Check a scenario, a plan, a pilot or an obstacle of your own, before it is flown for long.
 
     A scenario or a plan is refused for all that a flight would refuse it for. Numbers that follow
     from it are printed: mass, share of the thrust in hover, natural frequency and damping ratio of
@@ -33,10 +35,16 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     A pilot is tested for properties that every pilot should have: at rest at the start of the
     SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
 
+    The distance and the normal of an obstacle are sampled from the start of the SCENARIO (by
+    default [0, 0, 1] m) and from all sides: a distance that is overstated, that does not grow by
+    1 m a metre or is no number, a normal that is not 1 long or not the gradient. NAME is a shape,
+    or its type with KEY=VALUE for its fields.
+
     \b
     springback check scenario.toml vehicle.arms.stiffness="2 N/mm"
     springback check plan.toml
     springback check my_pilot.py:hover
+    springback check my_obstacle.py:Pole x=2.75 y=0 radius=0.05
     """
     from springback.scenario.source_text import source_text, toml_tables
 
@@ -54,9 +62,11 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
+    from springback.scenario.build import user_parts
     from springback.scenario.files import read_scenario
 
     scenario = read_scenario(path, overrides)
+    user_parts(scenario)  # code of the user's own that cannot be used is refused
     numbers, warnings = _findings(scenario)
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
@@ -142,16 +152,54 @@ def _law_text(one: Dimension) -> str:
 
 
 def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
+    """Check a pilot or a shape, and exit with 1 if a property fails."""
     from springback.errors import InputError
+    from springback.scenario.avionics import CompiledPilot
+    from springback.scenario.user_code import read_object
     from springback.studies.pilot_check import check_pilot
 
-    if len(more) > 1:
-        raise InputError(f"{more[1]!r}: a pilot is checked with one scenario")
-    with terminal.progress_bar("testing the pilot") as show:
-        findings = check_pilot(name, Path(more[0]) if more else None, progress=show)
+    scenarios = [Path(word) for word in more if "=" not in word]
+    if len(scenarios) > 1:
+        raise InputError(f"{str(scenarios[1])!r}: it is checked with one scenario")
+    thing = read_object(name, "a pilot or a shape")
+    is_type = isinstance(thing, type) and issubclass(thing, tuple)
+    if is_type or (isinstance(thing, tuple) and not isinstance(thing, CompiledPilot)):
+        findings = _shape_findings(name, more, scenarios, terminal)
+    elif len(more) > len(scenarios):
+        raise InputError("a pilot is checked without KEY=VALUE; change its scenario")
+    else:
+        with terminal.progress_bar("testing the pilot") as show:
+            findings = check_pilot(name, *scenarios, progress=show)
     lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
     terminal.print([f._asdict() for f in findings], "\n".join(lines))
     failed = sum(not f.passed for f in findings)
     terminal.note(f"{len(findings) - failed} of {len(findings)} passed")
     if failed:
         sys.exit(1)
+
+
+def _shape_findings(
+    name: str, more: Sequence[str], scenarios: Sequence[Path], terminal: Terminal
+) -> list[Finding]:
+    """Findings on a shape, or on a type of shape with its parameters."""
+    from springback.contact.library import WALL
+    from springback.errors import InputError
+    from springback.kernels.vectors import Vec
+    from springback.scenario.files import apply_overrides, read_scenario
+    from springback.scenario.tables import Start, UserShape, WorldSettings
+    from springback.scenario.user_obstacles import own_obstacles
+    from springback.studies.shape_check import check_shape
+
+    given = apply_overrides({}, [word for word in more if "=" in word])
+    entry = {"type": "own", "shape": name, "parameters": given, "surface": WALL}
+    try:
+        world = WorldSettings(obstacles=(UserShape.model_validate(entry),))
+        [(shape, _)] = own_obstacles(world)
+    except ValidationError as error:
+        raise InputError(*UserShape.in_words(error)) from None
+    except InputError as error:
+        lines = (line.removeprefix("world.obstacles[0].") for line in error.problems)
+        raise InputError(*lines) from None
+    start = read_scenario(scenarios[0]).start if scenarios else Start()
+    with terminal.progress_bar("testing the shape") as show:
+        return check_shape(shape, Vec(*start.position), progress=show)

@@ -80,13 +80,17 @@ TEMPLATES = {
         {".py": "own_pilot.py", ".toml": "own_pilot.toml"},
         (
             "springback check {stem}.py:hover",
-            "springback fly {stem}.toml --pilot {stem}.py:hover --out {stem}-flight",
+            "springback fly {stem}.toml --out {stem}-flight",
             "python {stem}.py",
         ),
     ),
     "obstacle": TemplateFiles(
-        {".py": "own_obstacle.py"},
-        ("springback check {stem}.py:POLE", "python {stem}.py"),
+        {".py": "own_obstacle.py", ".toml": "own_obstacle.toml"},
+        (
+            "springback check {stem}.py:POLE",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "python {stem}.py",
+        ),
     ),
     "campaign": TemplateFiles(
         {".toml": "own_campaign.toml", "_vehicle.toml": "own_vehicle.toml"},
@@ -116,7 +120,7 @@ def new(
     vehicle   a scenario with a [vehicle] of four compliant arms: each number with unit and range,
               and where to get it
     pilot     a pilot in plain Python, or --compiled, and a scenario for it
-    obstacle  a shape in Python, flown into when the file is run
+    obstacle  a shape in Python, and a scenario that flies into it
     campaign  a plan, here a design study, and a scenario with a vehicle for it
 
     \b
