@@ -111,8 +111,22 @@ def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
             )
         known = (type(pair[0]), repr(pair[0]), *(round(x) for x in start))
         if known not in _SEEN:
-            _Sampled(f"own obstacle {k}, {type(pair[0]).__name__}", pair[0]).check(start)
+            check_shape_from(start, pair[0], f"own obstacle {k}, {type(pair[0]).__name__}")
             _SEEN.add(known)
+
+
+def check_shape_from(start: Vec, shape: Any, name: str) -> None:
+    """Reject a shape whose distance or normal is wrong where rays from a point meet it.
+
+    Args:
+        start: Where the rays begin, world [m].
+        shape: The shape.
+        name: Of the shape, for errors.
+
+    Raises:
+        InputError: With the first point that is wrong.
+    """
+    _Sampled(name, shape).check(start)
 
 
 #: Validated shapes, by their numbers and the cubic metre of the start.

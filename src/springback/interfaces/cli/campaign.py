@@ -20,6 +20,7 @@ from springback.interfaces.cli.common import (
     output_options,
     say,
 )
+from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
 
@@ -32,8 +33,10 @@ BETWEEN_LINES = 10.0
 
 
 @click.command()
-@click.argument("plan", type=PATH, required=False)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("plan", type=ScenarioPath(), required=False)
+@click.argument(
+    "overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting(plan=True)
+)
 @click.option("--resume", is_flag=True, help="Continue the campaign in the folder.")
 @click.option("--dry-run", is_flag=True, help="Fly a few, and estimate time and disk space of all.")
 @click.option("--workers", type=int, help="Number of processes; by default that of the cores.")
