@@ -6,7 +6,8 @@ import { createControls } from "./lab_controls.js";
 import { createQueue } from "./lab_queue.js";
 import { createLabPlots } from "./lab_plots.js";
 import { createLabTable } from "./lab_table.js";
-import { choice, createPlayer, create } from "./player.js";
+import { choice, create } from "./elements.js";
+import { createPlayer } from "./player.js";
 import { CAMERAS, createScene, together } from "./scene.js";
 import { palette } from "./colours.js";
 
