@@ -116,7 +116,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   /** Fewer pixels while a picture moves too slowly, all of them when it has come to rest. */
   function pacePixels() {
     const now = performance.now();
-    const moves = now - drawnAt < STILL;
+    const moves = askedAt - drawnAt < STILL;
     drawnAt = now;
     clearTimeout(resting);
     if (moves) slowness = 0.7 * slowness + 0.3 * (now - askedAt);
