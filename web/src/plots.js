@@ -12,6 +12,8 @@ const HEIGHT = 112;
 const AXIS = 54;
 /** Zooms that can be undone. */
 const MOST_ZOOMS = 100;
+/** Shortest and longest time that a plot can show [s]. */
+const RANGES = [1e-6, 1e6];
 /** A drag zooms along a direction if it is this long in it [px]. */
 const LEAST_DRAG = 14;
 
@@ -47,7 +49,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
 
   /** Show these plots: names of standard panels, and lists of signals. */
   function choose(list) {
-    wanted = list;
+    wanted = list && [...new Map(list.map((plot) => [String(plot), plot])).values()];
     build(flights);
   }
 
@@ -158,7 +160,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
 
   /** Change the range, so that it can be undone. */
   function go(next) {
-    if (JSON.stringify(next) === JSON.stringify(zoomed)) return;
+    if (JSON.stringify(next) === JSON.stringify(zoomed) || !isPossible(next.range)) return;
     history = [...history, zoomed].slice(-MOST_ZOOMS);
     zoomed = next;
     apply();
@@ -249,6 +251,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
     resize,
     /** Show a range without a step to undo: as of a link. */
     restore(next) {
+      if (!isPossible(next.range)) return;
       zoomed = next;
       apply();
       onZoom();
@@ -274,6 +277,13 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
       element.replaceChildren();
     },
   };
+}
+
+/** False for a range that is empty, too short or too long, or no numbers. */
+function isPossible(range) {
+  if (range === null) return true;
+  const [from, to] = range;
+  return to - from >= RANGES[0] && to - from <= RANGES[1] && Math.abs(from) <= RANGES[1];
 }
 
 /** Stretches of time without overlaps. */

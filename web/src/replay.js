@@ -190,13 +190,13 @@ export function startReplay(element, data) {
     }
     if (asked.compare === "ghost" && many) compare.press("ghost");
     if (asked.arms === "10" && bends) arms.press("10");
-    for (const name of (asked.layers ?? "").split(",")) if (switches[name]?.on === layers[name]?.[1]) switches[name]?.click();
+    const others = (asked.layers ?? "").split(",");
+    for (const name of Object.keys(layers)) if (others.includes(name) && switches[name].on === layers[name][1]) switches[name].click();
     if (CAMERAS.includes(asked.camera)) scene.setCamera(asked.camera);
     const wanted = asked.plots ? plotsOf(asked.plots, flights) : [];
     if (wanted.length) plots.choose(wanted);
-    const [from, to] = numbers(asked.zoom ?? "");
     if (asked.zoom === "all") plots.restore({ range: null, heights: {} });
-    else if (from < to) plots.restore({ range: [from, to], heights: {} });
+    else if (asked.zoom) plots.restore({ range: numbers(asked.zoom), heights: {} });
     if (asked.speed === "auto" || Number(asked.speed) > 0) player.setPace(asked.speed);
     if (asked.t && Number.isFinite(Number(asked.t))) player.seek(Number(asked.t));
   }

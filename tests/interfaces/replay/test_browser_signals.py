@@ -214,9 +214,11 @@ def test_keys_choose_the_view_and_the_link_brings_it_back(clean: Any, page: Path
     assert (now["t"], now["camera"]) == (pytest.approx(1.234), "top")
     assert (len(now["flights"]), len(now["estimates"])) == (2, 2)
     assert driver.execute_script("return window.springback.link.address()") == link
-    driver.execute_script("location.hash = '#t=0.5&camera=impact&plots=nothing&layers=x&hide=y'")
+    odd = "plots=nothing;__proto__&layers=constructor&hide=y&zoom=0,Infinity&speed=x"
+    driver.execute_script(f"location.hash = '#t=0.5&camera=impact&{odd}'")
     until(lambda: pose(driver)["t"] == 0.5, 3.0)
     assert pose(driver)["camera"] == "impact"
+    assert driver.execute_script("return window.springback.plots.range[1]") < 10.0
     assert complaints(driver) == []
 
 
