@@ -104,15 +104,15 @@ def test_any_signal_can_be_plotted_and_is_remembered(
     assert "3 signals in 3 plots" in driver.find_element("css selector", ".chooser .count").text
     driver.find_element("css selector", ".chooser .main").click()
     telemetry = flights[0].telemetry
-    k = int(np.searchsorted(telemetry["t"], flights[0].measures["planned_time"])) + 2
-    driver.execute_script("window.springback.player.seek(arguments[0])", telemetry["t"][k] + 4e-4)
+    k = int(np.flatnonzero(np.diff(telemetry["phase"]))[0])  # held until the next tick
+    driver.execute_script("window.springback.player.seek(arguments[0])", telemetry["t"][k] + 9e-4)
 
     def seems_right() -> None:
         plots = shown(driver)
         for name in ("est_x", "est_vx"):
             [value] = plots[name]["values"].values()
             assert float(value) == pytest.approx(telemetry[name][k], abs=6e-3), name
-        assert list(plots["phase"]["values"].values()) == ["recover"]
+        assert list(plots["phase"]["values"].values()) == ["cruise"]
         assert (plots["est_x"]["unit"], plots["est_vx"]["unit"]) == ("m", "m/s")
 
     seems_right()
@@ -182,6 +182,17 @@ def test_three_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Fl
     now = pose(driver)
     for flight, one in nonempty(zip(flights, now["flights"], strict=True)):
         assert one["own"] == pytest.approx(flight.touch_time, abs=5e-3)
+    legend = driver.find_element("css selector", ".scene-legend")
+    assert "contact force" in legend.text
+    forces, path = driver.find_elements("css selector", "[aria-label=Show] button")[:2]
+    forces.click()
+    path.click()
+    assert "contact force" not in legend.text
+    assert "layers=forces%2Cpath" in driver.execute_script(
+        "return window.springback.link.address()"
+    ).replace(",", "%2C")
+    forces.click()
+    assert "contact force" in legend.text
     buttons[1].click()
     assert [b.get_attribute("aria-pressed") for b in buttons] == ["true", "false", "true"]
     assert len(pose(driver)["flights"]) == 2
