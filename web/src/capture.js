@@ -39,7 +39,7 @@ function paint(pen, element, origin, swatch = null) {
  * @param parts.onRecording called with true when a film begins and false when it has ended
  */
 export function createCapture({ scene, stage, player, name, say, onRecording = () => {} }) {
-  const clock = create("output", { class: "stage-clock" });
+  const clock = create("div", { class: "stage-clock", "aria-hidden": "true" });
   stage.append(clock);
   let recorder = null;
   let frame = null;

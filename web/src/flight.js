@@ -129,6 +129,9 @@ export function estimateAt(flight, time) {
 /** First touch [s], or null. */
 export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0] + flight.shift : null);
 
+/** First touch of the first flight that touches anything [s], or null. */
+export const firstTouch = (flights) => flights.map(touchOf).find((touch) => touch !== null) ?? null;
+
 /** Largest contact force of one cage, or of the main body, over a flight [N]. */
 export function largestForce(flight) {
   let most = 0;

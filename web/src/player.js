@@ -1,6 +1,6 @@
 // The player of a replay: a scene, a time line, plots and numbers, all at one instant.
 import { create, icon } from "./elements.js";
-import { placeOf, poseAt, touchOf, valueAt } from "./flight.js";
+import { firstTouch, placeOf, poseAt, valueAt } from "./flight.js";
 import { timeLine } from "./pace.js";
 import { format } from "./plots.js";
 
@@ -58,7 +58,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
   }
 
   function tell() {
-    const touch = state.flights.length ? touchOf(state.flights[0]) : null;
+    const touch = firstTouch(state.flights);
     const since = touch === null ? "" : ` · ${state.t >= touch ? "+" : "−"}${Math.abs(1e3 * (state.t - touch)).toFixed(1)} ms from touch`;
     const running = state.pace === "auto" ? state.line.paceAt(state.t) : 1 / Number(state.pace);
     clock.replaceChildren(create("b", {}, `${state.t.toFixed(4)} s`), create("span", {}, since), create("span", { class: "pace" }, paceName(running)));
@@ -122,7 +122,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
 
   function goToTouch() {
     pause();
-    const touch = touchOf(state.flights[0]);
+    const touch = firstTouch(state.flights);
     if (touch !== null) seek(touch);
   }
 
@@ -224,7 +224,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
     prepareReadouts();
     plots?.replace(state.flights);
     drawTicks();
-    const touch = touchOf(state.flights[0]);
+    const touch = firstTouch(state.flights);
     seek(keepTime ? state.t : touch === null ? state.line.begin : touch - LEAD);
   }
 

@@ -80,7 +80,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
         ...(panel.own ? [small("edit", "Change the signals", () => onEdit(index))] : []), small("×", "Remove this plot", () => onRemove(index)));
       const canvas = create("div", { class: "plot-canvas" });
       element.append(create("section", { class: "plot" }, create("header", {}, create("h3", {}, title), tools, keys), canvas));
-      const one = { panel, values, canvas, marker: create("div", { class: "plot-now" }), cross: create("div", { class: "plot-under", hidden: true }), flag: create("output", { class: "plot-flag", hidden: true }) };
+      const one = { panel, values, canvas, marker: create("div", { class: "plot-now" }), cross: create("div", { class: "plot-under", hidden: true }), flag: create("div", { class: "plot-flag", hidden: true }) };
       one.plot = drawnIn(one, colours);
       one.plot.over.append(one.marker, one.cross, one.flag);
       return one;

@@ -211,6 +211,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const path = new Path(flight, colours, resolution);
       const arrows = [...flight.arms, ...flight.hull].map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
+      shadow.group.visible = !ghost || state.flights.length === 2; // of many in one place they are a blot
       const estimate = hasEstimate(flight) ? new Robot(flight, { colour: colours.ink, opacity: 0.35 }, colours) : null;
       if (estimate) group.add(estimate.group);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
