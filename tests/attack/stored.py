@@ -297,8 +297,8 @@ def result_files(changed: Changed) -> None:
         assert all(value is None or math.isfinite(value) for value in flight.measures.values())
         json.dumps(flight.summary(), allow_nan=False).encode()
         repr(flight).encode()
-        scenes_of([flight], [folder])
-        json.dumps(plain_signals(flight), allow_nan=False)
+        [scene] = scenes_of([flight], [folder])
+        json.dumps(plain_signals(flight, scene), allow_nan=False)
 
 
 def campaign_files(changed: Changed, *, summed: bool | None = None) -> None:

@@ -13,8 +13,7 @@ import numpy as np
 import pytest
 
 from springback.frames import attitude_from_euler
-from springback.interfaces.replay.events import events_of
-from springback.interfaces.replay.scene import scene_of
+from springback.interfaces.replay.scene import Scene, scene_of
 from springback.interfaces.replay.signals import (
     AFTER,
     BEFORE,
@@ -36,6 +35,11 @@ def recovery() -> Flight:
     return fly(EXAMPLES / "collision.toml", "reference.speed=2 m/s", "simulation.duration=6 s")
 
 
+@pytest.fixture(scope="module")
+def scene(recovery: Flight) -> Scene:
+    return scene_of(recovery)
+
+
 def unpacked(table: dict[str, Any]) -> dict[str, np.ndarray]:
     """Columns of a table as the page reads them, and their instants."""
     t = np.frombuffer(base64.b64decode(table["t"]["data"]), dtype="<f8")
@@ -49,9 +53,9 @@ def unpacked(table: dict[str, Any]) -> dict[str, np.ndarray]:
     return found
 
 
-def test_every_column_is_there_within_its_rounding(recovery: Flight) -> None:
+def test_every_column_is_there_within_its_rounding(recovery: Flight, scene: Scene) -> None:
     """Trajectory at the drawn instants, telemetry at its ticks; flags and phases to the bit."""
-    data = json.loads(json.dumps(plain_signals(recovery), allow_nan=False))
+    data = json.loads(json.dumps(plain_signals(recovery, scene), allow_nan=False))
     for clock, columns in (("trajectory", recovery.columns), ("telemetry", recovery.telemetry)):
         shown = unpacked(data[clock])
         assert set(columns) <= set(shown)
@@ -63,14 +67,14 @@ def test_every_column_is_there_within_its_rounding(recovery: Flight) -> None:
             assert np.abs(shown[name] - wanted).max() <= half * (1 + 1e-6) + 1e-300, name
     phase = unpacked(data["telemetry"])["phase"]
     assert set(phase) == set(recovery.telemetry["phase"])
-    assert np.array_equal(unpacked(data["trajectory"])["t"], scene_of(recovery).t)
+    assert np.array_equal(unpacked(data["trajectory"])["t"], scene.t)
 
 
-def test_units_and_groups_say_what_a_column_is(recovery: Flight) -> None:
+def test_units_and_groups_say_what_a_column_is(recovery: Flight, scene: Scene) -> None:
     heads = {
         head["name"]: head
         for table in ("trajectory", "telemetry")
-        for head in plain_signals(recovery)[table]["columns"]
+        for head in plain_signals(recovery, scene)[table]["columns"]
     }
     assert (heads["est_vx"]["unit"], heads["est_vx"]["group"]) == ("m/s", "Estimate")
     assert (heads["ax"]["unit"], heads["ax"]["group"]) == ("m/s²", "Acceleration")
@@ -81,10 +85,12 @@ def test_units_and_groups_say_what_a_column_is(recovery: Flight) -> None:
     assert set(GROUPS) >= {head["group"] for head in heads.values()}
 
 
-def test_telemetry_has_every_tick_near_events_and_few_far_from_them(recovery: Flight) -> None:
-    table = signal_tables(recovery)["telemetry"]
+def test_telemetry_has_every_tick_near_events_and_few_far_from_them(
+    recovery: Flight, scene: Scene
+) -> None:
+    table = signal_tables(recovery, scene)["telemetry"]
     ticks = recovery.telemetry["t"]
-    whens = [event.t for event in events_of(recovery) if event.kind in ("touch", "alarm", "phase")]
+    whens = [event.t for event in scene.events if event.kind in ("touch", "alarm", "phase")]
     assert whens
     for when in whens:
         near = ticks[(ticks >= when - BEFORE) & (ticks <= when + AFTER)]
@@ -95,15 +101,15 @@ def test_telemetry_has_every_tick_near_events_and_few_far_from_them(recovery: Fl
     assert table.t[-1] == ticks[-1]
 
 
-def test_angles_are_those_of_the_attitude(recovery: Flight) -> None:
-    table = signal_tables(recovery)["trajectory"]
+def test_angles_are_those_of_the_attitude(recovery: Flight, scene: Scene) -> None:
+    table = signal_tables(recovery, scene)["trajectory"]
     for i in (0, len(table.t) // 3, -1):
         angles = [np.deg2rad(table.columns[name][i]) for name in ("roll", "pitch", "yaw")]
         q = [table.columns[f"q{part}"][i] for part in "wxyz"]
         assert abs(np.dot(attitude_from_euler(*angles), q)) == pytest.approx(1.0, abs=1e-9)
 
 
-def test_odd_columns_do_no_harm(recovery: Flight) -> None:
+def test_odd_columns_do_no_harm(recovery: Flight, scene: Scene) -> None:
     """Constants, huge and unknown numbers, an attitude not known yet: a page without NaN."""
     n = len(recovery.telemetry["t"])
     odd = {
@@ -113,12 +119,14 @@ def test_odd_columns_do_no_harm(recovery: Flight) -> None:
     }
     odd |= {f"pose_q{part}": np.zeros(n) for part in "wxyz"}
     flight = replace(recovery, telemetry=recovery.telemetry | odd)
-    shown = unpacked(json.loads(json.dumps(plain_signals(flight), allow_nan=False))["telemetry"])
+    shown = unpacked(
+        json.loads(json.dumps(plain_signals(flight, scene), allow_nan=False))["telemetry"]
+    )
     assert set(shown["flat"]) == {0.1}
     assert set(shown["none"]) == set(shown["pose_yaw"]) == {0.0}
     assert np.isfinite(shown["huge"]).all()
 
 
-def test_signals_stay_small(recovery: Flight) -> None:
+def test_signals_stay_small(recovery: Flight, scene: Scene) -> None:
     """A flight of 6 s adds less than half a megabyte to its page."""
-    assert len(json.dumps(plain_signals(recovery))) < 0.5e6
+    assert len(json.dumps(plain_signals(recovery, scene))) < 0.5e6

@@ -18,8 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.frames import euler_from_attitude
-from springback.interfaces.replay.events import events_of
-from springback.interfaces.replay.instants import drawn_instants
+from springback.interfaces.replay.scene import Scene
 from springback.recovery.state_machine import PHASES
 from springback.results.flight import Flight
 
@@ -72,27 +71,26 @@ def group_of(name: str) -> str:
     return next(group for group, names in GROUPS.items() if re.fullmatch(names, name))
 
 
-def signal_tables(flight: Flight) -> dict[str, SignalTable]:
+def signal_tables(flight: Flight, scene: Scene) -> dict[str, SignalTable]:
     """Trajectory and, if the flight has a pilot, telemetry.
 
     Attitudes are also given as roll, pitch and yaw [deg], positive pitch being nose down.
 
     Args:
         flight: With its trajectory.
+        scene: The same flight as a scene, with its instants and events.
     """
-    c = flight.columns
-    places = drawn_instants(c, sum(bool(re.fullmatch(r"l\d+", name)) for name in c))
-    tables = {"trajectory": _table(flight, c, places, 1)}
+    drawn = np.searchsorted(flight.columns["t"], scene.t)
+    tables = {"trajectory": _table(flight, flight.columns, drawn, 1)}
     if len(flight.telemetry.get("t", ())):
-        ticks, every = _ticks(flight)
+        ticks, every = _ticks(flight.telemetry["t"], scene)
         tables["telemetry"] = _table(flight, flight.telemetry, ticks, every)
     return tables
 
 
-def _ticks(flight: Flight) -> tuple[Any, int]:
+def _ticks(t: Array, scene: Scene) -> tuple[Any, int]:
     """Indices of the ticks that are held, and the spacing of those far from events."""
-    t = flight.telemetry["t"]
-    events = [event.t for event in events_of(flight) if event.kind in ("touch", "alarm", "phase")]
+    events = [event.t for event in scene.events if event.kind in ("touch", "alarm", "phase")]
     near = np.zeros(len(t), dtype=bool)
     for when in events[:MOST_EVENTS]:
         near |= (t >= when - BEFORE) & (t <= when + AFTER)
@@ -117,8 +115,8 @@ def _table(flight: Flight, columns: Mapping[str, Array], at: Any, every: int) ->
 # -- as JSON --------------------------------------------------------------------------------------
 
 
-def plain_signals(flight: Flight) -> dict[str, Any]:
-    """Signals of a flight as plain data for JSON.
+def plain_signals(flight: Flight, scene: Scene) -> dict[str, Any]:
+    """Signals of a flight, and of its scene, as plain data for JSON.
 
     By clock, ``trajectory`` or ``telemetry``: ``t`` as in the scene; ``every``; ``columns``, each
     with ``name``, ``unit``, ``group``, and ``low`` and ``step``, so that a value is low + step k;
@@ -126,7 +124,7 @@ def plain_signals(flight: Flight) -> dict[str, Any]:
     the differences of k from one instant to the next, modulo 65536.  ``words`` are words for the
     values 0, 1, … of columns.
     """
-    tables = {clock: _plain_table(table) for clock, table in signal_tables(flight).items()}
+    tables = {clock: _plain_table(table) for clock, table in signal_tables(flight, scene).items()}
     return {**tables, "words": {"phase": list(PHASES)}}
 
 

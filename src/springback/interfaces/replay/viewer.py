@@ -69,7 +69,7 @@ def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
     """
     scenes = scenes_of(flights, origins)
     names = " and ".join(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
-    drawn = [plain(scene) | {"signals": plain_signals(flight)}
+    drawn = [plain(scene) | {"signals": plain_signals(flight, scene)}
              for scene, flight in zip(scenes, flights, strict=True)]  # fmt: skip
     return page_of(f"{names} – springback", "replay", {"flights": drawn})
 
