@@ -1,6 +1,6 @@
 // Measures of the robots with printed ones, and those of a pinned flight.
 import { palette } from "./colours.js";
-import { create } from "./player.js";
+import { create } from "./elements.js";
 
 const format = (value) => {
   if (value === null || value === undefined) return "–";
