@@ -40,7 +40,7 @@ export function startLab(element, data) {
   const plotBox = create("div");
   const tableBox = create("div", { class: "measures" });
   const sweepBox = create("div");
-  const lock = create("button", { type: "button", id: "lock", "aria-pressed": "false", title: "Keep the vertical scales of all plots as they are", onclick: toggleLock }, "Lock scales");
+  const lock = create("button", { type: "button", id: "lock", "aria-pressed": "false", title: "Keep the vertical scales of all plots as they are", onclick: toggleLock }, "Lock y");
   const took = create("p", { class: "took" });
   const drawer = create("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
   const cameras = choice("Camera", CAMERAS.map((mode) => [mode, VIEWS[mode] ?? mode]), "impact", (mode) => scene.setCamera(mode));

@@ -30,12 +30,13 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
 
   const controls = create("select", { id: "sweep-of", "aria-label": "Control to sweep", onchange: chosen });
   const measures = create("select", { id: "sweep-measure", "aria-label": "Measure of the sweep", onchange: chosen },
-    ...choices.measures.map((one) => create("option", { value: one.name }, one.unit ? `${one.label} [${one.unit}]` : one.label)));
+    ...choices.measures.map((one) => create("option", { value: one.name }, one.label)));
   measures.value = "impact_peak_acceleration";
   const canvas = create("div", { class: "plot-canvas" });
+  const title = create("h3");
   const note = create("p", { class: "words", role: "status" });
   element.classList.add("sweep");
-  element.replaceChildren(create("div", { class: "sweep-head" }, create("h2", {}, "Sweep"), controls, measures), canvas, note);
+  element.replaceChildren(create("div", { class: "sweep-head" }, create("h2", {}, "Sweep"), controls, measures), title, canvas, note);
   offer();
 
   const controlOf = (name) => table.find((one) => one.name === name);
@@ -112,6 +113,7 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
   function clear(words) {
     asked = "";
     shown = null;
+    title.textContent = "";
     plot?.destroy();
     plot = null;
     note.textContent = words;
@@ -136,6 +138,8 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
     const curves = points.map((one) => shown.measures[measures.value][one.robot] ?? shown.at.map(() => null));
     const all = [...curves.flat(), ...points.map((one) => one.y)].filter((y) => y !== null);
     bounds = steady(bounds, Math.min(0, ...all), Math.max(0, ...all));
+    const measure = measureOf();
+    title.textContent = measure.unit ? `${measure.label} [${measure.unit}]` : measure.label;
     const look = JSON.stringify([control.name, measures.value, points.map((one) => [one.label, one.colour])]);
     if (plot?.look !== look) build(control, points, look);
     plot.batch(() => {
@@ -153,11 +157,11 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
     const colours = palette();
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
     const unit = control.unit ? ` [${control.unit.replace("^1.5", "¹·⁵")}]` : "";
-    const x = { ...axis, size: 36, gap: 2, label: `${control.label}${unit}`, labelSize: 15, labelFont: axis.font, labelGap: 0 };
+    const x = { ...axis, size: 20, gap: 2, label: `${control.label}${unit}`, labelSize: 15, labelFont: axis.font, labelGap: 0 };
     if (control.logarithmic) Object.assign(x, { splits: (_, i, from, to) => decades(from, to), values: (_, splits) => splits.map(String), filter: (_, splits) => splits });
     plot = new uPlot({
       width: Math.max(canvas.clientWidth, 200), height: HEIGHT, padding: [8, 12, 0, 0], legend: { show: false },
-      scales: { x: { time: false, auto: false, distr: control.logarithmic ? 3 : 1 }, y: { auto: false } },
+      scales: { x: { time: false, auto: false, distr: control.logarithmic ? 3 : 1, range: [control.least, control.most] }, y: { auto: false } },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
       axes: [x, { ...axis, size: 46, gap: 4, space: 26 }],
       series: [{}, ...points.map((one) => ({ stroke: one.colour, width: 1.8, dash: one.dash, points: { show: false } }))],

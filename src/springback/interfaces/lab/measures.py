@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from springback.contact.parameters import Mat
@@ -41,6 +42,11 @@ class Measure(NamedTuple):
     factor: float = 1.0  # from SI to the unit
     printed: str = ""  # field of the printed numbers
 
+    def read(self, measures: Mapping[str, float | None]) -> float | None:
+        """Value in the unit of the page; None if it is undefined."""
+        value = measures.get(self.name)
+        return None if value is None else self.factor * value
+
 
 #: Measures of an impact, and of a flight with recovery.
 IMPACT = (
@@ -71,7 +77,7 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
     """Measures by name, unit and robot, with the paper's printed values."""
     rows = []
     for one in FLIGHT if is_piloted(settings) else IMPACT:
-        values = {robot: _scale(f.measures.get(one.name), one) for robot, f in flights.items()}
+        values = {robot: one.read(f.measures) for robot, f in flights.items()}
         if all(value is None for value in values.values()):
             continue
         printed = {robot: _printed(settings, robot, one) for robot in flights}
@@ -88,10 +94,6 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
                     "printed": {robot: word for robot, word in words.items() if word}},
             )  # fmt: skip
     return rows
-
-
-def _scale(value: float | None, one: Measure) -> float | None:
-    return None if value is None else one.factor * value
 
 
 def _printed(settings: LabSettings, robot: str, one: Measure) -> str:

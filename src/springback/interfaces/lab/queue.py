@@ -47,7 +47,6 @@ class Kind(NamedTuple):
     pilot: str
     arms: int = 4
     robots: tuple[str, ...] = ()  # of a user's lab, whose robots differ in more than numbers
-    sweeps: bool = False
 
     @property
     def words(self) -> str:
@@ -60,7 +59,7 @@ class Kind(NamedTuple):
             what = f"your scenario{', with its pilot' if self.pilot else ''}"
         if self.robots or self.arms != DEFAULTS.arm_count:
             what += f", {_COUNTS[self.arms] if self.arms < len(_COUNTS) else self.arms} arms"
-        return f"sweeps of {what}" if self.sweeps else what
+        return what
 
     @property
     def about(self) -> int:
@@ -70,9 +69,8 @@ class Kind(NamedTuple):
 
 def kind_of(request: Request) -> Kind:
     """Kind of flight of a request; all recoveries along a quintic are one kind."""
-    if isinstance(request, Sweep):
-        return kind_of(request.settings)._replace(sweeps=True)
-    settings, way = request, request.recovery
+    settings = _settings_of(request)
+    way = settings.recovery
     if way in ("pre-impact", "post-impact", "set-point"):
         way = "by a quintic"
     pilot = way if settings.mode == "flight" else "its own" if is_piloted(settings) else ""
@@ -84,14 +82,13 @@ def kind_of(request: Request) -> Kind:
     return kind._replace(surface=settings.surface, robots=robots_of(settings))
 
 
-def example_of(request: Request) -> Request:
-    """Request of the same kind that can be flown: where it is known, one with default numbers."""
-    if isinstance(request, Sweep):
-        return request._replace(settings=_flown_example(request.settings))
-    return _flown_example(request)
+def _settings_of(request: Request) -> LabSettings:
+    return request.settings if isinstance(request, Sweep) else request
 
 
-def _flown_example(settings: LabSettings) -> LabSettings:
+def example_of(request: Request) -> LabSettings:
+    """Settings of the same kind that can be flown: default numbers, where those can be."""
+    settings = _settings_of(request)
     if _is_checked_first(settings):
         return settings
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
@@ -227,7 +224,7 @@ class RequestQueue:
             Busy: If too many requests are waiting.
         """
         loop = asyncio.get_running_loop()
-        numbers = settings.settings if isinstance(settings, Sweep) else settings
+        numbers = _settings_of(settings)
         if _is_checked_first(numbers) and not self.is_ready(settings):
             await loop.run_in_executor(self._pool, _check, numbers)
         self._check_ready(settings)

@@ -160,12 +160,10 @@ def _impact(s: LabSettings, robot: str) -> Table:
     given: Table = {
         "name": _name(s, robot),
         "vehicle": table,
-        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)]},
+        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)], **_gravity(s)},
         **_physics(s, robot, slides),
     }
-    gravity, hovers = given["world"].setdefault("gravity", GRAVITY), balanced(vehicle)
-    if gravity == GRAVITY:
-        del given["world"]["gravity"]
+    gravity, hovers = given["world"].get("gravity", GRAVITY), balanced(vehicle)
     lift = _lift(given, vehicle) if hovers else 0.0
     pull = np.zeros(3) if slides else gravity * (lift * _upward(pitch, yaw) - np.array([0, 0, 1.0]))
     paper = given.get("model", {}).get("contact_point") == "paper"
@@ -181,13 +179,19 @@ def _impact(s: LabSettings, robot: str) -> Table:
     return given if slides or not hovers else given | {"thrust": "hover"}
 
 
+def _gravity(s: LabSettings) -> Table:
+    """The file's gravity, where it is another."""
+    g = GRAVITY if s.user is None else s.user.scenario.world.gravity
+    return {} if g == GRAVITY else {"gravity": g}
+
+
 def _physics(s: LabSettings, robot: str, slides: bool) -> Table:
     """Models and steps of an impact: the user's for the user's robot, else ours."""
     user, model = s.user, {"slider": [1.0, 0.0, 0.0]} if slides else {}
     if user is None or robot not in ("mine", "file", "twin"):
         found: Table = {"simulation": {"duration": BEFORE + AFTER}}
         return found | ({"model": {"contact_point": "paper", **model}} if slides else {})
-    own = {key: user.tables[key] for key in ("payload", "model_error") if key in user.tables}
+    own: Table = {key: user.tables[key] for key in ("payload", "model_error") if key in user.tables}
     theirs = {k: v for k, v in user.tables.get("model", {}).items() if k != "slider"}
     steps = {"duration": BEFORE + AFTER}
     own["simulation"] = user.tables.get("simulation", {}) | steps
@@ -247,7 +251,7 @@ def _flight(s: LabSettings, robot: str) -> Table:
     given |= {
         "name": _name(s, robot),
         "vehicle": vehicle_table_of(s, robot, slides=False),
-        "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}]},
+        "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}], **_gravity(s)},
         "simulation": {"duration": DURATION},
     }
     if s.recovery == "none":
@@ -280,7 +284,9 @@ def _obstacle(s: LabSettings, face: float, slides: bool) -> Table:
     return {"type": "wall", "distance": face, "surface": _surface(s, slides)}
 
 
-def _obstacle_of_file(s: LabSettings, face: float, target: Wall | Mat | Ground, slides: bool) -> Table:
+def _obstacle_of_file(
+    s: LabSettings, face: float, target: Wall | Mat | Ground, slides: bool
+) -> Table:
     """The user's wall or mat, across the X axis, with its surface or the page's."""
     surface: Any = target.surface.model_dump(exclude_none=True)
     if s.surface == "own":

@@ -231,9 +231,9 @@ class LabSettings(Settings):
     arm_mass: Annotated[float, _PAPER["arm_mass"][0]] = _PAPER["arm_mass"][1]
     stroke: Annotated[float, _PAPER["stroke"][0]] = _PAPER["stroke"][1]
     stop_stiffness: Annotated[float, _PAPER["stop_stiffness"][0]] = _PAPER["stop_stiffness"][1]
-    stop_dissipation: Annotated[float, _PAPER["stop_dissipation"][0]] = (
-        _PAPER["stop_dissipation"][1]
-    )
+    stop_dissipation: Annotated[float, _PAPER["stop_dissipation"][0]] = _PAPER["stop_dissipation"][
+        1
+    ]
 
 
 #: Settings that change the vehicle.

@@ -65,7 +65,7 @@ class UserScenario:
 
     @functools.cached_property
     def target(self) -> Wall | Mat | Ground | None:
-        """The obstacle that its start flies towards, else its first wall or mat; None if it has none.
+        """The obstacle that its start flies towards, else its first wall or mat; None without any.
 
         A ground counts only if nothing else does.
         """

@@ -56,7 +56,7 @@ def _modes(user: UserScenario) -> Any:
         "wall with constant thrust. Flight: run-up, collision and recovery, with our pilot."
     )
     default = "impact" if user.is_piloted else "file"
-    return Annotated[str, ChoiceControl("What to fly", words, explains)], default
+    return Annotated[str, ChoiceControl("Fly", words, explains)], default
 
 
 def _robots(user: UserScenario) -> Any:
@@ -115,7 +115,7 @@ def _collision(user: UserScenario, name: str, value: float | None) -> Any:
 
 
 def _surfaces(user: UserScenario) -> dict[str, Any]:
-    """Choice of the surface, and the numbers of one's own from the file, where they are its kind."""
+    """Choice of the surface, and the numbers of one's own, from the file where it has them."""
     control = control_of("surface")
     assert isinstance(control, ChoiceControl)
     if user.surface is None:

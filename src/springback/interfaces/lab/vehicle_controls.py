@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -11,6 +12,7 @@ from springback.interfaces.lab.controls import FixedControl, SliderControl, Slid
 from springback.quantities import number_in
 from springback.scenario.fields import fields_of
 from springback.scenario.files import with_value
+from springback.settings import Settings
 from springback.vehicle.parameters import Arms, Vehicle
 
 Change = tuple[tuple[str, ...], Any]
@@ -36,7 +38,7 @@ class VehicleField:
 
     def values(self, vehicle: Vehicle) -> tuple[float, ...]:
         """Its values in a vehicle, in the unit of the slider: one, or one for each arm."""
-        table = getattr(vehicle, self.path[0])
+        table: Settings = getattr(vehicle, self.path[0])
         found = getattr(table, self.name)
         unit = fields_of(type(table))[self.name].unit
         assert unit is not None
@@ -98,7 +100,9 @@ VEHICLE_FIELDS = {
 SPRINGS = ("stiffness", "damping", "stroke", "stop_stiffness", "stop_dissipation")
 
 
-def control_for(name: str, vehicle: Vehicle, words: str) -> tuple[SliderControl | FixedControl, float]:
+def control_for(
+    name: str, vehicle: Vehicle, words: str
+) -> tuple[SliderControl | FixedControl, float]:
     """Control of a number of a vehicle, and its default: that of the vehicle, which is marked.
 
     The range is widened to contain it.  Numbers that differ between arms cannot be set by one.
@@ -141,8 +145,7 @@ def spacing(directions: tuple[float, ...]) -> float | None:
     """
     count = len(directions)
     steps = [
-        math.remainder(after - before, math.tau)
-        for before, after in zip(directions, directions[1:], strict=False)
+        math.remainder(after - before, math.tau) for before, after in itertools.pairwise(directions)
     ]
     for turn in (-math.tau / count, math.tau / count):
         if all(abs(math.remainder(step - turn, math.tau)) < EVEN for step in steps):
@@ -164,7 +167,7 @@ def why_fixed_count(vehicle: Vehicle) -> str:
         value = getattr(arms, name)
         if name not in ("directions", "spin") and isinstance(value, tuple) and len({*value}) > 1:
             return f"arms differ in {name}; their number is kept as in the file"
-    if arms.spin and any(a == b for a, b in zip(arms.spin, arms.spin[1:], strict=False)):
+    if arms.spin and any(a == b for a, b in itertools.pairwise(arms.spin)):
         return "spins do not alternate; the number of arms is kept as in the file"
     return ""
 
@@ -219,5 +222,3 @@ def changed_vehicle(table: Any, changes: list[Change]) -> Any:
     for path, value in changes:
         table = with_value(table, path, value, ".".join(("vehicle", *path)))
     return table
-
-

@@ -104,4 +104,5 @@ def balanced(vehicle: Vehicle) -> bool:
     yaw = sum(sign * arms.at("torque_ratio", j) for j, sign in enumerate(signs))
     moments = [sum(c * end[axis] for c, end in zip(shares, ends, strict=True)) for axis in (0, 1)]
     size = max(arms.at("length", j) for j in range(count))
-    return max(abs(x) for x in (*moments, yaw)) <= SMALL * size
+    largest: float = max(abs(x) for x in (*moments, yaw))
+    return bool(largest <= SMALL * size)
