@@ -33,7 +33,7 @@ MOST_WAITING, MOST_PAGES = 100, 1000
 Request = LabSettings | Sweep
 #: Duration of a compilation as the page states it [s], without a pilot and with one (measured, on
 #: two to four processors that have other work too).
-ABOUT, ABOUT_PILOTED = 20, 90
+ABOUT, ABOUT_PILOTED = 30, 90
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")  # fmt: skip
 
