@@ -12,7 +12,7 @@ import pytest
 pytest.importorskip("starlette", reason="the lab needs the extra web")
 
 from springback.errors import InputError
-from springback.interfaces.lab.controls import FixedControl, SliderControl
+from springback.interfaces.lab.controls import NoControl, SliderControl
 from springback.interfaces.lab.queue import NotReady, RequestQueue, kind_of
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.scenarios import BEFORE, lab_scenario, lab_toml, robots_of
@@ -27,7 +27,7 @@ from springback.interfaces.lab.sweeps import POINTS, sweep_answer, sweep_choices
 from springback.interfaces.lab.user_scenario import read_user_scenario
 from springback.interfaces.lab.user_settings import user_settings
 from springback.interfaces.lab.vehicle_controls import VEHICLE_FIELDS
-from springback.interfaces.lab.vehicles import balanced
+from springback.interfaces.lab.vehicles import is_balanced
 from springback.quantities import number_in, si_number
 from springback.results.flight import fly
 from springback.scenario.fields import fields_of
@@ -117,7 +117,7 @@ def test_its_numbers_are_the_defaults_and_marked(file: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("changes", "is_balanced"),
+    ("changes", "hovers"),
     [
         ([], True),
         (["vehicle.arms.mass=[0.04, 0.04, 0.09, 0.09]", "payload.mass=0.3"], False),
@@ -125,12 +125,12 @@ def test_its_numbers_are_the_defaults_and_marked(file: Path) -> None:
     ],
 )
 def test_an_impact_of_ones_own_vehicle_arrives_as_asked(
-    file: Path, changes: list[str], is_balanced: bool
+    file: Path, changes: list[str], hovers: bool
 ) -> None:
     """With a true mass of its own, and with arms that equal thrusts would turn."""
     asked = setting(table_of(file, *changes), mode="impact", pitch=25, yaw=30, speed=3)
     given = lab_scenario(asked, "mine")
-    assert balanced(given.vehicle) == is_balanced == (given.thrust == "hover")
+    assert is_balanced(given.vehicle) == hovers == (given.thrust == "hover")
     m = fly(given, trajectory=False).measures
     assert m["touch_time"] == pytest.approx(BEFORE, abs=1.1e-7)
     assert m["touch_speed"] == pytest.approx(3.0, rel=1e-5)
@@ -231,7 +231,7 @@ def test_the_inertia_of_the_body_is_kept_or_follows_its_mass(file: Path) -> None
 
 def test_arms_that_differ_are_not_set_by_one_number(file: Path) -> None:
     table = table_of(file, 'vehicle.arms.length=["0.22 m", "0.22 m", "0.3 m", "0.3 m"]')
-    assert isinstance(control_of("length", table), FixedControl)
+    assert isinstance(control_of("length", table), NoControl)
     for name, why in (
         ("length", "length: cannot be set: arms differ, 220 to 300 mm; kept as in the file"),
         ("arm_count", "arm_count: cannot be set: arms differ in length"),

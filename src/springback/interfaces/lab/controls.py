@@ -65,7 +65,7 @@ class SliderControl(Unit):
 
 
 @dataclass(frozen=True)
-class FixedControl(Unit):
+class NoControl(Unit):
     """A number that cannot be set, as the user's file gives several, with the reason."""
 
     label: str = ""

@@ -22,7 +22,7 @@ from springback.interfaces.lab.settings import (
     query_of,
 )
 from springback.interfaces.lab.user_scenario import UserScenario
-from springback.interfaces.lab.vehicles import balanced, robot_name, vehicle_of, vehicle_table_of
+from springback.interfaces.lab.vehicles import is_balanced, robot_name, vehicle_of, vehicle_table_of
 from springback.kernels.vectors import Vec
 from springback.paper.slider import MAT_THICKNESS
 from springback.scenario.model import RING_ROUNDING, true_vehicle
@@ -163,7 +163,7 @@ def _impact(s: LabSettings, robot: str) -> Table:
         "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)], **_gravity(s)},
         **_physics(s, robot, slides),
     }
-    gravity, hovers = given["world"].get("gravity", GRAVITY), balanced(vehicle)
+    gravity, hovers = given["world"].get("gravity", GRAVITY), is_balanced(vehicle)
     lift = _lift(given, vehicle) if hovers else 0.0
     pull = np.zeros(3) if slides else gravity * (lift * _upward(pitch, yaw) - np.array([0, 0, 1.0]))
     paper = given.get("model", {}).get("contact_point") == "paper"

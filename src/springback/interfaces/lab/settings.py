@@ -17,7 +17,7 @@ from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.interfaces.lab.controls import (
     ChoiceControl,
-    FixedControl,
+    NoControl,
     SliderControl,
     SliderMark,
     excerpt,
@@ -242,7 +242,7 @@ FIELDS = fields_of(LabSettings)
 DEFAULTS = LabSettings()
 
 
-Control = SliderControl | FixedControl | ChoiceControl
+Control = SliderControl | NoControl | ChoiceControl
 
 
 def control_of(name: str, table: type[LabSettings] = LabSettings) -> Control:
@@ -253,7 +253,7 @@ def control_of(name: str, table: type[LabSettings] = LabSettings) -> Control:
 
 def controls(table: type[LabSettings] = LabSettings) -> list[dict[str, Any]]:
     """Description of every setting for the page, as plain data."""
-    kinds = {SliderControl: "slider", FixedControl: "fixed", ChoiceControl: "choice"}
+    kinds = {SliderControl: "slider", NoControl: "fixed", ChoiceControl: "choice"}
     found = []
     for name, field in fields_of(table).items():
         control = control_of(name, table)

@@ -22,7 +22,7 @@ from springback.interfaces.lab.vehicle_controls import (
     VEHICLE_FIELDS,
     control_for,
     first_angle,
-    fixed,
+    no_control,
     why_fixed_count,
 )
 from springback.interfaces.output.robots import ROBOTS
@@ -159,7 +159,7 @@ def _vehicle(user: UserScenario) -> dict[str, Any]:
     for name in VEHICLE_FIELDS:
         control, value = control_for(name, user.vehicle, WORDS)
         if name in SPRINGS and not user.vehicle.is_compliant:
-            control, value = fixed(_slider(name), "no arm of your vehicle is compliant"), 0.0
+            control, value = no_control(_slider(name), "no arm of your vehicle is compliant"), 0.0
         fields[name] = (Annotated[float, replace(control, when=_MINE)], value)
     count, angle = user.vehicle.arm_count, first_angle(user.vehicle)
     counts: Any = replace(
@@ -167,7 +167,7 @@ def _vehicle(user: UserScenario) -> dict[str, Any]:
         marks=(SliderMark(float(count), WORDS),), least=min(ARM_COUNT.least, float(count)),
     )  # fmt: skip
     if why := why_fixed_count(user.vehicle):
-        counts = fixed(counts, why)
+        counts = no_control(counts, why)
     fields["arm_count"] = (Annotated[float, counts], float(count))
     turned = replace(ARM_ANGLE, when=_MINE, marks=(SliderMark(angle, WORDS),))
     fields["arm_angle"] = (Annotated[float, turned], angle)

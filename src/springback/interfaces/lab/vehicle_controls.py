@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from springback.interfaces.lab.controls import FixedControl, SliderControl, SliderMark
+from springback.interfaces.lab.controls import NoControl, SliderControl, SliderMark
 from springback.quantities import number_in
 from springback.scenario.fields import fields_of
 from springback.scenario.files import with_value
@@ -100,9 +100,7 @@ VEHICLE_FIELDS = {
 SPRINGS = ("stiffness", "damping", "stroke", "stop_stiffness", "stop_dissipation")
 
 
-def control_for(
-    name: str, vehicle: Vehicle, words: str
-) -> tuple[SliderControl | FixedControl, float]:
+def control_for(name: str, vehicle: Vehicle, words: str) -> tuple[SliderControl | NoControl, float]:
     """Control of a number of a vehicle, and its default: that of the vehicle, which is marked.
 
     The range is widened to contain it.  Numbers that differ between arms cannot be set by one.
@@ -117,7 +115,7 @@ def control_for(
     value = values[0]
     if any(one != value for one in values):
         why = f"arms differ, {min(values):g} to {max(values):g} {slider.unit}; kept as in the file"
-        return fixed(slider, why), 0.0
+        return no_control(slider, why), 0.0
     least, most = slider.least, slider.most
     if not least <= value <= most:
         least = min(least, round(value / 2.0, DIGITS)) or least
@@ -127,9 +125,9 @@ def control_for(
     return replace(slider, least=least, most=most, step=step, marks=marks), value
 
 
-def fixed(slider: SliderControl, why: str) -> FixedControl:
+def no_control(slider: SliderControl, why: str) -> NoControl:
     """A slider's place with the reason why it is none."""
-    return FixedControl(
+    return NoControl(
         slider.unit, label=slider.label, explains=why, group=slider.group, when=slider.when
     )
 

@@ -92,7 +92,7 @@ def vehicle_of(table: Any) -> Vehicle:
         raise InputError(*(f"vehicle.{line}" for line in error.problems)) from None
 
 
-def balanced(vehicle: Vehicle) -> bool:
+def is_balanced(vehicle: Vehicle) -> bool:
     """True if equal thrusts turn a vehicle about no axis."""
     arms, count = vehicle.arms, vehicle.arm_count
     ends = [
