@@ -12,6 +12,7 @@ import pytest
 pytest.importorskip("starlette", reason="the lab needs the extra web")
 
 from springback.errors import InputError
+from springback.interfaces.lab.app import page
 from springback.interfaces.lab.controls import NoControl, SliderControl
 from springback.interfaces.lab.queue import NotReady, RequestQueue, kind_of
 from springback.interfaces.lab.responses import answer
@@ -203,6 +204,26 @@ def test_a_control_changes_its_field_and_no_other(name: str, file: Path) -> None
     unit = fields_of({"arms": Arms, "body": Body}[field.path[0]])[field.name].unit
     assert unit is not None
     assert found == si_number(f"{CHANGES[name]} {field.slider.unit}", unit.unit)
+
+
+def test_speed_pitch_and_yaw_change_the_start_as_far_as_they_differ(file: Path) -> None:
+    """Yaw is against the wall, which may face anywhere."""
+    wall = 'world.obstacles=[{type = "wall", position = [0, 3, 0], normal = [0, -1, 0], surface = "wall"}]'
+    changes = ["start.velocity=[0.6, 0.8, 0]", "start.yaw=100 deg", "start.position=[0, 0, 1]"]
+    table = table_of(file, wall, *changes)
+    assert (table().speed, table().yaw) == (1.0, 10.0)
+    start = lab_scenario(setting(table, speed=2, pitch=-5, yaw=25), "mine").start
+    assert start.velocity == pytest.approx((1.2, 1.6, 0.0))
+    assert math.degrees(start.pitch) == pytest.approx(-5.0)
+    assert math.degrees(start.yaw) == pytest.approx(115.0)
+    assert start.position == (0.0, 0.0, 1.0)
+
+
+def test_a_name_cannot_leave_its_place_in_the_page(file: Path) -> None:
+    table = table_of(file, "vehicle.name=</script><b>x")
+    assert "</script><b>" not in page(table).text
+    assert table.user is not None
+    assert table.user.label == "</script><b>x"
 
 
 def test_another_number_of_arms_is_evenly_spaced_in_the_same_sense(file: Path) -> None:

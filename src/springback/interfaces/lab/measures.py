@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from springback.contact.parameters import Mat
 from springback.interfaces.lab.scenarios import is_piloted
 from springback.interfaces.lab.settings import (
     DEFAULTS,
@@ -164,11 +163,9 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
 def _target(settings: LabSettings) -> str:
     """Word for what is hit."""
     user = settings.user
-    if user is not None and settings.mode == "file":
-        kinds = {one.type for one in user.scenario.world.obstacles}
-        return kinds.pop() if len(kinds) == 1 else "obstacle"
-    own = user is not None and isinstance(user.target, Mat) and settings.surface in ("file", "own")
-    return "mat" if settings.surface == "mat" or own else "wall"
+    if user is not None and user.target is not None and settings.surface in ("file", "own"):
+        return user.target.type
+    return "mat" if settings.surface == "mat" and settings.mode != "file" else "wall"
 
 
 def _ending(settings: LabSettings, flight: Flight) -> str:

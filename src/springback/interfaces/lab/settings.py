@@ -220,12 +220,6 @@ class LabSettings(Settings):
         "and arms at 45 deg cannot compress; turn the robot by 10 deg and they can. On the slider "
         "it acts along the vertical only, as in the paper.",
     )] = _WALL.friction  # fmt: skip
-    arm_count: Annotated[float, ARM_COUNT] = float(ARQ.vehicle.arm_count)
-    arm_angle: Annotated[float, ARM_ANGLE] = first_angle(ARQ.vehicle)
-    length: Annotated[float, _PAPER["length"][0]] = _PAPER["length"][1]
-    cage_radius: Annotated[float, _PAPER["cage_radius"][0]] = _PAPER["cage_radius"][1]
-    body_mass: Annotated[float, _PAPER["body_mass"][0]] = _PAPER["body_mass"][1]
-    inertia: Inertias = "keep"
     stiffness: Annotated[float, _PAPER["stiffness"][0]] = _PAPER["stiffness"][1]
     damping: Annotated[float, _PAPER["damping"][0]] = _PAPER["damping"][1]
     arm_mass: Annotated[float, _PAPER["arm_mass"][0]] = _PAPER["arm_mass"][1]
@@ -234,6 +228,12 @@ class LabSettings(Settings):
     stop_dissipation: Annotated[float, _PAPER["stop_dissipation"][0]] = _PAPER["stop_dissipation"][
         1
     ]
+    arm_count: Annotated[float, ARM_COUNT] = float(ARQ.vehicle.arm_count)
+    arm_angle: Annotated[float, ARM_ANGLE] = first_angle(ARQ.vehicle)
+    length: Annotated[float, _PAPER["length"][0]] = _PAPER["length"][1]
+    cage_radius: Annotated[float, _PAPER["cage_radius"][0]] = _PAPER["cage_radius"][1]
+    body_mass: Annotated[float, _PAPER["body_mass"][0]] = _PAPER["body_mass"][1]
+    inertia: Inertias = "keep"
 
 
 #: Settings that change the vehicle.
