@@ -146,8 +146,9 @@ def test_a_hull_that_sticks_out_touches_first(file: Path) -> None:
 def test_of_several_walls_an_impact_takes_the_one_ahead(file: Path) -> None:
     behind = '{type = "wall", position = [-3, 0, 0], normal = [1, 0, 0], surface = "wall"}'
     mat = '{type = "mat", distance = 2.75, thickness = "30 mm", surface = "mat", backing = "wall"}'
-    user = read_user_scenario(file, [f"world.obstacles=[{behind}, {mat}]"])
-    assert user.target is user.scenario.world.obstacles[1]
+    far = '{type = "wall", distance = 4, surface = "wall"}'
+    user = read_user_scenario(file, [f"world.obstacles=[{behind}, {far}, {mat}]"])
+    assert user.target is user.scenario.world.obstacles[2]
     obstacle = lab_scenario(setting(user_settings(user), mode="impact"), "mine").world.obstacles[0]
     assert (obstacle.type, obstacle.thickness) == ("mat", 0.03)  # type: ignore[union-attr]
     turned = read_user_scenario(
