@@ -11,6 +11,7 @@ import pytest
 
 pytest.importorskip("starlette", reason="the lab needs the extra web")
 
+from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.interfaces.lab.app import page
 from springback.interfaces.lab.controls import NoControl, SliderControl
@@ -171,6 +172,41 @@ def test_of_a_run_up_an_impact_takes_speed_and_pitch_at_the_wall(tmp_path: Path)
         sweep_of(setting(table, mode="file"), "stiffness")
     assert table.user is not None
     assert table.user.label == "My ARQ"
+
+
+OWN_CODE = """
+vehicle = {preset = "frame.toml", body = {mass = "1.3 kg"}, propulsion = {max_thrust = 8}}
+pilot = "pilots.py:mine"
+[[world.obstacles]]
+type = "own"
+shape = "shapes.py:pole"
+surface = "wall"
+[[world.obstacles]]
+type = "wall"
+distance = 2.75
+surface = "mat"
+"""
+
+
+def test_code_and_a_vehicle_file_of_ones_own_are_found_beside_the_scenario(tmp_path: Path) -> None:
+    """The vehicle is read once, so that a move shows no change of the file; no code is run."""
+    path, frame = tmp_path / "own.toml", tmp_path / "frame.toml"
+    path.write_text(OWN_CODE, encoding="utf-8")
+    frame.write_text(VEHICLE.replace('name = "Mine"', ""), encoding="utf-8")
+    table = table_of(path)
+    frame.unlink()
+    assert table.user is not None
+    assert (table().mode, table().body_mass, table.user.label) == ("impact", 1.3, "frame")
+    assert table.user.target is table.user.scenario.world.obstacles[1]
+    as_file = lab_scenario(setting(table, mode="file", length=230, surface="wall"), "mine")
+    assert as_file.pilot == f"{tmp_path / 'pilots.py'}:mine"
+    assert as_file.vehicle.arms.length == 0.23
+    own, wall = as_file.world.obstacles
+    assert own.shape == f"{tmp_path / 'shapes.py'}:pole"  # type: ignore[union-attr]
+    assert wall.surface.friction == SURFACES["wall"].friction
+    impact = lab_scenario(table(), "mine")
+    assert impact.pilot is None
+    assert [one.type for one in impact.world.obstacles] == ["wall"]
 
 
 # -- controls -------------------------------------------------------------------------------------

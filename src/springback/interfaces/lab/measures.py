@@ -165,7 +165,9 @@ def _target(settings: LabSettings) -> str:
     user = settings.user
     if user is not None and user.target is not None and settings.surface in ("file", "own"):
         return user.target.type
-    return "mat" if settings.surface == "mat" and settings.mode != "file" else "wall"
+    if user is not None and settings.mode == "file":
+        return "wall" if user.target is not None else "obstacle"
+    return "mat" if settings.surface == "mat" else "wall"
 
 
 def _ending(settings: LabSettings, flight: Flight) -> str:

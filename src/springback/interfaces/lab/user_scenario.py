@@ -15,8 +15,10 @@ from springback.control.reference_parameters import RunUpSettings
 from springback.interfaces.output.robots import ROBOTS, robot_label
 from springback.kernels.vectors import Vec
 from springback.scenario.files import apply_overrides, read_scenario
+from springback.scenario.presets import is_vehicle_file, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
+from springback.scenario.user_code import with_absolute_names
 from springback.vehicle.parameters import Vehicle
 
 #: Most characters of the robot's label on the page (chosen).
@@ -55,7 +57,7 @@ class UserScenario:
     @property
     def is_piloted(self) -> bool:
         """True if a pilot flies it as it is in the file."""
-        return self.scenario.reference is not None or "pilot" in self.tables
+        return self.scenario.reference is not None or self.scenario.pilot is not None
 
     @property
     def run_up(self) -> RunUpSettings | None:
@@ -124,11 +126,22 @@ def _rounded(number: float) -> float:
 
 
 def read_user_scenario(path: Path, overrides: Sequence[str] = ()) -> UserScenario:
-    """Scenario for the lab from a file.
+    """Scenario for the lab from a file; a vehicle in a further file is read now, and once.
 
     Raises:
         InputError: One line for each problem, as of `springback.scenario.files.read_scenario`.
     """
     scenario = read_scenario(path, overrides)
-    given = apply_overrides(toml_tables(source_text(path), str(path)), overrides)
+    given = with_absolute_names(toml_tables(source_text(path), str(path)), path.parent)
+    given = with_absolute_names(apply_overrides(given, overrides), Path())
+    vehicle = given["vehicle"]
+    if is_vehicle_file(vehicle.get("preset") if isinstance(vehicle, dict) else vehicle):
+        given["vehicle"] = _without_none(vehicle_table(vehicle))
     return UserScenario(path.name, given, scenario)
+
+
+def _without_none(table: Any) -> Any:
+    """Raw table without keys that hold nothing, which TOML cannot write; they are the defaults."""
+    if not isinstance(table, dict):
+        return table
+    return {key: _without_none(value) for key, value in table.items() if value is not None}
