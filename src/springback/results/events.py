@@ -28,6 +28,10 @@ _TRIGGERS = {"hall": "an arm is compressed", "acceleration": "lateral accelerati
 MOST = 12
 
 
+#: A step lands within a nanometre of a touch: forces below this are not yet contact [N] (chosen).
+AT_TOUCH = 1e-6
+
+
 class Event(NamedTuple):
     """An event of a flight.
 
@@ -38,7 +42,7 @@ class Event(NamedTuple):
     """
 
     t: float
-    """Instant [s]."""
+    """Instant [s]; that of a part is exact to one step of the integration."""
     kind: str
     label: str
     """One or two words."""
@@ -149,7 +153,7 @@ def _parts(flight: FlightResult) -> Iterator[Event]:
     for part in parts_of(c):
         arm = int(part) if part.isdigit() else None
         name = f"cage {part}" if arm else "the main body"
-        felt = c[f"fn{part}"] + c[f"ff{part}"] > NO_FORCE
+        felt = c[f"fn{part}"] + c[f"ff{part}"] > AT_TOUCH
         for first, last, begin, end in _spans(flight, felt):
             peak = float(np.max(c[f"fn{part}"][first : last + 1]))
             sentence = f"{name} touches, up to {peak:.0f} N"
@@ -169,8 +173,8 @@ def _parts(flight: FlightResult) -> Iterator[Event]:
 def _spans(flight: FlightResult, holds: Any) -> Iterator[tuple[int, int, float, float]]:
     """First and last index of every span of instants, and its beginning and end [s].
 
-    Steps land on touches, separations and stops, where a force or depth is still zero: on the
-    instants before and after the span.
+    Steps land on touches, separations and stops, where a force or depth is still zero: the instants
+    before and after the span.  A law whose force jumps at the touch begins one step later.
     """
     t = flight.t
     for first, last in intervals(t, holds):

@@ -19,7 +19,7 @@ from springback.kernels.vectors import Vec
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
-from springback.results.motion import gaps, resampled_columns, specific_force_at
+from springback.results.motion import columns_at, gaps, specific_force_at
 from springback.results.recovery_measures import (
     is_evaluated,
     recovery_measures,
@@ -57,7 +57,7 @@ class Flight(FlightResult):
         self.need_trajectory()
         return events_of(self)
 
-    def resampled(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
+    def resample(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
         """Columns of trajectory and telemetry at evenly spaced or any other instants.
 
         The recorded instants are those of the integration: 0.1 ms apart in a contact, much more
@@ -71,7 +71,7 @@ class Flight(FlightResult):
         Raises:
             InputError: If the trajectory was not recorded, or an instant is not within it.
         """
-        return resampled_columns(self, step, times)
+        return columns_at(self, step, times)
 
     def specific_force(self, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Array:
         """Specific force at a point fixed to the main body, as a perfect accelerometer feels there.

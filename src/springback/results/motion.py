@@ -21,23 +21,29 @@ from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 from springback.results.result import FlightResult
+from springback.scenario.avionics import propulsion_of
 from springback.simulation.flight import own_types, sources, still_state
 from springback.simulation.playback import Instant
 from springback.simulation.record import Model
+from springback.vehicle.rotors import lag_over
 from springback.vehicle.state import Arm, Sphere, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
+Places = np.ndarray[Any, np.dtype[np.intp]]
+
+#: Instants closer together than this are one [s].
+ROUNDING = 1e-9
 ATTITUDE = ("qw", "qx", "qy", "qz")
 
 
 # -- any time base --------------------------------------------------------------------------------
 
 
-def resampled_columns(
+def columns_at(
     flight: FlightResult, step: float | None = None, times: Any = None
 ) -> dict[str, Array]:
-    """Trajectory and telemetry at given instants; see `springback.Flight.resampled`."""
+    """Trajectory and telemetry at given instants; see `springback.Flight.resample`."""
     flight.need_trajectory()
     t = flight.t
     if (step is None) == (times is None):
@@ -54,7 +60,7 @@ def resampled_columns(
     found = {name: np.interp(at, t, values) for name, values in flight.columns.items()}
     found |= dict(zip(ATTITUDE, _attitudes(flight, at), strict=True)) | {"t": at}
     if flight.telemetry:
-        tick = np.clip(np.searchsorted(flight.telemetry["t"], at, "right") - 1, 0, None)
+        tick = _ticks(flight, at)
         found |= {n: values[tick] for n, values in flight.telemetry.items() if n != "t"}
     return found
 
@@ -247,12 +253,28 @@ def _in_body_frame(flight: FlightResult) -> Array:
 
 
 def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
-    """Thrust of each rotor [N]: with a pilot that of the tick, else the constant one."""
-    t, telemetry = flight.t, flight.telemetry
+    """Thrust of each rotor in the equations of motion [N], each of shape (instants,).
+
+    With a pilot it is the mean over a tick, which follows from the thrusts at its ends.
+    """
+    telemetry = flight.telemetry
     if "thrust1" not in telemetry:
-        return [np.full(len(t), thrust) for thrust in model.thrust]
-    tick = np.clip(np.searchsorted(telemetry["t"], t, "right") - 1, 0, None)
-    return [telemetry[f"thrust{j}"][tick] for j in range(1, len(model.thrust) + 1)]
+        return [np.full(len(flight.t), thrust) for thrust in model.thrust]
+    rotors = propulsion_of(flight.scenario, model.airframe)
+    lag = lag_over(rotors.time_constant, 1.0 / flight.scenario.clock)
+    tick = _ticks(flight, flight.t)
+    found = []
+    for j in range(1, len(model.thrust) + 1):
+        begin = telemetry[f"thrust{j}"]
+        end = np.append(begin[1:], begin[-1])
+        found.append((begin + (end - begin) * ((1.0 - lag.mean) / (1.0 - lag.end)))[tick])
+    return found
+
+
+def _ticks(flight: FlightResult, at: Array) -> Places:
+    """Number of the last tick before or at each instant; a step ends at it to within rounding."""
+    rows = np.searchsorted(flight.telemetry["t"], at + ROUNDING, "right") - 1
+    return np.clip(rows, 0, None)
 
 
 # -- distances ------------------------------------------------------------------------------------

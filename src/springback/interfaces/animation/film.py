@@ -15,7 +15,7 @@ from springback.errors import InputError
 from springback.extras import needs
 from springback.files import atomic_file
 from springback.interfaces.animation.timing import timing
-from springback.interfaces.output.python_words import python_words
+from springback.interfaces.output.python_wording import python_words
 from springback.interfaces.output.robots import BLUE, GREEN, ORANGE, RED
 from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import Scene

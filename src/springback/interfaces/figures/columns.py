@@ -18,7 +18,6 @@ from springback.interfaces.figures.panels import (
     Panel,
     contacts,
     stacked_panels,
-    widen_flat_axis,
 )
 from springback.interfaces.figures.style import STYLE, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, INK, RED
@@ -184,6 +183,7 @@ def path_figure(flight: Flight) -> Figure:
     touched, thin = np.zeros(len(c["t"]), dtype=bool), slice(None, None, len(c["t"]) // 2000 + 1)
     for begin, end in contacts(c):
         touched |= (c["t"] >= begin) & (c["t"] <= end)
+    half = 0.55 * max(0.05, *(float(np.ptp(c[axis])) for axis in "xyz"))
     for ax, (name, up) in zip(axes, {"from above": "y", "from the side": "z"}.items(), strict=True):
         chart = Chart(ax, "x [m]", f"{up} [m]", name)
         chart.curve("path", c["x"][thin], c[up][thin], color=BLUE)
@@ -191,6 +191,11 @@ def path_figure(flight: Flight) -> Figure:
         if touched.any():
             gaps = np.where(touched, c[up], np.nan)
             chart.curve("contact", c["x"][thin], gaps[thin], color=RED, lw=3.0)
-        ax.set_aspect("equal", adjustable="datalim")
-        widen_flat_axis(ax, 0.1, 0.1)
+        ax.set(xlim=_span(c["x"], half), ylim=_span(c[up], half), aspect="equal")
     return figure
+
+
+def _span(values: Array, half: float) -> tuple[float, float]:
+    """Range of an axis around some values."""
+    middle = 0.5 * float(np.min(values) + np.max(values))
+    return middle - half, middle + half

@@ -8,7 +8,7 @@ from pathlib import Path
 from springback.errors import InputError
 from springback.extras import needs
 from springback.files import write_atomically
-from springback.interfaces.output.python_words import python_words
+from springback.interfaces.output.python_wording import python_words
 from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import Scene, plain
 from springback.interfaces.web.page import Page, page_of

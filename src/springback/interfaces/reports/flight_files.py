@@ -7,7 +7,7 @@ from pathlib import Path
 
 from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY, output_folder
-from springback.interfaces.output.python_words import python_words
+from springback.interfaces.output.python_wording import python_words
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, with_digest
