@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
+KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -107,6 +109,12 @@ class Campaign:
     def complete(self) -> bool:
         """True if all flights are stored."""
         return self.done == int(self.about["flights"])
+
+    def stored_flights(self) -> list[int]:
+        """Numbers of the flights whose trajectories are stored, in ascending order."""
+        found = (KEPT_NAME.fullmatch(path.name) for path in (self.folder / KEPT).glob("*.json"))
+        numbers = (int(name[1]) for name in found if name)
+        return sorted(number for number in numbers if number < self.about["flights"])
 
     @property
     def units(self) -> dict[str, str]:

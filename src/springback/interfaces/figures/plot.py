@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.distribution import distribution
+from springback.campaign.analysis.marginals import SUCCESS, field_map, marginal
+from springback.errors import InputError
 from springback.extras import needs
 from springback.results.flight import Flight
 
@@ -43,3 +47,22 @@ def plot(
     from springback.interfaces.figures.columns import columns_figure
 
     return columns_figure(flight, columns, width=width, height=height, window=window)
+
+
+def plot_campaign(
+    campaign: Campaign, measure: str = "success", by: str | tuple[str, str] | None = None
+) -> Figure:
+    """Figure of a measure over a campaign: `springback.Campaign.plot`."""
+    needs("matplotlib", "plot")
+    from springback.interfaces.figures.campaign import field_map_figure, marginals_figure
+    from springback.interfaces.figures.measures import distribution_figure
+
+    if by is None:
+        if measure == SUCCESS:
+            raise InputError("by: name the field, or two, over which success is drawn")
+        return distribution_figure(distribution(campaign, measure))
+    if isinstance(by, str):
+        return marginals_figure([marginal(campaign, by, measure=measure)])
+    if len(by) != 2:
+        raise InputError(f"by: must be the name of a field, or two (got {len(by)})")
+    return field_map_figure(field_map(campaign, *by, measure=measure))
