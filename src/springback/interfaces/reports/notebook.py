@@ -55,7 +55,7 @@ def campaign_html(campaign: Campaign) -> str:
     flights = int(campaign.about["flights"])
     head = (
         f"<p><b>{html.escape(campaign.folder.name)}</b>: {campaign.done} of {flights} flights"
-        f"{'' if campaign.complete else '; continue with --resume'}</p>"
+        f"{'' if campaign.complete else '; continue with resume=True'}</p>"
     )
     found = campaign.query(
         "SELECT robot, outcome, count(*) AS n, 100.0 * n / sum(n) OVER (PARTITION BY robot)"
