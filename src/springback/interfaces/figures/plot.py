@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+#: Size of a figure of one panel [in].
+ALONE = (4.8, 3.4)
+
+
 def plot(
     flight: Flight,
     columns: str | Sequence[str | Sequence[str]] | None = None,
@@ -62,7 +66,9 @@ def plot_campaign(
             raise InputError("by: name the field, or two, over which success is drawn")
         return distribution_figure(distribution(campaign, measure))
     if isinstance(by, str):
-        return marginals_figure([marginal(campaign, by, measure=measure)])
+        figure = marginals_figure([marginal(campaign, by, measure=measure)])
+        figure.set_size_inches(*ALONE)  # its panel is small, as one of many
+        return figure
     if len(by) != 2:
         raise InputError(f"by: must be the name of a field, or two (got {len(by)})")
     return field_map_figure(field_map(campaign, *by, measure=measure))
