@@ -132,8 +132,13 @@ def test_end_stops_are_events_of_their_arms() -> None:
 # -- any time base --------------------------------------------------------------------------------
 
 
-def test_instants_between_are_linear_and_attitudes_turn_evenly() -> None:
-    spun = fly(towards_wall(position=[-9.0, 0.0, 0.0], angular_velocity=[0.0, 0.0, 8.0]))
+@pytest.fixture(scope="module")
+def spun() -> Flight:
+    """Far from everything, turning about its vertical axis at 8 rad/s."""
+    return fly(towards_wall(position=[-9.0, 0.0, 0.0], angular_velocity=[0.0, 0.0, 8.0]))
+
+
+def test_instants_between_are_linear_and_attitudes_turn_evenly(spun: Flight) -> None:
     few = replace(spun, columns={name: values[::50] for name, values in spun.columns.items()})
     even = few.resample(2e-3)
     assert np.diff(even["t"]) == pytest.approx(2e-3)
@@ -192,6 +197,11 @@ def test_specific_force_is_the_change_of_the_velocity_of_the_point(flight: Fligh
     centre = turn.apply(flight.specific_force()) - [0.0, 0.0, 9.81]
     assert centre == pytest.approx(np.stack([c[f"a{a}"] for a in "xyz"], 1), abs=1e-9)
     assert np.abs(felt - centre).max() > 5.0
+
+
+def test_a_point_of_a_turning_body_feels_the_centripetal_acceleration(spun: Flight) -> None:
+    felt = spun.specific_force((0.1, -0.05, 0.3))
+    assert felt == pytest.approx(np.tile([-6.4, 3.2, 0.0], (len(spun.t), 1)), abs=1e-9)
 
 
 def test_a_vehicle_on_a_rail_does_not_turn(flight: Flight) -> None:

@@ -69,10 +69,7 @@ def _attitudes(flight: FlightResult, at: Array) -> Array:
     """Quaternions wxyz by spherical interpolation, shape (4, instants), signs as recorded."""
     recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
     found = Slerp(flight.t, Rotation.from_quat(recorded, scalar_first=True))(at)
-    q = np.asarray(found.as_quat(scalar_first=True))
-    beside = recorded[np.clip(np.searchsorted(flight.t, at), 0, len(flight.t) - 1)]
-    signs = np.where(np.sum(q * beside, axis=1) < 0.0, -1.0, 1.0)
-    return np.asarray((q * signs[:, None]).T)
+    return np.asarray(found.as_quat(scalar_first=True).T)
 
 
 # -- contacts again -------------------------------------------------------------------------------
