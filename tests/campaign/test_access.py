@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from builders.campaign_folders import filled
@@ -30,7 +28,7 @@ def test_a_measure_is_drawn_alone_over_a_field_and_over_two(campaign: Campaign) 
 
 
 def test_bad_figures_of_a_campaign_are_refused(campaign: Campaign) -> None:
-    with pytest.raises(InputError, match="touch_sped: is no column .* did you mean touch_speed"):
+    with pytest.raises(InputError, match=r"touch_sped: is no column .* did you mean touch_speed"):
         campaign.plot("touch_sped")
     with pytest.raises(InputError, match="wind: is not varied by this campaign"):
         campaign.plot("touch_speed", by="wind")
