@@ -22,6 +22,7 @@ from springback.kernels.trees import leaves, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 from springback.results.result import FlightResult
 from springback.scenario.avionics import propulsion_of
+from springback.scenario.tables import UserShape
 from springback.simulation.flight import own_types, sources, still_state
 from springback.simulation.playback import Instant
 from springback.simulation.record import Model
@@ -280,8 +281,8 @@ def _ticks(flight: FlightResult, at: Array) -> Places:
 def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...] = ()) -> Array:
     """Distances of cages and hull from the obstacles; see `springback.Flight.gap`."""
     model = _model(flight, own)
-    entries, shapes = flight.scenario.world.obstacles, own or flight.own
-    counts = [*(len(faces(entry)) for entry in entries), *(1 for _ in shapes)]
+    entries = [x for x in flight.scenario.world.obstacles if not isinstance(x, UserShape)]
+    counts = [*(len(faces(entry)) for entry in entries), *(1 for _ in own or flight.own)]
     if not counts:
         raise InputError("the world of this flight has no obstacles")
     ends = np.cumsum([0, *counts])  # a second contact of a ring, listed after these, is no nearer
