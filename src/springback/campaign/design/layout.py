@@ -118,6 +118,11 @@ class Design:
         failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
         return f"outcome NOT IN ({failures})"
 
+    @property
+    def rule(self) -> str:
+        """Condition of success as the plan has it."""
+        return self.success
+
     def slice(self, first: int, last: int) -> DesignSlice:
         """Flights from ``first`` to before ``last``, independent of other slices."""
         per = self.plan.repeats * len(self.robots)
