@@ -188,7 +188,7 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    output.note("flying a few of its flights; new kinds are compiled first")
+    output.note(FIRST.replace("flying", "flying a few of its flights", 1))
     with output.spinner("flying a few"):
         coming = cost_estimate(design, workers)
     output.print(coming.as_dict(), coming.sentence())

@@ -74,7 +74,7 @@ def write_page(
     sections = _sections(found, reports, drawn)
     lead = WORDS.say(
         "lead", **_about(found), done=found.campaign.done,
-        version=found.campaign.about["versions"]["springback"],
+        version=found.campaign.about["versions"].get("springback", "?"),
     )  # fmt: skip
     written.append(folder / "summary.html")
     text = page(str(found.campaign.about["name"]), sections, lead=lead)
@@ -85,7 +85,7 @@ def write_page(
 def _about(found: Summary) -> dict[str, Any]:
     """Facts on the campaign, with the time of its start to the minute."""
     about = dict(found.campaign.about)
-    return about | {"started": str(about["started"])[:16].replace("T", " ")}
+    return about | {"started": str(about.get("started", "?"))[:16].replace("T", " ")}
 
 
 def _pictures(
