@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import argparse
 import itertools
+import os
 import sys
 import time
 import traceback
 import warnings
 from collections import Counter
 from collections.abc import Callable
-from typing import Any
+from concurrent.futures import ProcessPoolExecutor
+from typing import Any, NamedTuple
 
 from hypothesis import HealthCheck, given, seed, settings
 
@@ -36,9 +38,18 @@ KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
 ROUND = 1000
 
 
-def attack(kind: str, number: int, cases: int, tally: Counter[str]) -> str:
-    """One round; what was found, or nothing."""
+class Round(NamedTuple):
+    """Result of a round."""
+
+    found: str  # empty if nothing was
+    tally: Counter[str]
+
+
+def attack(kind: str, number: int, cases: int) -> Round:
+    """One round, in any process."""
+    warnings.simplefilter("error")
     strategy, check = KINDS[kind]
+    tally = Counter[str]()
 
     @seed(number)
     @settings(
@@ -57,8 +68,8 @@ def attack(kind: str, number: int, cases: int, tally: Counter[str]) -> str:
         for one in each_found:
             notes = "\n".join(getattr(one, "__notes__", []))
             said.append("".join(traceback.format_exception(one)[-6:]) + notes + "\n")
-        return "".join(said)
-    return ""
+        return Round("".join(said), tally)
+    return Round("", tally)
 
 
 def main() -> int:
@@ -67,19 +78,23 @@ def main() -> int:
     parser.add_argument("--cases", type=int, default=100_000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kind", choices=KINDS, action="append")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     asked = parser.parse_args()
-    warnings.simplefilter("error")
     begun, tally, found = time.monotonic(), Counter[str](), 0
     kinds = itertools.cycle(asked.kind or KINDS)
-    for number in itertools.count(asked.seed):
-        left = asked.cases - tally.total()
-        if left <= 0:
-            break
-        said = attack(next(kinds), number, min(ROUND, left), tally)
-        if said:
-            found += 1
-            print(said, file=sys.stderr)
-            tally["cut short"] += ROUND // 10
+    starts = range(0, asked.cases, ROUND)
+    with ProcessPoolExecutor(asked.jobs) as pool:
+        rounds = pool.map(
+            attack,
+            [next(kinds) for _ in starts],
+            [asked.seed + k for k in range(len(starts))],
+            [min(ROUND, asked.cases - first) for first in starts],
+        )
+        for one in rounds:
+            tally += one.tally
+            if one.found:
+                found += 1
+                print(one.found, file=sys.stderr)
     took = time.monotonic() - begun
     rate = 3600.0 * tally.total() / took
     print(f"{dict(tally)} in {took:.0f} s, {rate:.3g} an hour; {found} rounds found something")

@@ -37,7 +37,7 @@ from attack.stored import (
     result_files,
     results,
 )
-from springback.campaign import store
+from springback.campaign import manifest, store
 from springback.errors import InputError
 from springback.results.sealed_json import with_digest
 
@@ -156,6 +156,15 @@ def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
         less = {key: value for key, value in about.items() if key != name}
         with pytest.raises(InputError, match=f"{name}: is missing"):
             campaign_files(Changed([], {store.ABOUT: json.dumps(with_digest(less)).encode()}))
+
+
+def test_a_manifest_that_tells_fewer_flights_than_its_part_has_rows_is_refused() -> None:
+    """Was believed, though its digest fits: `query` gave rows that the manifest did not know."""
+    lines = [json.loads(line) for line in campaign()[1][manifest.NAME].splitlines()]
+    first = with_digest({**lines[0], "last": 1})
+    text = b"\n".join(json.dumps(line).encode() for line in [first, *lines[1:]]) + b"\n"
+    with pytest.raises(InputError, match=r"has \d+ rows; ledger.jsonl says 1"):
+        campaign_files(Changed([], {manifest.NAME: text}))
 
 
 @settings(max_examples=120)

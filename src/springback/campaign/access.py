@@ -33,6 +33,7 @@ from springback.results.database import (
     one_expression,
     one_select,
     parquet,
+    pattern,
     sandbox,
 )
 from springback.results.flight import Flight, fly
@@ -81,6 +82,7 @@ class Campaign:
             InputError: If there is no campaign, or parts of it are missing or damaged.
         """
         self.folder = Path(folder)
+        self._counted = False
         self.about = about(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
         flights = self.about["flights"]
@@ -135,6 +137,7 @@ class Campaign:
 
         def ask(connection: Any) -> T:
             if files:
+                self._check_counts(connection)
                 source = f"SELECT * FROM {parquet(files)}"
             else:
                 connection.register("given", empty_rows(self.design))
@@ -144,6 +147,19 @@ class Campaign:
                 return found(connection.execute(sql, list(parameters)))
 
         return in_database(ask, sandbox([*files, *writes]))
+
+    def _check_counts(self, connection: Any) -> None:
+        """Reject parts with more or fewer rows than the manifest says."""
+        for part in self.parts if not self._counted else ():
+            path = (self.folder / part.file).absolute()
+            asked = f"SELECT num_rows FROM parquet_file_metadata({literal(pattern(path))})"
+            with in_words(str(path)):
+                (count,) = connection.execute(asked).fetchone()
+            if count != part.last - part.first:
+                raise InputError(
+                    f"{path}: has {count} rows; {manifest.NAME} says {part.last - part.first}"
+                )
+        self._counted = True
 
     def query(self, sql: str, parameters: Sequence[Any] = ()) -> Answer:
         """Result of an SQL query of the table ``flights``.
