@@ -70,7 +70,7 @@ def write_page(
     drawn = [_pictures(found.campaign, one, pairs, count) for one in reports]
     written = []
     for block in (block for blocks in drawn for block in blocks):
-        written += style.save(block.figure, folder / block.name)
+        written += style.save(block.figure, folder / block.name, image=block.image)
     sections = _sections(found, reports, drawn)
     lead = WORDS.say(
         "lead", **_about(found), done=found.campaign.done,
