@@ -19,6 +19,8 @@ from springback.studies.proportions import CONFIDENCE
 
 #: Fewest samples for which indices are given (chosen: below, intervals reach ± 0.2 and more).
 LEAST = 128
+#: Relative deviation up to which values are the same but for rounding (chosen).
+ALIKE = 1e-12
 #: Number of draws of the bootstrap, and most groups of samples that are drawn (chosen).
 DRAWS, GROUPS = 1000, 1000
 #: Fewest samples in a class of a continuous field, and most classes (chosen).
@@ -84,7 +86,7 @@ def sensitivity(campaign: Campaign, name: str, fields: Sequence[str]) -> Sensiti
         flights[robot], count = len(values), len(np.unique(samples))
         if count < LEAST:
             reasons.append(f"{robot} has it in {count} samples, and at least {LEAST} are needed")
-        elif not np.ptp(values):
+        elif not values.std() > ALIKE * np.abs(values).max():
             reasons.append(f"it is the same in all flights of {robot}")
         else:
             found[robot] = first_order_indices(
@@ -98,11 +100,11 @@ def _rows(
 ) -> dict[str, Values]:
     """Measure, sample and fields of the flights that have them; levels of words as numbers."""
     words = {one.column for one in campaign.design.dimensions if one.text}
-    columns = [
-        f"{scale(campaign, name, 2).cell if name in words else identifier(name)} AS field{k}"
-        for k, name in enumerate(fields)
-    ]
-    listed = ", ".join([f"{identifier(what.name)} AS value", "sample", *columns])
+    values = (
+        scale(campaign, name, 2).cell if name in words else identifier(name) for name in fields
+    )
+    columns = [f"({value})::DOUBLE AS field{k}" for k, value in enumerate(values)]
+    listed = ", ".join([f"{identifier(what.name)}::DOUBLE AS value", "sample", *columns])
     sql = f"SELECT {listed} FROM flights WHERE robot = ? AND outcome <> 'refused' ORDER BY flight"
     found = campaign.arrays(sql, [robot])
     ordered_values(campaign, {what.name: found["value"]})
@@ -146,10 +148,10 @@ def first_order_indices(
     found = {}
     for name, x in fields.items():
         classes = _classes(x, class_count(len(np.unique(samples))))
-        estimate, *others = _explained(weights, squares, groups, classes, centred).tolist()
-        error = reach * float(np.std(others, ddof=1))
+        value, *others = _explained(weights, squares, groups, classes, centred).tolist()
+        estimate, error = min(1.0, max(0.0, value)), reach * float(np.std(others, ddof=1))
         bounds = (estimate, estimate - error, estimate + error)
-        found[name] = IntervalEstimate(*(min(1.0, max(0.0, value)) for value in bounds))
+        found[name] = IntervalEstimate(*(min(1.0, max(0.0, bound)) for bound in bounds))
     return found
 
 

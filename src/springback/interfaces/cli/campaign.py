@@ -364,4 +364,4 @@ def summary(
     data = found.as_dict() | {"measures": {one.name: one.as_dict() for one in reports}}
     output.print(data, summary_text(found, reports))
     if output.out is not None:
-        output.note_written(files)
+        output.note_written(path for path in files if path.suffix in (".html", ".json"))
