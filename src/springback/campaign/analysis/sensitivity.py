@@ -15,6 +15,7 @@ from springback.campaign.analysis.intervals import IntervalEstimate, Values
 from springback.campaign.analysis.marginals import MeasureColumn, measure_column, scale
 from springback.campaign.analysis.statistics import ordered_values
 from springback.results.database import identifier
+from springback.simulation.noise import Purpose, stream
 from springback.studies.proportions import CONFIDENCE
 
 #: Fewest samples for which indices are given (chosen: below, intervals reach ± 0.2 and more).
@@ -25,6 +26,8 @@ ALIKE = 1e-12
 DRAWS, GROUPS = 1000, 1000
 #: Fewest samples in a class of a continuous field, and most classes (chosen).
 EACH, MOST_CLASSES = 8, 48
+#: Number of the stream of random numbers; a Latin hypercube shuffles with those below.
+BOOTSTRAP = 2**31
 Classes = npt.NDArray[np.intp]
 
 
@@ -138,7 +141,7 @@ def first_order_indices(
         values: Measure, shape (flights,), not all equal.
         samples: Number of the sample of each flight; equal numbers are drawn together.
     """
-    chance = np.random.default_rng(0)  # the same intervals every time
+    chance = stream(0, Purpose.SHUFFLE, BOOTSTRAP)  # the same intervals every time
     groups, count = _groups(samples, chance)
     drawn = chance.multinomial(count, np.full(count, 1.0 / count), size=DRAWS)
     weights = np.vstack([np.ones(count), drawn]).astype(np.float64)
