@@ -11,7 +11,7 @@ from springback.errors import excerpt, shown_value
 
 #: Types of tables that have several, by key.
 _KINDS = {
-    "obstacles": ("wall", "ground", "mat"),
+    "obstacles": ("wall", "ground", "mat", "own"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
 

@@ -21,6 +21,7 @@ from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
+from springback.results.flight import check_user_pilot, fly_built, guided_result
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
@@ -29,6 +30,7 @@ from springback.results.recovery_measures import (
 from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
+from springback.scenario.user_pilots import in_words
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
@@ -160,7 +162,11 @@ def _fly_block(
         for number in flights:
             if not out.problems[number]:
                 with suppress(InputError):
-                    _collect(BuiltGroup([number], one(number)), tables, kinds)
+                    ready = one(number)
+                    if ready.plain is not None:
+                        _fly_alone(ready, number, out)
+                    else:
+                        _collect(BuiltGroup([number], ready), tables, kinds)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
     for kind in kinds.values():
         size = len(kind.numbers)
@@ -205,6 +211,19 @@ def _collect(
     kind.seeds.extend(_seed(tables[k]) for k in built.flights)
 
 
+def _fly_alone(ready: ReadyFlight, number: int, out: Rows) -> None:
+    """Fly one flight with a plain pilot, and store its results, or the reason why it failed."""
+    try:
+        guided = fly_built(ready)
+    except InputError as error:
+        out.problems[number] = "; ".join(error.problems)
+        return
+    outcome, measures = guided_result(guided)
+    out.outcomes[number] = outcome.word
+    for name, value in measures.items():
+        out.measures[name][number] = math.nan if value is None else value
+
+
 def _on_processor(threads: int) -> _Fly:
     """Functions that fly buffers in lanes, on so many threads."""
     return _Fly(
@@ -233,7 +252,8 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         flight = GuidedFlight(laid.model, laid.start, laid.avionics)
         buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)
         noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
-        fly.guided(flight, buffers, noise, progress=progress)
+        with in_words(check_user_pilot(kind.first)):
+            fly.guided(flight, buffers, noise, progress=progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
     for number, word in zip(kind.numbers, words, strict=True):

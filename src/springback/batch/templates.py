@@ -16,7 +16,7 @@ from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.kernels.tracing import NO_FORMULA, Tape, Traced
 from springback.kernels.trees import leaves
-from springback.scenario.build import ReadyFlight, build_flight
+from springback.scenario.build import ReadyFlight, build_flight, named_parts
 from springback.scenario.presets import expand_presets
 from springback.scenario.tables import ScenarioTables
 from springback.simulation.flight import first_phase
@@ -144,6 +144,8 @@ def built_groups(
         except InputError:
             numbers, flights = numbers[1:], flights[1:]
             continue
+        if first.plain is not None:  # flown one by one
+            return
         built = _built(group.template, first, flights, numbers, one)
         if built is None:
             return
@@ -181,7 +183,7 @@ def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFligh
     """A flight read and built from tables with traced numbers."""
     # The seed is not traced, so that noise cannot become a formula.
     scenario = ScenarioTables.model_validate(expand_presets(tables)).with_checked(seed=object())
-    traced = build_flight(scenario, build=Memo(), normals=normals, advises=False)
+    traced = build_flight(scenario, named_parts(scenario), Memo(), normals, advises=False)
     first_phase(traced.model, traced.start)
     return traced
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from springback.batch.scenarios import fly_scenarios
 from springback.campaign.design.layout import Design
+from springback.campaign.flying import try_code
 from springback.campaign.running import in_time
 from springback.campaign.store import write_rows
 from springback.errors import InputError
@@ -107,6 +108,7 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
         design: Design of the campaign.
         workers: Number of processes; by default that of the cores.
     """
+    try_code(design)
     crew = workers or os.cpu_count() or 1
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
     drawn = [design.slice(k, k + 1) for k in numbers]

@@ -20,7 +20,7 @@ from springback.campaign.cost_estimate import kinds_of
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan, ScatterSettings, Source, Vary
 from springback.campaign.design.targets import NAMES, field_path
-from springback.campaign.flying import rows
+from springback.campaign.flying import rows, try_code
 from springback.errors import InputError, excerpt
 from springback.problems import dotted_path
 from springback.progress import Progress, silent
@@ -107,7 +107,7 @@ def plan_envelope(
     Args:
         x: First axis, ``name=from:to:count``.
         y: Second axis; by default pitch, or speed where the first axis is not.
-        robots: Presets.
+        robots: Presets, and vehicle files.
         trials: Of each cell.
         seed: Of all noise.
         settings: ``key=value``, the same in all trials.
@@ -125,8 +125,8 @@ def plan_envelope(
     second = _vary(y or (AXES[1] if field_path(first.field) == NAMES["speed"] else AXES[0]))
     taken = [field_path(first.field), field_path(second.field)]
     tables = {
-        **run_up_scenario(robots[0], PITCH, SPEED, simulation={"duration": DURATION}),
-        "vehicle": {"preset": robots[0]},
+        **run_up_scenario(ROBOTS[0], PITCH, SPEED, simulation={"duration": DURATION}),
+        "vehicle": {"preset": ROBOTS[0]},
         "recovery": {"home": list(HOME)},
     }
     tables["world"]["obstacles"].append({"type": "ground", "surface": "wall"})
@@ -140,6 +140,7 @@ def plan_envelope(
         design = lay_out(plan, _CommandSource(overrides=(first.field, second.field)))
     except InputError as error:
         raise InputError(error.problems[0]) from None
+    try_code(design)
     if design.flights > MOST_FLIGHTS:
         raise InputError(f"{design.flights} flights are too many; at most {MOST_FLIGHTS}")
     return EnvelopePlan(design, _axis(design, 0), _axis(design, 1), tuple(settings))

@@ -6,6 +6,10 @@ from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device, fly_scenarios, no_collection
 from springback.campaign.design.layout import Design, design_of
+from springback.errors import InputError
+from springback.results.flight import check_user_pilot
+from springback.scenario.scenario import scenario_from
+from springback.scenario.user_code import changed_files
 
 Chunk = tuple[int, int]
 """Numbers of the first flight, and of the one after the last."""
@@ -16,6 +20,8 @@ class ChunkRows(NamedTuple):
 
     chunk: Chunk
     columns: dict[str, Any]
+    code: dict[str, str]
+    """SHA-256 of the user's own files with which they were flown, by path."""
 
 
 def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
@@ -25,8 +31,28 @@ def fly_chunk(text: str, chunk: Chunk, device: Device = "cpu") -> ChunkRows:
         text: The plan, from `springback.campaign.design.plan.Plan.canonical`.
         chunk: Flights to fly.
         device: Device on which they fly.
+
+    Raises:
+        InputError: If a file of the user's own cannot be used, or changes during the flights.
     """
-    return ChunkRows(chunk, rows(design_of(text), chunk, device))
+    design = design_of(text)
+    code = design.code
+    found = ChunkRows(chunk, rows(design, chunk, device), code)
+    if changed := changed_files(code):
+        raise InputError(f"{', '.join(changed)}: was changed during the flights")
+    return found
+
+
+def try_code(design: Design, device: Device = "cpu") -> None:
+    """Build each robot with the user's own code, if there is any, before anything is flown.
+
+    Raises:
+        InputError: If a file cannot be used, or cannot fly on the device.
+    """
+    for base in design.bases if design.code else ():
+        if device != "cpu":
+            raise InputError(f"--device {device}: cannot fly code of your own; use cpu")
+        check_user_pilot(scenario_from(base, False).build(advises=False))
 
 
 def rows(

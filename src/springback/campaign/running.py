@@ -6,7 +6,7 @@ import contextlib
 import os
 import time
 from collections import deque
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,7 @@ from springback.campaign.access import Campaign, check_conditions
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import Chunk, ChunkRows
+from springback.campaign.flying import Chunk, ChunkRows, try_code
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
@@ -154,6 +154,7 @@ def run_campaign(
         _check_gpu(scheduler)
     folder, say = Path(folder), remark or _silent
     check_conditions(design)
+    try_code(design, device)
     team = _team(scheduler, crew, device, tls, say)
     with team as fly, open_store(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
@@ -167,6 +168,7 @@ def run_campaign(
         with contextlib.closing(fly(design.plan.canonical(), chunks, say)) as coming:
             for one in coming:
                 if isinstance(one, ChunkRows):
+                    _check_code(design, one.code)
                     store.add(*one.chunk, one.columns)
                 else:
                     failed.append(one)
@@ -179,9 +181,19 @@ def run_campaign(
                 f"{watch.given_up} flights were given up: {failed[0].why}; {store.done} of "
                 f"{design.flights} are kept, and --resume tries the others again"
             )
-        campaign = Campaign(folder)
+        campaign = Campaign(folder, trust=True)
         campaign.keep(say)
     return campaign
+
+
+def _check_code(design: Design, flown: Mapping[str, str]) -> None:
+    """Reject rows that were flown with other files of the user's own than those here."""
+    if flown != design.code:
+        changed = sorted({path for path, _ in set(flown.items()) ^ set(design.code.items())})
+        raise CampaignError(
+            f"{', '.join(changed)}: differs between this process and the one that flew, or was "
+            "changed during the flights"
+        )
 
 
 Fly = Callable[[str, list[Chunk], Remark], Generator[ChunkRows | GivenUp]]

@@ -294,7 +294,7 @@ def _begin(folder: Path, design: Design) -> None:
         "flights": design.flights, "robots": list(design.robots), "started": _now(),
         "versions": versions(), "host": socket.gethostname(), "cpu": _cpu(),
         "cores": os.cpu_count(), "system": platform.platform(),
-        "units": design.units, "scenarios_sha256": design.digest,
+        "units": design.units, "code": design.code, "scenarios_sha256": design.digest,
         "scenarios": dict(zip(design.robots, design.full_scenarios, strict=True)),
     }  # fmt: skip
     write_atomically(folder / ABOUT, json_text(with_digest(about)), durable=True)
@@ -311,7 +311,7 @@ def _cpu() -> str:
 #: Required entries of `campaign.json`.
 _NEEDED: dict[str, type] = {
     "name": str, "flights": int, "seed": int, "host": str, "plan_sha256": str,
-    "plan_file_sha256": str, "versions": dict, "units": dict, "robots": list,
+    "plan_file_sha256": str, "versions": dict, "units": dict, "code": dict, "robots": list,
     "scenarios_sha256": str, "cpu": str,
 }  # fmt: skip
 
@@ -371,6 +371,8 @@ def _check_same(folder: Path, design: Design) -> None:
         changes = [_difference(folder, design)]
     if not changes and known["scenarios_sha256"] != design.digest:
         changes = ["a preset or a default that its plan uses has changed"]
+    if not changes and known["code"] != design.code:
+        changes = [_changed_code(known["code"], design.code)]
     if not changes and known["versions"].get("source") != source():
         changes = [
             f"springback's source ({source()}) differs from that at its start "
@@ -379,6 +381,12 @@ def _check_same(folder: Path, design: Design) -> None:
         ]
     if changes:
         raise InputError(f"--out {folder}: contains another campaign: {'; '.join(changes)}")
+
+
+def _changed_code(before: Mapping[str, Any], now: Mapping[str, str]) -> str:
+    """Names of the user's own files in which a campaign and its plan differ."""
+    paths = [path for path in {**before, **now} if before.get(path) != now.get(path)]
+    return f"{', '.join(paths)} {'has' if len(paths) == 1 else 'have'} changed since it began"
 
 
 def _difference(folder: Path, design: Design) -> str:

@@ -41,7 +41,7 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
         flight = fly(flight)
     elif not flight.work:
         flight = fly(flight.scenario)
-    work, world = flight.work, flight.scenario.flight_model()
+    work, world = flight.work, flight.scenario.flight_model(flight.own)
     columns = {"t": flight.t, "work_thrust": work["thrust"]}
     columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
     columns |= _stored_energy(world.airframe, world.world.gravity, flight.columns)

@@ -15,7 +15,6 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
 from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
-from springback.kernels.vectors import Vec
 from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
@@ -25,13 +24,24 @@ from springback.results.recovery_measures import (
 )
 from springback.scenario.arguments import check_executor, chosen_pilot
 from springback.scenario.avionics import CompiledPilot
-from springback.scenario.build import PLAIN_PYTHON, ReadyFlight
+from springback.scenario.build import ReadyFlight, user_parts
 from springback.scenario.files import apply_overrides, checked_scenario, read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.scenario.user_obstacles import check_own_obstacles
-from springback.scenario.user_pilots import guarded_pilot, in_words, source_text, validate
-from springback.simulation.flight import Executor, FlightRecord, Trace, check_instants, fly_one
-from springback.simulation.guided import GuidedFlight, PlainPilot, fly_guided, ticks_of
+from springback.scenario.user_pilots import AnyPilot, guarded_pilot, in_words, source_text, validate
+from springback.simulation.flight import (
+    Executor,
+    FlightRecord,
+    Trace,
+    check_instants,
+    fly_one,
+    own_types,
+)
+from springback.simulation.guided import (
+    GuidedFlight,
+    GuidedFlown,
+    fly_guided,
+    ticks_of,
+)
 from springback.simulation.measures import (
     FAILURES,
     MEASURES,
@@ -306,7 +316,7 @@ def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,
     own: Sequence[Own] = (),
-    pilot: PlainPilot | CompiledPilot | str | None = None,
+    pilot: AnyPilot | str | None = None,
     trajectory: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -338,23 +348,23 @@ def fly(
     check_executor(executor)
     flown_by = chosen_pilot(pilot)
     ready = as_scenario(scenario, overrides, flown_by is not None)
-    check_own_obstacles(own, Vec(*ready.start.position))
+    parts = user_parts(ready, own, flown_by)
     with _as_input():
-        built = ready.build(tuple(own), PLAIN_PYTHON if callable(flown_by) else flown_by)
+        built = ready.build(parts)
     if trajectory:
         timing, guided = built.model.timing, built.built_avionics is not None
         foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
         check_instants(int(foreseen), timing.until, timing.until)
     if built.built_avionics is not None:
-        flight = _fly_guided(ready, built, flown_by, trajectory, executor, progress)
-        return _wary(replace(flight, own=tuple(own)))
+        flight = _fly_guided(ready, built, trajectory, executor, progress)
+        return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
         built.model, built.start, trace=trajectory, executor=executor, progress=progress
     )
     columns, units = _columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    flight = Flight(ready, outcome, measures, columns, units, work=_work(flown), own=tuple(own))
-    return _wary(flight)
+    work = _work(flown)
+    return _wary(Flight(ready, outcome, measures, columns, units, work=work, own=parts.obstacles))
 
 
 def _wary(flight: Flight) -> Flight:
@@ -367,34 +377,73 @@ def _wary(flight: Flight) -> Flight:
 def _fly_guided(
     ready: Scenario,
     built: ReadyFlight,
-    pilot: PlainPilot | CompiledPilot | None,
     trajectory: bool,
     executor: Executor,
     progress: Callable[[float], None] | None,
 ) -> Flight:
     """Fly with a pilot."""
-    seed, model, start, built_avionics = built
-    assert built_avionics is not None  # only called for flights with a pilot
-    own = pilot if isinstance(pilot, CompiledPilot) else None
-    rotors = len(start.arm_length)
-    plain = guarded_pilot(pilot, rotors) if callable(pilot) else None
-    if own is not None:
-        validate(own, built_avionics.avionics.onboard.measurement, rotors)
-    ticks = ticks_of(model.timing.until, built_avionics.avionics.systems.period)
-    noise = noise_table(seed, 0, ticks, built_avionics.noise)
-    with in_words(own):
-        guided = fly_guided(
-            GuidedFlight(model, start, built_avionics.avionics), noise,
-            pilot=plain, trace=trajectory, executor=executor, progress=progress,
-        )  # fmt: skip
+    guided = fly_built(built, trace=trajectory, executor=executor, progress=progress)
     columns, units = _columns(guided.flown)
-    telemetry, telemetry_units = _telemetry(guided.telemetry, len(start.arm_length))
-    outcome, measures = outcome_of(guided.flown.record), measures_of(guided.flown)
-    if is_evaluated(guided):
-        outcome, measures = recovery_outcome(guided), measures | recovery_measures(guided)
+    telemetry, telemetry_units = _telemetry(guided.telemetry, len(built.start.arm_length))
+    outcome, measures = guided_result(guided)
     return Flight(
         ready, outcome, measures, columns, units | telemetry_units, telemetry, _work(guided.flown)
     )
+
+
+def fly_built(
+    built: ReadyFlight,
+    *,
+    trace: bool = False,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
+) -> GuidedFlown:
+    """Fly a built flight with a pilot, of the user's own or not.
+
+    Args:
+        built: With avionics.
+        trace: Record trajectory and telemetry.
+        executor: ``compiled``, or ``python``.
+        progress: Called from time to time with the simulated time [s].
+
+    Raises:
+        InputError: If a user's own pilot fails, in one line with its file and line.
+    """
+    assert built.built_avionics is not None  # only called for flights with a pilot
+    avionics, draws = built.built_avionics
+    rotors = len(built.start.arm_length)
+    plain = None if built.plain is None else guarded_pilot(built.plain, rotors)
+    own = check_user_pilot(built)
+    ticks = ticks_of(built.model.timing.until, avionics.systems.period)
+    with in_words(own):
+        return fly_guided(
+            GuidedFlight(built.model, built.start, avionics),
+            noise_table(built.seed, 0, ticks, draws),
+            pilot=plain, trace=trace, executor=executor, progress=progress,
+        )  # fmt: skip
+
+
+def check_user_pilot(built: ReadyFlight) -> CompiledPilot | None:
+    """A compiled pilot of the user's own that flies, checked by one call in plain Python, or None.
+
+    Raises:
+        InputError: If it fails, with its file and line.
+    """
+    if built.built_avionics is None:
+        return None
+    avionics = built.built_avionics.avionics
+    pilot = CompiledPilot(avionics.systems.pilot, avionics.onboard.pilot)
+    if not own_types(pilot):
+        return None
+    validate(pilot, avionics.onboard.measurement, len(built.start.arm_length))
+    return pilot
+
+
+def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:
+    """Outcome and measures of a flight with a pilot."""
+    if not is_evaluated(guided):
+        return outcome_of(guided.flown.record), measures_of(guided.flown)
+    return recovery_outcome(guided), measures_of(guided.flown) | recovery_measures(guided)
 
 
 @contextmanager

@@ -6,9 +6,8 @@ from typing import Any, get_args
 
 from springback.errors import InputError
 from springback.scenario.avionics import CompiledPilot
-from springback.scenario.user_pilots import read_pilot, source_text
+from springback.scenario.user_pilots import AnyPilot, read_pilot, source_text
 from springback.simulation.flight import Executor
-from springback.simulation.guided import PlainPilot
 
 
 def check_executor(executor: str) -> None:
@@ -23,7 +22,7 @@ def check_executor(executor: str) -> None:
         raise InputError(f"executor must be {names} (got {source_text(executor)})")
 
 
-def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
+def chosen_pilot(pilot: Any) -> AnyPilot | None:
     """The requested pilot, read from its file if it is in one.
 
     Raises:
@@ -35,8 +34,8 @@ def chosen_pilot(pilot: Any) -> PlainPilot | CompiledPilot | None:
         return pilot
     if isinstance(pilot, type) or not callable(pilot):
         raise InputError(
-            "pilot must be a function (time, measurement, memory) -> (thrusts, memory), an "
+            "pilot must be a function (time, measurement, memory) -> (thrusts, memory), a "
             f"CompiledPilot, or 'file.py:name' (got {source_text(pilot)})"
         )
-    plain: PlainPilot = pilot
+    plain: AnyPilot = pilot
     return plain

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.parameters import Own
 from springback.dynamics.motion import rates
 from springback.kernels.memo import Build, plain_build
-from springback.scenario.avionics import BuiltAvionics, CompiledPilot, build_avionics, cascade_of
+from springback.kernels.vectors import Vec
+from springback.scenario.avionics import (
+    BuiltAvionics,
+    CompiledPilot,
+    MakePilot,
+    build_avionics,
+    cascade_of,
+)
 from springback.scenario.checks import (
     blaming_the_clock,
     check_clock,
@@ -19,13 +26,34 @@ from springback.scenario.checks import (
 )
 from springback.scenario.model import flight_model, hover_thrusts, start_state
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.user_obstacles import check_own_obstacles, own_obstacles
+from springback.scenario.user_pilots import (
+    AnyPilot,
+    PilotContext,
+    built_pilot,
+    read_pilot,
+)
 from springback.settings import problem
+from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import Relay
 from springback.simulation.record import Model
 from springback.vehicle.state import State
 
-#: In place of a compiled pilot: one in plain Python commands the rotors from outside.
-PLAIN_PYTHON = "plain Python"
+
+def pilot_context(scenario: ScenarioTables) -> PilotContext:
+    """What a pilot of the user's own is built from."""
+    s = scenario
+    start = start_state(s.start, s.vehicle)
+    return PilotContext(s.vehicle, s.world.gravity, 1.0 / s.clock, start)
+
+
+class UserParts(NamedTuple):
+    """Parts of a flight that are the user's own code."""
+
+    obstacles: tuple[Own, ...] = ()
+    """Obstacles besides the scenario's walls, with their surfaces."""
+    pilot: AnyPilot | None = None
+    """Pilot in place of the paper's."""
 
 
 class ReadyFlight(NamedTuple):
@@ -35,12 +63,45 @@ class ReadyFlight(NamedTuple):
     model: Model
     start: State
     built_avionics: BuiltAvionics | None
+    plain: PlainPilot | None = None
+    """Pilot in plain Python, if such a one flies it; the avionics then have a `Relay`."""
+
+
+def user_parts(
+    scenario: ScenarioTables,
+    own: Sequence[Own] = (),
+    pilot: AnyPilot | None = None,
+) -> UserParts:
+    """The user's own parts of a flight, those that its scenario names included; runs their files.
+
+    Args:
+        scenario: Any.
+        own: Obstacles besides the scenario's.
+        pilot: Pilot in place of the scenario's.
+
+    Raises:
+        InputError: If a file cannot be used, or if the distance or the normal of an obstacle is
+            wrong where the vehicle could touch it.
+    """
+    parts = named_parts(scenario)
+    obstacles = (*parts.obstacles, *own)
+    check_own_obstacles(obstacles, Vec(*scenario.start.position))
+    return UserParts(obstacles, parts.pilot if pilot is None else pilot)
+
+
+def named_parts(scenario: ScenarioTables) -> UserParts:
+    """The user's own parts that a scenario names, unchecked; runs their files.
+
+    Raises:
+        InputError: If a file cannot be used.
+    """
+    pilot = None if scenario.pilot is None else read_pilot(scenario.pilot)
+    return UserParts(own_obstacles(scenario.world), pilot)
 
 
 def build_flight(
     scenario: ScenarioTables,
-    own: Sequence[Own] = (),
-    pilot: CompiledPilot | str | None = None,
+    parts: UserParts = UserParts(),  # noqa: B008  # a constant
     build: Build = plain_build,
     normals: Sequence[float] | None = None,
     advises: bool = True,
@@ -49,8 +110,7 @@ def build_flight(
 
     Args:
         scenario: Tables validated one by one.
-        own: The user's own obstacles besides the scenario's, with their surfaces.
-        pilot: Pilot in place of the paper's; `PLAIN_PYTHON` for one that runs outside.
+        parts: The user's own, from `user_parts`.
         build: Builder of the parts.
         normals: `normals_at_start` of its seed, if already known.
         advises: Suggest a feasible distance if a run-up cannot be flown; slow.
@@ -58,11 +118,12 @@ def build_flight(
     Raises:
         The first problem, with its key.
     """
-    s = scenario
+    s, pilot = scenario, parts.pilot
     check_tables(s, build)
-    model, start = build(flight_model, s, own, build), build(start_state, s.start, s.vehicle)
+    model = build(flight_model, s, parts.obstacles, build)
+    start = build(start_state, s.start, s.vehicle)
     check_start(s, model, start)
-    if own:
+    if parts.obstacles:
         _check_start_beside(model, start)
     if s.reference is None and pilot is None:
         check_without_pilot(s)
@@ -73,12 +134,21 @@ def build_flight(
     if s.reference is None and not any(model.thrust):
         model = model._replace(thrust=build(hover_thrusts, s.vehicle, s.world.gravity))
     with blaming_the_clock(s):
-        if pilot == PLAIN_PYTHON:
-            pilot = CompiledPilot(Relay(0.0), model.thrust)
-        makes = partial(cascade_of, advises=advises)
-        flown_by = pilot if isinstance(pilot, CompiledPilot) else makes
+        plain: PlainPilot | None = None
+        flown_by: CompiledPilot | MakePilot = partial(cascade_of, advises=advises)
+        if pilot is not None:
+            chosen = built_pilot(pilot, pilot_context(s))
+            if isinstance(chosen, CompiledPilot):
+                flown_by = chosen
+            else:
+                plain, flown_by = chosen, CompiledPilot(Relay(0.0), model.thrust)
         avionics = build_avionics(s, model, start, flown_by, normals, build)
-    return ReadyFlight(s.seed, model, start, avionics)
+    return ReadyFlight(s.seed, model, start, avionics, plain)
+
+
+def no_pilot(time: float, measurement: Any, memory: Any) -> Any:
+    """Stand-in for a pilot that is not known yet, in checks; it is never called."""
+    raise NotImplementedError
 
 
 def _check_start_beside(model: Model, start: State) -> None:

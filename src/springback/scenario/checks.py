@@ -21,7 +21,7 @@ from springback.scenario.model import (
     true_body,
     unit,
 )
-from springback.scenario.tables import ScenarioTables, SimulationSettings
+from springback.scenario.tables import ScenarioTables, SimulationSettings, UserShape
 from springback.settings import problem
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
@@ -66,7 +66,7 @@ def check_reference(scenario: ScenarioTables) -> None:
 
 
 def check_without_pilot(scenario: ScenarioTables) -> None:
-    """Reject settings that require a pilot; a scenario does not know its pilot."""
+    """Reject settings that require a pilot, where neither scenario nor caller has one."""
     if scenario.reference is None and scenario.air.gusts is not None:
         raise problem(
             "blow only where a pilot flies: give a [reference], or a pilot of your own",
@@ -170,7 +170,8 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     if is_clear(model, state):
         return
     r, given = rotation(state.attitude), scenario.world.obstacles
-    owners = [k for k, entry in enumerate(given) for _ in faces(entry)]
+    known = [(k, entry) for k, entry in enumerate(given) if not isinstance(entry, UserShape)]
+    owners = [k for k, entry in known for _ in faces(entry)]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
         there, gaps = obstacle_in_body_frame(obstacle, state.position, r), []
         for j, arm in enumerate(model.airframe.arms):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -142,6 +142,14 @@ def degrees(angle: float) -> float:
     return round(math.degrees(angle), 9) + 0.0
 
 
+#: A number, or three, among the arguments of a user's own shape.
+ARGUMENT = TableField("", float | Triple, (Unit(""),), None, True)
+
+
+def _known_arguments(given: Mapping[str, Any]) -> str:
+    return f"known here: {', '.join(given)}" if given else "the shape is given none"
+
+
 def number_at(
     name: str, path: Path, scenario: Settings, known: tuple[str, ...]
 ) -> Parameter | None:
@@ -166,6 +174,11 @@ def number_at(
             if not isinstance(node, tuple) or key >= len(node):
                 raise InputError(f"{name}: there is no entry {key}")
             others, node = node, node[key]
+            continue
+        if isinstance(node, Mapping):  # arguments of a user's own shape
+            if key not in node:
+                raise InputError(f"{name}: unknown parameter {key!r}; {_known_arguments(node)}")
+            field, others, node = ARGUMENT, (), node[key]
             continue
         kind = node if isinstance(node, type) else type(node)
         if not issubclass(kind, Settings):

@@ -19,6 +19,7 @@ from springback.scenario.source_text import (
     source_text,
     toml_tables,
 )
+from springback.scenario.user_code import with_absolute_names
 from springback.settings import Settings
 
 Key = str | int
@@ -213,7 +214,7 @@ def read_scenario(
         raise InputError(f"overrides must be a list of words (got {overrides!r})")
     path = Path(path)
     text = source_text(path)
-    given = toml_tables(text, str(path))
+    given = with_absolute_names(toml_tables(text, str(path)), path.parent)
     return checked_scenario(apply_overrides(given, overrides), str(path), text, overrides, pilot)
 
 
@@ -227,7 +228,8 @@ def checked_scenario(
     """A scenario from raw tables; problems refer to lines of ``text`` or to overrides."""
     found: list[tuple[tuple[Key, ...], str]]
     try:
-        return Scenario.model_validate(expand_presets(given), context={"pilot": pilot})
+        expanded = expand_presets(with_absolute_names(given, Path()))
+        return Scenario.model_validate(expanded, context={"pilot": pilot})
     except InputError as error:
         found = [(error.path, line) for line in error.problems]
     except ValidationError as error:

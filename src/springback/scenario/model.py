@@ -23,6 +23,7 @@ from springback.scenario.tables import (
     ScenarioTables,
     SimulationSettings,
     Start,
+    UserShape,
     WorldSettings,
 )
 from springback.settings import naming, problem
@@ -159,8 +160,9 @@ def true_airframe(
 
 
 def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
-    """Obstacles and gravity for the equations; ``own`` are the user's own shapes."""
-    built = obstacles(world.obstacles, own)
+    """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
+    known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
+    built = obstacles(known, own)
     impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 

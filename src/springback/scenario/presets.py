@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
+from springback.scenario.source_text import source_text, toml_tables
 from springback.sensing.library import ESTIMATORS
 from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
@@ -49,8 +51,36 @@ def _preset_of(
     return base, {key: value for key, value in table.items() if key != "preset"}
 
 
+def is_vehicle_file(word: Any) -> bool:
+    """True for the name of a file with a vehicle, in place of that of a preset."""
+    return isinstance(word, str) and word.endswith(".toml")
+
+
+def vehicle_file(path: str | Path) -> dict[str, Any]:
+    """Raw vehicle of a TOML file: its table ``[vehicle]``, or all of it.
+
+    Args:
+        path: Of the file; it may name a preset, but no further file.
+
+    Raises:
+        InputError: If it cannot be read, or has no vehicle.
+    """
+    given = toml_tables(source_text(Path(path)), str(path))
+    found = given.get("vehicle", given)
+    table = {"preset": found} if isinstance(found, str) else found
+    if not isinstance(table, Mapping):
+        raise InputError(f"{path}: vehicle: must be a table (got {shown_value(found)})")
+    if is_vehicle_file(table.get("preset")):
+        raise InputError(f"{path}: vehicle: must not name a further file, {table['preset']}")
+    return {**vehicle_table(table), "name": table.get("name", Path(path).stem)}
+
+
 def vehicle_table(given: Any) -> Any:
-    """A raw vehicle, its preset replaced by its values."""
+    """A raw vehicle, its preset or file replaced by its values."""
+    word = given.get("preset") if isinstance(given, Mapping) else given
+    if word is not None and is_vehicle_file(word):
+        own = {} if isinstance(given, str) else {k: v for k, v in given.items() if k != "preset"}
+        return merge(vehicle_file(word), own)
     found = _preset_of(given, "vehicle", VEHICLES)
     return given if found is None else merge(found[0].vehicle.model_dump(), found[1])
 

@@ -12,8 +12,13 @@ from springback.contact.parameters import Own
 from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path
-from springback.scenario.avionics import CompiledPilot
-from springback.scenario.build import PLAIN_PYTHON, ReadyFlight, build_flight
+from springback.scenario.build import (
+    ReadyFlight,
+    UserParts,
+    build_flight,
+    no_pilot,
+    user_parts,
+)
 from springback.scenario.checks import check_start, check_tables
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expand_presets as expand_presets
@@ -30,13 +35,15 @@ class Scenario(ScenarioTables):
 
     @model_validator(mode="after")
     def _can_be_flown(self, info: ValidationInfo) -> Scenario:
+        """Check across tables; files of the user's own are not run for it."""
         given = (info.context or {}).get("pilot")
-        if self.reference is None and given is None:  # a pilot of the user's own may be given later
+        own = given or self.pilot is not None
+        if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
             check_start(self, self.flight_model(), self.start_state())
         else:
             advises = (info.context or {}).get("advises", True)
-            self.build(pilot=PLAIN_PYTHON if given else None, advises=advises)
+            self.build(UserParts(pilot=no_pilot if own else None), advises=advises)
         return self
 
     # -- built parts ------------------------------------------------------------------------------
@@ -46,15 +53,15 @@ class Scenario(ScenarioTables):
         """Memo of built parts, so that nothing is built twice."""
         return Memo()
 
-    def build(
-        self,
-        own: tuple[Own, ...] = (),
-        pilot: CompiledPilot | str | None = None,
-        *,
-        advises: bool = True,
-    ) -> ReadyFlight:
-        """The checked flight; see `springback.scenario.build.build_flight`."""
-        return self.parts(build_flight, self, own, pilot, self.parts, None, advises)
+    def build(self, parts: UserParts | None = None, *, advises: bool = True) -> ReadyFlight:
+        """The checked flight; see `springback.scenario.build.build_flight`.
+
+        Args:
+            parts: The user's own; by default those that the scenario names, whose files are run.
+            advises: Suggest a feasible distance if a run-up cannot be flown; slow.
+        """
+        own = user_parts(self) if parts is None else parts
+        return self.parts(build_flight, self, own, self.parts, None, advises)
 
     def true_vehicle(self) -> Vehicle:
         """The true vehicle: `vehicle` with model errors and payload."""
@@ -65,7 +72,7 @@ class Scenario(ScenarioTables):
         return true_airframe(self.vehicle, self.model_error, self.payload)
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
-        """Model of the flight; ``own`` are the user's own shapes, with their surfaces."""
+        """Model of the flight, of the user's own shapes only with those given, with surfaces."""
         return self.parts(flight_model, self, own, self.parts)
 
     def start_state(self) -> State:

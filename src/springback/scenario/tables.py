@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, Field, PlainValidator, model_validator
 
-from springback.contact.parameters import ObstacleSettings
+from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
 from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
-from springback.quantities import Angle, Duration, Triple, Unit
+from springback.errors import shown_value
+from springback.quantities import Angle, Duration, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
+from springback.scenario.user_code import CodeName
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
@@ -21,11 +23,42 @@ from springback.vehicle.parameters import Vehicle, check_moments
 MOST_OBSTACLES = 64
 
 
+def _arguments(given: Any) -> dict[str, Any]:
+    """Arguments of a user's shape: plain numbers, and triples of them."""
+    if not isinstance(given, dict):
+        raise problem(f"must be a table of numbers (got {shown_value(given)})")
+    read = dict[str, Any]()
+    for key, value in given.items():
+        if not isinstance(key, str) or not key.isidentifier():
+            raise problem(f"{shown_value(key)} cannot be the name of an argument")
+        with naming(key):
+            if isinstance(value, list | tuple) and len(value) == 3:
+                read[key] = tuple(si_number(part, "") for part in value)
+            else:
+                read[key] = si_number(value, "")
+    return read
+
+
+class UserShape(Settings):
+    """An obstacle of the user's own: a shape in a Python file, and its surface."""
+
+    type: Literal["own"]
+    shape: CodeName
+    """``FILE.py:NAME`` of a shape, or of its type or a function, called with ``parameters``."""
+    parameters: Annotated[dict[str, Any], PlainValidator(_arguments)] = Field(default_factory=dict)
+    """Arguments of the type or function, in SI."""
+    surface: SurfaceSettings
+
+
+#: Any obstacle of a world.
+AnyObstacle = Annotated[Wall | Ground | Mat | UserShape, Field(discriminator="type")]
+
+
 class WorldSettings(Settings):
     """Obstacles and gravity."""
 
     gravity: Annotated[float, Unit("m/s^2", least=0.0)] = 9.81
-    obstacles: tuple[ObstacleSettings, ...] = ()
+    obstacles: tuple[AnyObstacle, ...] = ()
 
     @model_validator(mode="after")
     def _countable(self) -> WorldSettings:
@@ -124,6 +157,8 @@ class ScenarioTables(Settings):
 
     That is the weight of the nominal `vehicle`, without a true payload.
     """
+    pilot: CodeName | None = None
+    """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's."""
     reference: ReferenceSettings | None = None
     """Reference for a pilot; none: the rotors give a constant thrust."""
     control: ControlSettings = ControlSettings()

@@ -16,8 +16,10 @@ from typing import Any, NamedTuple
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.parameters import Own, SurfaceSettings
 from springback.errors import InputError, shown_value
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm
-from springback.scenario.user_pilots import failure_place
+from springback.scenario.tables import UserShape, WorldSettings
+from springback.scenario.user_code import error_place, error_words, read_object
 
 #: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
 STEP = 1e-5
@@ -29,6 +31,53 @@ GRADIENT = 0.01
 SHARE = 0.05
 #: Maximum number of steps along a ray, and of the bisection that ends it.
 STEPS, HALVINGS = 150, 50
+
+
+def own_obstacles(world: WorldSettings) -> tuple[Own, ...]:
+    """The user's own obstacles in a world, read from their files.
+
+    Args:
+        world: With entries of type ``own``.
+
+    Raises:
+        InputError: If a file or name is missing, or a shape cannot be made of its parameters.
+    """
+    found: list[Own] = []
+    for k, entry in enumerate(world.obstacles):
+        if isinstance(entry, UserShape):
+            try:
+                found.append((_shape(entry), entry.surface))
+            except InputError as error:
+                where = f"world.obstacles[{k}]"
+                raise InputError(*(f"{where}.{line}" for line in error.problems)) from error
+    return tuple(found)
+
+
+def _shape(entry: UserShape) -> Any:
+    try:
+        shape = read_object(entry.shape, "a shape")
+    except InputError as error:
+        raise InputError(*(f"shape: {line}" for line in error.problems)) from error
+    if callable(shape):
+        make, names = shape, tuple(entry.parameters)
+
+        def made(*values: Any) -> Any:
+            vectors = (Vec(*value) if isinstance(value, tuple) else value for value in values)
+            return make(**dict(zip(names, vectors, strict=True)))
+
+        try:
+            shape = traceable(made)(*entry.parameters.values())
+        except (Exception, SystemExit) as error:
+            place = error_words(error)
+            raise InputError(f"parameters: {entry.shape} does not take them: {place}") from error
+    elif entry.parameters:
+        raise InputError(f"parameters: {entry.shape} is a shape, not its type, and takes none")
+    if not isinstance(shape, tuple) or not hasattr(shape, "_fields"):
+        raise InputError(
+            f"shape: {entry.shape} must be a shape, a NamedTuple of floats and vectors, or return "
+            f"one (got {shown_value(shape)})"
+        )
+    return shape
 
 
 class _RayHit(NamedTuple):
@@ -184,7 +233,7 @@ class _Sampled:
             return function(self.shape, point)
         except Exception as error:
             raise InputError(
-                f"{self.name}: {failure_place(error)}: {type(error).__name__}: {error}, "
+                f"{self.name}: {error_place(error)}: {type(error).__name__}: {error}, "
                 f"at {_text(point)} m"
             ) from error
 

@@ -3,128 +3,108 @@
 from __future__ import annotations
 
 import functools
-import hashlib
-import importlib.util
 import inspect
 import math
-import os
 import re
-import sys
-import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager
-from pathlib import Path
-from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.errors import InputError
 from springback.kernels.compiler import CompilerError
+from springback.kernels.tracing import traceable  # for batch set-up
 from springback.scenario.avionics import CompiledPilot
+from springback.scenario.user_code import PACKAGE, error_place, error_words, read_object
 from springback.simulation.guided import Command, PlainPilot
 from springback.simulation.onboard import PilotOutput, pilot_step
-
-#: Folder of the package: its frames are not the user's.
-PACKAGE = str(Path(__file__).parents[1]) + os.sep
-
+from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import State
 
 # -- from a file ----------------------------------------------------------------------------------
 
 
-def read_pilot(word: str) -> PlainPilot | CompiledPilot:
-    """Read a pilot from a Python file.
+class PilotContext(NamedTuple):
+    """What a pilot is built from, if its name is that of a function of this: the nominal vehicle.
+
+    True mass and inertia, payload and model errors are not in it, as they are unknown on board.
+    """
+
+    vehicle: Vehicle
+    gravity: float  # g along −Z [m/s²]
+    period: float  # of the on-board clock [s]
+    start: State  # at time 0
+
+
+#: Builds a pilot for a vehicle; written as a function of one argument.
+PilotBuilder = Callable[[PilotContext], PlainPilot | CompiledPilot]
+
+
+AnyPilot = PlainPilot | CompiledPilot | PilotBuilder
+
+
+def read_pilot(word: str) -> AnyPilot:
+    """Read a pilot from a Python file; that of a plain one is run again each time.
+
+    So a plain pilot has no memory of earlier flights.
 
     Args:
         word: ``file.py:name``; the name is that of a function ``(time, measurement, memory) ->
-            (thrusts, memory)`` or of a
-            `springback.scenario.avionics.CompiledPilot`.
+            (thrusts, memory)``, of a `springback.scenario.avionics.CompiledPilot`, or of a
+            function that returns either for a `PilotContext`.
 
     Raises:
         InputError: If there is no such file or name, if it is not a pilot, or if the file fails.
     """
-    file, _, name = word.rpartition(":")
-    if not file or not name.isidentifier():
-        raise InputError(f"{word!r} is not a pilot; write file.py:name")
-    path = Path(file)
-    if not path.is_file():
-        raise InputError(f"{file}: there is no such file")
-    module = _import_file(path.resolve(), file)
-    if not hasattr(module, name):
-        mine = [key for key, value in vars(module).items() if _is_pilot(value, module)]
-        known = f"; there are: {', '.join(mine)}" if mine else ""
-        raise InputError(f"{file}: has no {name!r}{known}")
-    pilot = getattr(module, name)
-    if not isinstance(pilot, CompiledPilot) and not callable(pilot):
+    pilot = read_object(word, "a pilot")
+    if not isinstance(pilot, CompiledPilot) and (not callable(pilot) or isinstance(pilot, type)):
+        file, _, name = word.rpartition(":")
         raise InputError(
             f"{file}: {name} must be a function (time, measurement, memory) -> (thrusts, memory), "
-            f"or a CompiledPilot (got {pilot!r})"
+            f"or a CompiledPilot, or a function of a PilotContext that returns one (got "
+            f"{source_text(pilot)})"
         )
-    chosen: PlainPilot | CompiledPilot = pilot
+    if not isinstance(pilot, CompiledPilot) and not is_builder(pilot):
+        pilot = read_object(word, "a pilot", anew=True)
+    chosen: AnyPilot = pilot
     return chosen
 
 
-def _is_pilot(value: Any, module: ModuleType) -> bool:
-    written = getattr(value, "__module__", None) == module.__name__
-    a_function = callable(value) and getattr(value, "__name__", "_") != "_"
-    a_function = a_function and not isinstance(value, type)
-    return isinstance(value, CompiledPilot) or (written and a_function)
-
-
-def _import_file(path: Path, shown: str) -> ModuleType:
-    """Import a file as a module; its folder is searched for its imports.
-
-    Its name depends on its path only, so that cached kernels find its types.
-    """
-    name = f"springback_pilot_{hashlib.sha256(str(path).encode()).hexdigest()[:8]}_{path.stem}"
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise InputError(f"{shown}: is not a Python file; its name must end in .py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    if str(path.parent) not in sys.path:
-        sys.path.insert(0, str(path.parent))
+def is_builder(pilot: AnyPilot) -> bool:
+    """True if a pilot is built for each vehicle: a function of one argument."""
+    if isinstance(pilot, CompiledPilot):
+        return False
     try:
-        spec.loader.exec_module(module)
-    except SyntaxError as error:
-        raise InputError(f"{error.filename}:{error.lineno}: is not Python: {error.msg}") from error
-    except SystemExit as error:
-        raise InputError(
-            f"{_place(error, str(path))}: leaves the program (sys.exit) when it is imported; put "
-            'what it does as a script under if __name__ == "__main__":'
-        ) from error
-    except Exception as error:
-        raise InputError(f"{_place(error, str(path))}: {_words(error)}") from error
-    return module
+        parameters = inspect.signature(pilot).parameters.values()
+    except (TypeError, ValueError):  # of a built-in function
+        return False
+    needed = [one for one in parameters if one.default is one.empty]
+    return len(needed) == 1 and needed[0].kind in (
+        inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD,
+    )  # fmt: skip
 
 
-# -- errors, in one line --------------------------------------------------------------------------
+def built_pilot(pilot: AnyPilot, context: PilotContext) -> PlainPilot | CompiledPilot:
+    """A pilot, or what its builder returns for a vehicle.
 
-
-def _words(error: BaseException) -> str:
-    return " ".join(f"{type(error).__name__}: {error}".split())
-
-
-def _place(error: BaseException, file: str, line: int = 1) -> str:
-    """File and line of an error: the last that is in a file, else the last of the user's.
-
-    Args:
-        error: Error that was raised.
-        file: File of the user.
-        line: Line of the called function, for an error that was raised before it was entered.
+    Raises:
+        InputError: If the builder fails, or returns something else.
     """
-    frames = traceback.extract_tb(error.__traceback__)
-    mine = [frame for frame in frames if frame.filename == file]
-    others = [frame for frame in frames if not frame.filename.startswith((PACKAGE, "<"))]
-    if not mine and not others:  # it was not even entered: its signature is wrong
-        return f"{file}:{line}"
-    last = (mine or others)[-1]
-    return f"{last.filename}:{last.lineno}"
-
-
-def failure_place(error: BaseException) -> str:
-    """File and line of an error that came from the user's own functions."""
-    return _place(error, "")
+    made: Any = pilot
+    if not is_builder(pilot):
+        return made  # type: ignore[no-any-return]  # a plain pilot, or a compiled one
+    file, line = _home(pilot)
+    try:
+        made = traceable(made)(context)
+    except (Exception, SystemExit) as error:
+        raise InputError(f"{error_place(error, file, line)}: {error_words(error)}") from error
+    if not isinstance(made, CompiledPilot) and (not callable(made) or isinstance(made, type)):
+        raise InputError(
+            f"{file}:{line}: must return a function (time, measurement, memory) -> (thrusts, "
+            f"memory), or a CompiledPilot (got {source_text(made)})"
+        )
+    return made
 
 
 def _home(pilot: Any) -> tuple[str, int]:
@@ -152,8 +132,8 @@ def guarded_pilot(pilot: PlainPilot, rotors: int) -> PlainPilot:
         try:
             said: Any = pilot(time, measurement, memory)
         except (Exception, SystemExit) as error:
-            place = _place(error, file, line)
-            raise InputError(f"{place}: {_words(error)}, at {time:.6g} s") from error
+            place = error_place(error, file, line)
+            raise InputError(f"{place}: {error_words(error)}, at {time:.6g} s") from error
         problem = wrong(said, rotors)
         if problem:
             raise InputError(f"{file}:{line}: the pilot {problem}, at {time:.6g} s")
@@ -216,7 +196,9 @@ def validate(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
     try:
         said = law(pilot.settings, 0.0, measurement, pilot.memory)
     except (Exception, SystemExit) as error:
-        raise InputError(f"{_place(error, file, line)}: {_words(error)}, at 0 s") from error
+        raise InputError(
+            f"{error_place(error, file, line)}: {error_words(error)}, at 0 s"
+        ) from error
     where = f"{file}:{line}: the pilot"
     if not isinstance(said, PilotOutput):
         raise InputError(f"{where} must return Piloted(thrusts, memory) (got {source_text(said)})")

@@ -18,9 +18,9 @@ import numpy as np
 from springback.progress import Progress, silent
 from springback.recovery.characterisation import Collision
 from springback.recovery.state_machine import LOOK
+from springback.results.flight import fly_built
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
-from springback.simulation.noise import noise_table
+from springback.simulation.guided import GuidedFlown
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
@@ -159,13 +159,10 @@ class ReadyTrial(NamedTuple):
 def fly_ready_trial(tables: dict[str, Any]) -> tuple[ReadyTrial, GuidedFlown]:
     """A flight, flown with its trajectory and telemetry."""
     scenario = scenario_from(tables)
-    _, model, start, built = scenario.build()
-    assert built is not None  # every flight of the study has a pilot
-    avionics, draws = built
-    ticks = ticks_of(model.timing.until, avionics.systems.period)
-    noise = noise_table(scenario.seed, 0, ticks, draws)
-    flight = GuidedFlight(model, start, avionics)
-    return ReadyTrial(scenario, model, avionics), fly_guided(flight, noise)
+    built = scenario.build()
+    assert built.built_avionics is not None  # every flight of the study has a pilot
+    ready = ReadyTrial(scenario, built.model, built.built_avionics.avionics)
+    return ready, fly_built(built, trace=True)
 
 
 def signals_of(ready: ReadyTrial, guided: GuidedFlown) -> dict[str, TriggerSignal]:

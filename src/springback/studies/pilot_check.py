@@ -20,7 +20,9 @@ from springback.progress import Progress, silent
 from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.arguments import chosen_pilot
 from springback.scenario.avionics import CompiledPilot, propulsion_of
+from springback.scenario.build import pilot_context
 from springback.scenario.scenario import Scenario
+from springback.scenario.user_pilots import built_pilot
 from springback.sensing.measurement import Measurement, Pose
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import pilot_step
@@ -75,8 +77,9 @@ def check_pilot(
     own = chosen_pilot(pilot)
     if own is None:
         raise InputError("pilot must be given: a function, a CompiledPilot, or 'file.py:name'")
-    asked = _as_plain(own)
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
+    own = built_pilot(own, pilot_context(ready))
+    asked = _as_plain(own)
     calls: list[Call] = []
     properties: list[Callable[[], Finding]] = [
         lambda: _hovers(asked, ready, calls),

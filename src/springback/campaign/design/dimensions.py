@@ -278,7 +278,10 @@ class _Reader:
         for scenario in self.scenarios:
             value: Any = scenario
             for key in self.goal.path:
-                value = value[key] if isinstance(key, int) else getattr(value, key, None)
+                if isinstance(key, str) and not isinstance(value, dict):
+                    value = getattr(value, key, None)
+                else:
+                    value = value[key]
                 if value is None:
                     break
             if not _is_number(value):

@@ -40,7 +40,9 @@ from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
 from springback.problems import dotted_path, problem_paths
 from springback.results.sealed_json import digest_of
-from springback.scenario.scenario import Scenario, preset, scenario_from
+from springback.scenario.presets import vehicle_table
+from springback.scenario.scenario import Scenario, merge, preset, scenario_from
+from springback.scenario.user_code import code_digests, code_names
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
 from springback.simulation.noise import Purpose
@@ -97,6 +99,12 @@ class Design:
     def digest(self) -> str:
         """SHA-256 of `full_scenarios`."""
         return digest_of({"scenarios": self.full_scenarios})
+
+    @functools.cached_property
+    def code(self) -> dict[str, str]:
+        """SHA-256 of the user's own files that the scenarios name, by path; runs the files."""
+        words = [word for base in self.bases for word in code_names(base)]
+        return code_digests(dict.fromkeys(words))
 
     def condition(self, text: str) -> str:
         """Condition in words as SQL.
@@ -317,8 +325,13 @@ def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
     own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
     bases = []
     for k, robot in enumerate(plan.robots):
+        if robot in plan.vehicles:
+            changes = {key: value for key, value in own.items() if key != "preset"}
+            named = {**vehicle_table(plan.vehicles[robot]), "name": robot}
+            bases.append({**given, "vehicle": merge(named, changes)})
+            continue
         try:
-            preset("vehicle", robot, VEHICLES)
+            preset("vehicle", robot, {**VEHICLES, **plan.vehicles})
         except InputError as error:
             raise InputError(where.problem_line(("robots", k), str(error))) from None
         bases.append({**given, "vehicle": {**own, "preset": robot}})

@@ -14,9 +14,12 @@ from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
 from springback.scenario.files import apply_overrides, place_of, read_scenario
+from springback.scenario.presets import is_vehicle_file, vehicle_file, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
+from springback.scenario.user_code import with_absolute_names
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
+from springback.vehicle.library import VEHICLES
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
 #: Upper limit of samples, and of repeats, to catch typing errors (chosen).
@@ -170,7 +173,9 @@ class Plan(Settings):
     scenario: dict[str, Any] | str
     """Scenario without variations: tables, or the path of a scenario file."""
     robots: tuple[str, ...] = ()
-    """Presets for the scenario's vehicle; by default the scenario's own."""
+    """Presets, `vehicles`, or vehicle files for the scenario's vehicle; by default its own."""
+    vehicles: dict[Name, dict[str, Any]] = {}  # noqa: RUF012  # pydantic copies it
+    """The user's own vehicles by name, in place of files."""
     method: Method
     samples: Count | None = None
     """Number of samples; for a grid its number of points, which must not be given."""
@@ -285,16 +290,39 @@ def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...
 
 
 def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
-    """Plan with its scenario file replaced by its tables.
+    """Plan with its scenario file, and its vehicle files, replaced by their tables.
 
     Args:
         plan: Any.
         folder: Folder that the scenario's path is relative to.
         source: Origin of the plan.
     """
-    if not isinstance(plan.scenario, str):
-        return plan
-    return plan.with_checked(scenario=_scenario_tables(folder, plan.scenario, source))
+    if isinstance(plan.scenario, str):
+        tables = _scenario_tables(folder, plan.scenario, source)
+    else:
+        tables = with_absolute_names(plan.scenario, folder)
+    vehicle = tables.get("vehicle")
+    word = vehicle.get("preset") if isinstance(vehicle, dict) else vehicle
+    if is_vehicle_file(word):
+        tables = {**tables, "vehicle": vehicle_table(vehicle)}
+    return _with_vehicles(plan.with_checked(scenario=tables), folder, source)
+
+
+def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:
+    """Plan with the vehicle files among its robots read."""
+    robots, vehicles = list(plan.robots), dict(plan.vehicles)
+    for k, robot in enumerate(robots):
+        if is_vehicle_file(robot):
+            try:
+                table = vehicle_file(folder / robot)
+            except InputError as error:
+                raise InputError(source.problem_line(("robots", k), str(error))) from None
+            robots[k] = str(table["name"])
+            if robots[k] in vehicles or robots.count(robots[k]) > 1 or robots[k] in VEHICLES:
+                what = f"{robot} has the name of another vehicle, {robots[k]!r}; give it another"
+                raise InputError(source.problem_line(("robots", k), what))
+            vehicles[robots[k]] = table
+    return plan.with_checked(robots=tuple(robots), vehicles=vehicles)
 
 
 def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
@@ -308,4 +336,4 @@ def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
         what = f"there is no file {excerpt(str(path))}"
         raise InputError(source.problem_line(("scenario",), what))
     read_scenario(path, pilot=False)  # for errors that name its lines
-    return toml_tables(source_text(path), str(path))
+    return with_absolute_names(toml_tables(source_text(path), str(path)), path.parent)

@@ -121,6 +121,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.store import stored_plan
+    from springback.scenario.user_code import code_names
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
@@ -128,7 +129,13 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
         check_conditions(design, source)
         return design
     assert out is not None
-    return lay_out(stored_plan(out), tried=False)
+    design = lay_out(stored_plan(out), tried=False)
+    if names := [name for base in design.bases for name in code_names(base)]:
+        raise InputError(
+            f"--out {out}: its plan runs code, {', '.join(dict.fromkeys(names))}; to continue, "
+            "give the PLAN, too"
+        )
+    return design
 
 
 def _finished(flown: Any, output: Output) -> None:
@@ -263,8 +270,9 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 @click.command()
 @click.argument("folder", type=PATH)
 @click.argument("row", type=int)
+@click.option("--trust", is_flag=True, help="Run the code that its scenario names, if any.")
 @output_options("Folder for summary.json, trajectory.parquet, figures.", required=False)
-def refly(folder: Path, row: int, output: Output) -> None:
+def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
     """Repeat flight ROW of the campaign in FOLDER alone, with its whole trajectory.
 
     Every number is compared with the row, bit for bit; the exit code is 1 if any differs.
@@ -276,7 +284,7 @@ def refly(folder: Path, row: int, output: Output) -> None:
     from springback.campaign.access import Campaign
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
 
-    known = Campaign(folder)
+    known = Campaign(folder, trust=trust)
     with output.spinner(FIRST):
         again = known.refly(row)
     if output.out is not None:

@@ -12,7 +12,7 @@ from springback.interfaces.cli.common import Output, output_options
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
 @click.option(
     "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
-    help="Vehicle preset; may be repeated.",
+    help="Vehicle preset, or file with a vehicle; may be repeated.",
 )  # fmt: skip
 @click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")

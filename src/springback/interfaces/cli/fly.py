@@ -46,7 +46,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
 
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)
-    for sentence in scenario_warnings(ready, own=own is not None):
+    for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
         say(f"warning: {sentence}")
     with output.folder(FLIGHT_FILES) as folder:
         with output.spinner(FIRST):

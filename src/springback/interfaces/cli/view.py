@@ -32,6 +32,9 @@ MOST_DIGITS = 18
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")
+@click.option(
+    "--trust", is_flag=True, help="Run the code that a campaign's scenario names, if any."
+)
 @terminal_options("quiet")
 def view(
     results: tuple[Path, ...],
@@ -41,6 +44,7 @@ def view(
     host: str,
     no_browser: bool,
     force: bool,
+    trust: bool,
     terminal: Terminal,
 ) -> None:
     """Replay a flight, or two side by side, in the browser.
@@ -61,7 +65,7 @@ def view(
         needs("uvicorn", "web")
         needs("starlette", "web")
     with terminal.spinner(f"reading and {FIRST}"):
-        page = replay_of(*_flights(results, twin, terminal))
+        page = replay_of(*_flights(results, twin, trust, terminal))
     if export is not None:
         export_page(page, export, force=force)
         size = len(page.text) / 1e6
@@ -73,9 +77,10 @@ def view(
 
 
 def _flights(
-    results: Sequence[Path], twin: bool, terminal: Terminal
+    results: Sequence[Path], twin: bool, trust: bool, terminal: Terminal
 ) -> tuple[list[Any], list[str | Path]]:
     """Flights of results, and of rows of campaigns; and where each is from."""
+    from springback.campaign.access import Campaign
     from springback.interfaces.replay.viewer import MOST, flights_of
 
     asked = _rows(results)
@@ -93,16 +98,14 @@ def _flights(
             flights += flights_of([path])
             origins.append(path)
         for row in rows:
-            flights.append(_flown_again(path, row, terminal))
-            origins.append(f"row {row} of {path.name}")
+            flights.append(_flown_again(Campaign(path, trust=trust), row, terminal))
+            origins.append(f"row {row} of {path.absolute().name}")
     return flights, origins
 
 
-def _flown_again(folder: Path, row: int, terminal: Terminal) -> Any:
+def _flown_again(known: Any, row: int, terminal: Terminal) -> Any:
     """A flight of a campaign, flown again."""
-    from springback.campaign.access import Campaign
-
-    again = Campaign(folder).refly(row)
+    again = known.refly(row)
     if not again.differences:
         terminal.note(f"identical to row {row}: every number, to the last bit")
     for line in again.differences:

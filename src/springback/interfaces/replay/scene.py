@@ -31,6 +31,7 @@ from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import read_result as read_result
+from springback.scenario.tables import UserShape
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe
@@ -140,8 +141,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     loads = load_history(model, c, places)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
-    world = flight.scenario.world
-    things = drawables(world.obstacles, own, place, touches, flight.own_surfaces)
+    walls = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
+    things = drawables(walls, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion

@@ -1,0 +1,180 @@
+"""Campaigns with code and vehicles of the user's own: same rows, nothing unnoticed, nothing run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import springback
+from springback.campaign.access import Campaign
+from springback.campaign.design.layout import lay_out
+from springback.campaign.design.plan import Plan, read_plan
+from springback.campaign.envelope import plan_envelope
+from springback.campaign.errors import CampaignError
+from springback.campaign.flying import fly_chunk
+from springback.campaign.running import run_campaign
+from springback.campaign.store import open_store, stored_plan
+from springback.errors import InputError
+
+CODE = """
+from pathlib import Path
+from springback import Vec
+from springback.contact.obstacles import Plane
+
+Path(__file__).with_name("ran").touch()
+
+
+def wall(x):
+    return Plane(Vec(-1.0, 0.0, 0.0), -x)
+
+
+def hover(time, measurement, memory):
+    if measurement.pose.position.x > 0.55:
+        raise RuntimeError("too far ahead")
+    return [0.8] * 4, memory
+"""
+SCENARIO = """
+vehicle = "arq"
+thrust = "hover"
+[[world.obstacles]]
+type = "own"
+shape = "mine.py:wall"
+parameters = { x = 2.75 }
+surface = "wall"
+[start]
+position = [2.3, 0.0, 1.0]
+velocity = [2.0, 0.0, 0.0]
+"""
+PLAN = """
+method = "grid"
+scenario = "flight.toml"
+robots = ["arq", "heavy.toml"]
+[[vary]]
+field = "world.obstacles.0.parameters.x"
+from = 2.72
+to = 2.78
+count = 12
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "mine.py").write_text(CODE)
+    (tmp_path / "flight.toml").write_text(SCENARIO)
+    (tmp_path / "heavy.toml").write_text('preset = "arq"\nbody = { mass = 0.9 }\n')
+    (tmp_path / "plan.toml").write_text(PLAN)
+    return tmp_path
+
+
+def _plan(folder: Path) -> Plan:
+    return read_plan(folder / "plan.toml")[0]
+
+
+def test_rows_are_those_of_flights(folder: Path) -> None:
+    campaign = run_campaign(_plan(folder), folder / "out", workers=1)
+    rows = campaign.query("SELECT * FROM flights ORDER BY flight").as_dicts()
+    assert [row["robot"] for row in rows[:2]] == ["arq", "heavy"]
+    for row, vehicle in zip(rows[4:6], ("arq", "heavy.toml"), strict=True):
+        word = f"world.obstacles.0.parameters.x={row['world.obstacles[0].parameters.x']!r}"
+        flight = springback.fly(
+            folder / "flight.toml",
+            word,
+            f"vehicle={folder / vehicle if '.' in vehicle else vehicle}",
+        )
+        for name, value in flight.measures.items():
+            assert row[name] == value
+    assert rows[4]["impact_peak_acceleration"] != rows[5]["impact_peak_acceleration"]
+
+
+def test_a_stranger_s_folder_runs_nothing(folder: Path) -> None:
+    out = folder / "out"
+    run_campaign(_plan(folder), out, workers=1)
+    (folder / "ran").unlink()
+    known = Campaign(out)
+    assert known.query("SELECT count(*) FROM flights").rows == [(24,)]
+    lay_out(stored_plan(out), tried=False)
+    with pytest.raises(InputError, match=r"runs code, .*mine.py:wall; if you trust it"):
+        known.refly(3)
+    assert not (folder / "ran").exists()
+    assert not Campaign(out, trust=True).refly(3).differences
+    (folder / "mine.py").write_text(CODE + "\n")
+    with pytest.raises(InputError, match=r"mine.py: has changed since the campaign was flown"):
+        Campaign(out, trust=True).refly(3)
+
+
+def test_a_campaign_goes_on_with_the_same_code_only(folder: Path) -> None:
+    design = lay_out(_plan(folder))
+    with open_store(folder / "out", design, resume=False) as store:
+        one = fly_chunk(design.plan.canonical(), (0, 8))
+        store.add(*one.chunk, one.columns)
+    (folder / "mine.py").write_text(CODE.replace("-x)", "-x - 0.01)"))
+    with pytest.raises(InputError, match=r"another campaign: .*mine.py has changed since it began"):
+        run_campaign(_plan(folder), folder / "out", resume=True, workers=1)
+    (folder / "mine.py").write_text(CODE)
+    assert run_campaign(_plan(folder), folder / "out", resume=True, workers=1).complete
+    (folder / "heavy.toml").write_text('preset = "arq"\nbody = { mass = 0.8 }\n')
+    with pytest.raises(InputError, match="its plan differs in vehicles"):
+        run_campaign(_plan(folder), folder / "out", resume=True, workers=1)
+
+
+def test_code_that_changes_meanwhile_is_noticed(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = _plan(folder)
+    design = lay_out(plan)
+    assert [*design.code] == [str(folder / "mine.py")]
+
+    def changed(*_: Any, **__: Any) -> dict[str, Any]:
+        (folder / "mine.py").write_text(CODE + "\n")
+        return {}
+
+    monkeypatch.setattr("springback.campaign.flying.rows", changed)
+    with pytest.raises(InputError, match=r"mine.py: was changed during the flights"):
+        fly_chunk(plan.canonical(), (0, 8))
+    with pytest.raises(CampaignError, match=r"mine.py: differs between this process"):
+        run_campaign(design, folder / "out", workers=1)
+
+
+def test_a_pilot_that_fails_ends_its_own_row(folder: Path) -> None:
+    plan = Plan(
+        scenario={
+            "vehicle": "quad", "pilot": f"{folder}/mine.py:hover", "simulation": {"duration": 0.05},
+        },
+        method="grid", vary=({"field": "start.position.0", "from": 0.3, "to": 0.7, "count": 5},),
+    )  # fmt: skip
+    rows = run_campaign(plan, folder / "out", workers=1).query("FROM flights ORDER BY flight")
+    outcomes = [row["outcome"] for row in rows.as_dicts()]
+    assert outcomes == ["no_contact"] * 3 + ["refused"] * 2
+    assert "mine.py:15: RuntimeError: too far ahead, at 0 s" in rows.as_dicts()[4]["problem"]
+
+
+@pytest.mark.parametrize(
+    ("robots", "said"),
+    [
+        (["heavy.toml", "other.toml"], "has the name of another vehicle, 'heavy'"),
+        (["arq.toml"], "has the name of another vehicle, 'arq'"),
+        (["none.toml"], r"plan.toml:4: robots\[0\]: .*none.toml: cannot be read"),
+        (["nix"], "unknown vehicle preset 'nix'"),
+    ],
+)
+def test_vehicles_that_are_none_are_refused(folder: Path, robots: list[str], said: str) -> None:
+    (folder / "other.toml").write_text('preset = "quad"\nname = "heavy"\n')
+    (folder / "arq.toml").write_text('preset = "arq"\n')
+    (folder / "plan.toml").write_text(PLAN.replace('["arq", "heavy.toml"]', repr(robots)))
+    with pytest.raises(InputError, match=said):
+        lay_out(_plan(folder))
+
+
+def test_a_map_takes_vehicle_files_and_pilots(folder: Path) -> None:
+    plan = plan_envelope(
+        "speed=2:3:2", robots=["quad", str(folder / "heavy.toml")],
+        settings=[f"pilot={folder}/mine.py:hover"],
+    )  # fmt: skip
+    assert plan.design.robots == ("quad", "heavy")
+    assert plan.corners[1]["vehicle"]["body"]["mass"] == 0.9
+    with pytest.raises(InputError, match=r"mine.py: has no 'nix'"):
+        plan_envelope("speed=2:3:2", settings=[f"pilot={folder}/mine.py:nix"])
+    with pytest.raises(InputError, match=r"none.toml: cannot be read"):
+        plan_envelope("speed=2:3:2", robots=["none.toml"])
