@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation, Slerp
+import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
 from springback.contact.hull import hull_contact
@@ -69,7 +69,9 @@ def columns_at(
 def _attitudes(flight: FlightResult, at: Array) -> Array:
     """Quaternions wxyz by spherical interpolation, shape (4, instants), signs as recorded."""
     recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
-    found = Slerp(flight.t, Rotation.from_quat(recorded, scalar_first=True))(at)
+    found = scipy.spatial.transform.Slerp(
+        flight.t, scipy.spatial.transform.Rotation.from_quat(recorded, scalar_first=True)
+    )(at)
     return np.asarray(found.as_quat(scalar_first=True).T)
 
 
@@ -247,7 +249,11 @@ def _in_body_frame(flight: FlightResult) -> Array:
     """Specific force of the main body, Rᵀ(v̇ + g e_Z), shape (instants, 3) [m/s²]."""
     felt = _vectors(flight, "a") + np.array([0.0, 0.0, flight.scenario.world.gravity])
     recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
-    return np.asarray(Rotation.from_quat(recorded, scalar_first=True).apply(felt, inverse=True))
+    return np.asarray(
+        scipy.spatial.transform.Rotation.from_quat(recorded, scalar_first=True).apply(
+            felt, inverse=True
+        )
+    )
 
 
 def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
