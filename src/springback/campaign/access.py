@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -17,6 +17,7 @@ from springback.campaign.columns import known_columns
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Source
 from springback.campaign.store import (
+    ABOUT,
     about,
     empty_rows,
     is_disk,
@@ -38,7 +39,7 @@ from springback.results.database import (
 from springback.results.flight import Flight, fly
 from springback.results.hooks import NotebookPage, hook
 from springback.results.parquet import write_parquet
-from springback.scenario.user_code import changed_files, code_names
+from springback.scenario.code_files import changed_files
 from springback.version import __version__
 
 if TYPE_CHECKING:
@@ -49,6 +50,8 @@ T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
+#: Advice on a condition of success that is no SQL.
+WITH_UNITS = '; with units, give a list: success = ["arm_stroke < 20 mm"]'
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -75,17 +78,13 @@ class RepeatedFlight(NamedTuple):
 class Campaign:
     """A campaign in a folder, complete or not."""
 
-    def __init__(self, folder: str | Path, *, trust: bool = False) -> None:
+    def __init__(self, folder: str | Path) -> None:
         """Open the folder of a campaign and verify every byte of its parts.
-
-        Args:
-            folder: Folder of the campaign.
-            trust: Run the code that its scenarios name, if flights are repeated.
 
         Raises:
             InputError: If there is no campaign, or parts of it are missing or damaged.
         """
-        self.folder, self.trust = Path(folder), trust
+        self.folder = Path(folder)
         self._counted = False
         self.about = about(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
@@ -266,13 +265,14 @@ class Campaign:
 
         Raises:
             InputError: If it has not been flown, or could not be flown; if its scenario names code
-                and the campaign is not trusted, or the code has changed.
+                that is not trusted, or has changed.
         """
         row = self.row(number)
         if row["outcome"] == "refused":
             raise InputError(f"flight {number}: could not be flown: {row['problem']}")
         drawn = self.design.slice(number, number + 1)
-        self._check_code(drawn.tables[0])
+        if changed := changed_files(self.about["code"]):
+            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
         now |= {"outcome": flight.outcome.word, **flight.measures}
@@ -283,17 +283,6 @@ class Campaign:
             if name not in skipped and not _same(row[name], now.get(name))
         )
         return RepeatedFlight(flight, tuple(different))
-
-    def _check_code(self, tables: Mapping[str, Any]) -> None:
-        """Reject code that may be a stranger's, or that has changed since the flights."""
-        names = code_names(tables)
-        if names and not self.trust:
-            raise InputError(
-                f"its scenario runs code, {', '.join(names)}; if you trust it, say so: --trust, or "
-                "Campaign(folder, trust=True)"
-            )
-        if names and (changed := changed_files(self.about["code"])):
-            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
 
     def flight(self, number: int) -> Flight:
         """One flight, repeated with its trajectory; `refly` also compares it with its row.
@@ -367,6 +356,14 @@ class Campaign:
                 write_atomically(summary, json_text(data), durable=True)
 
 
+def is_campaign(folder: Path) -> bool:
+    """True if a folder holds a campaign."""
+    try:
+        return (folder / ABOUT).is_file()
+    except (OSError, ValueError):  # an impossible file name
+        return False
+
+
 def _answer(found: Any) -> Answer:
     return Answer([column[0] for column in found.description], found.fetchall())
 
@@ -413,12 +410,19 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     """
     problem_line = (source or Source()).problem_line
     keep = design.plan.keep
+    given = design.plan.success
+    for k, text in enumerate(given if isinstance(given, tuple) else ()):
+        try:
+            design.condition(text)
+        except InputError as error:
+            raise InputError(problem_line(("success", k), str(error))) from None
     conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
     for entry, text in conditions.items():
         try:
             one_expression(text)
         except InputError as error:
-            raise InputError(problem_line(entry.split("."), str(error))) from None
+            more = WITH_UNITS if entry == "success" else ""
+            raise InputError(problem_line(entry.split("."), f"{error}{more}")) from None
     kept = one_expression(conditions["keep.where"])
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",
