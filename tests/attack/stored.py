@@ -36,6 +36,7 @@ from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
 from springback.interfaces.cli.app import environment
 from springback.interfaces.replay.labels import scenes_of
+from springback.interfaces.replay.signals import plain_signals
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.results.parquet import write_parquet
@@ -296,7 +297,8 @@ def result_files(changed: Changed) -> None:
         assert all(value is None or math.isfinite(value) for value in flight.measures.values())
         json.dumps(flight.summary(), allow_nan=False).encode()
         repr(flight).encode()
-        scenes_of([flight], [folder])
+        [scene] = scenes_of([flight], [folder])
+        json.dumps(plain_signals(flight, scene), allow_nan=False)
 
 
 def campaign_files(changed: Changed, *, summed: bool | None = None) -> None:

@@ -7,7 +7,8 @@ import { createQueue } from "./lab_queue.js";
 import { createLabPlots } from "./lab_plots.js";
 import { createLabSweep } from "./lab_sweep.js";
 import { createLabTable } from "./lab_table.js";
-import { choice, createPlayer, create } from "./player.js";
+import { choice, create } from "./elements.js";
+import { createPlayer } from "./player.js";
 import { CAMERAS, createScene, together } from "./scene.js";
 import { palette } from "./colours.js";
 
@@ -43,7 +44,7 @@ export function startLab(element, data) {
   const lock = create("button", { type: "button", id: "lock", "aria-pressed": "false", title: "Keep the vertical scales of all plots as they are", onclick: toggleLock }, "Lock y");
   const took = create("p", { class: "took" });
   const drawer = create("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
-  const cameras = choice("Camera", CAMERAS.map((mode) => [mode, VIEWS[mode] ?? mode]), "impact", (mode) => scene.setCamera(mode));
+  const cameras = choice("Camera", CAMERAS.filter((mode) => VIEWS[mode]).map((mode) => [mode, VIEWS[mode]]), "impact", (mode) => scene.setCamera(mode));
   const compare = choice("Two robots", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
   const timeHead = create("h2");
   const spans = choice("Plots show", [["impact", "impact"], ["all", "all"]], "impact", (which) => {

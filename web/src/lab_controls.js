@@ -1,6 +1,6 @@
 // The controls of the lab, built from the table that the server sends: sliders with a field and the
 // paper's values as marks, and choices.  The server validates values.
-import { choice, create } from "./player.js";
+import { choice, create } from "./elements.js";
 
 const SHARES = 1000;
 

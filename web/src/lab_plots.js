@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import { palette } from "./colours.js";
 import { touchOf } from "./flight.js";
-import { create } from "./player.js";
+import { create } from "./elements.js";
 
 const HEIGHT = 100;
 const ENERGY = "Energy";

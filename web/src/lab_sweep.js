@@ -2,7 +2,7 @@
 // from springback.interfaces.lab.sweeps.
 import uPlot from "uplot";
 import { steady } from "./lab_plots.js";
-import { create } from "./player.js";
+import { create } from "./elements.js";
 import { palette } from "./colours.js";
 
 const HEIGHT = 150;

@@ -1,5 +1,5 @@
 // Measures of the robots with printed ones, and those of a pinned flight.
-import { create } from "./player.js";
+import { create } from "./elements.js";
 
 const format = (value) => {
   if (value === null || value === undefined) return "–";

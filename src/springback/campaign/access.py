@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -36,7 +36,7 @@ from springback.results.database import (
 )
 from springback.results.flight import Flight, fly
 from springback.results.parquet import write_parquet
-from springback.scenario.user_code import changed_files, code_names
+from springback.scenario.code_files import changed_files
 from springback.version import __version__
 
 if TYPE_CHECKING:
@@ -71,17 +71,13 @@ class RepeatedFlight(NamedTuple):
 class Campaign:
     """A campaign in a folder, complete or not."""
 
-    def __init__(self, folder: str | Path, *, trust: bool = False) -> None:
+    def __init__(self, folder: str | Path) -> None:
         """Open the folder of a campaign and verify every byte of its parts.
-
-        Args:
-            folder: Folder of the campaign.
-            trust: Run the code that its scenarios name, if flights are repeated.
 
         Raises:
             InputError: If there is no campaign, or parts of it are missing or damaged.
         """
-        self.folder, self.trust = Path(folder), trust
+        self.folder = Path(folder)
         self._counted = False
         self.about = about(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
@@ -256,13 +252,14 @@ class Campaign:
 
         Raises:
             InputError: If it has not been flown, or could not be flown; if its scenario names code
-                and the campaign is not trusted, or the code has changed.
+                that is not trusted, or has changed.
         """
         row = self.row(number)
         if row["outcome"] == "refused":
             raise InputError(f"flight {number}: could not be flown: {row['problem']}")
         drawn = self.design.slice(number, number + 1)
-        self._check_code(drawn.tables[0])
+        if changed := changed_files(self.about["code"]):
+            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
         now |= {"outcome": flight.outcome.word, **flight.measures}
@@ -273,17 +270,6 @@ class Campaign:
             if name not in skipped and not _same(row[name], now.get(name))
         )
         return RepeatedFlight(flight, tuple(different))
-
-    def _check_code(self, tables: Mapping[str, Any]) -> None:
-        """Reject code that may be a stranger's, or that has changed since the flights."""
-        names = code_names(tables)
-        if names and not self.trust:
-            raise InputError(
-                f"its scenario runs code, {', '.join(names)}; if you trust it, say so: --trust, or "
-                "Campaign(folder, trust=True)"
-            )
-        if names and (changed := changed_files(self.about["code"])):
-            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
 
     def keep(self, remark: Callable[[str], None]) -> None:
         """Store the trajectories that the plan selects, of the first flights with its condition."""
