@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +17,7 @@ from springback.campaign.columns import known_columns
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Source
 from springback.campaign.store import (
+    ABOUT,
     about,
     empty_rows,
     is_disk,
@@ -35,16 +37,21 @@ from springback.results.database import (
     sandbox,
 )
 from springback.results.flight import Flight, fly
+from springback.results.hooks import NotebookPage, hook
 from springback.results.parquet import write_parquet
 from springback.scenario.code_files import changed_files
 from springback.version import __version__
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.figure import Figure
 
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
+KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
+#: Advice on a condition of success that is no SQL.
+WITH_UNITS = '; with units, give a list: success = ["arm_stroke < 20 mm"]'
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -108,6 +115,12 @@ class Campaign:
     def complete(self) -> bool:
         """True if all flights are stored."""
         return self.done == int(self.about["flights"])
+
+    def stored_flights(self) -> list[int]:
+        """Numbers of the flights whose trajectories are stored, in ascending order."""
+        found = (KEPT_NAME.fullmatch(path.name) for path in (self.folder / KEPT).glob("*.json"))
+        numbers = (int(name[1]) for name in found if name)
+        return sorted(number for number in numbers if number < self.about["flights"])
 
     @property
     def units(self) -> dict[str, str]:
@@ -271,6 +284,58 @@ class Campaign:
         )
         return RepeatedFlight(flight, tuple(different))
 
+    def flight(self, number: int) -> Flight:
+        """One flight, repeated with its trajectory; `refly` also compares it with its row.
+
+        Args:
+            number: Number of the flight.
+
+        Raises:
+            InputError: If it has not been flown, or could not be flown.
+        """
+        return self.refly(number).flight
+
+    def view(
+        self,
+        number: int,
+        *others: int,
+        export: str | Path | None = None,
+        force: bool = False,
+        browser: bool = True,
+    ) -> NotebookPage:
+        """Replay one flight, or several side by side; see `springback.Flight.view`.
+
+        Args:
+            number: Number of the flight.
+            others: Numbers of flights to show beside it.
+            export: As there.
+            force: As there.
+            browser: As there.
+
+        Raises:
+            InputError: If one has not been flown or could not be flown, and as there.
+        """
+        first, *rest = map(self.flight, (number, *others))
+        return first.view(*rest, export=export, force=force, browser=browser)
+
+    def plot(self, measure: str = "success", by: str | tuple[str, str] | None = None) -> Figure:
+        """Figure of a measure over the flights, by robot, with 95 % intervals.
+
+        Args:
+            measure: Name of a column: a measure, or ``success``.
+            by: Name of a varied field; the measure is drawn over it.  Two names give a map; None
+                the distribution, as a histogram and cumulated.
+
+        Raises:
+            InputError: If matplotlib is not installed, there is no such column, or a field was not
+                varied.
+        """
+        figure: Figure = hook("Campaign.plot")(self, measure, by)
+        return figure
+
+    def _repr_html_(self) -> str:
+        return str(hook("Campaign.html")(self))
+
     def keep(self, remark: Callable[[str], None]) -> None:
         """Store the trajectories that the plan selects, of the first flights with its condition."""
         wanted = self.design.plan.keep
@@ -289,6 +354,14 @@ class Campaign:
                 _write_selected(again.flight, stem)
                 data = {"flight": number, **again.flight.summary()}
                 write_atomically(summary, json_text(data), durable=True)
+
+
+def is_campaign(folder: Path) -> bool:
+    """True if a folder holds a campaign."""
+    try:
+        return (folder / ABOUT).is_file()
+    except (OSError, ValueError):  # an impossible file name
+        return False
 
 
 def _answer(found: Any) -> Answer:
@@ -337,12 +410,19 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     """
     problem_line = (source or Source()).problem_line
     keep = design.plan.keep
+    given = design.plan.success
+    for k, text in enumerate(given if isinstance(given, tuple) else ()):
+        try:
+            design.condition(text)
+        except InputError as error:
+            raise InputError(problem_line(("success", k), str(error))) from None
     conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
     for entry, text in conditions.items():
         try:
             one_expression(text)
         except InputError as error:
-            raise InputError(problem_line(entry.split("."), str(error))) from None
+            more = WITH_UNITS if entry == "success" else ""
+            raise InputError(problem_line(entry.split("."), f"{error}{more}")) from None
     kept = one_expression(conditions["keep.where"])
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",

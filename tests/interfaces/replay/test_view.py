@@ -29,7 +29,7 @@ from springback.interfaces.reports.flight_files import write_flight
 from springback.interfaces.web.page import in_script, page_of, part
 from springback.interfaces.web.server import bound, is_welcome
 from springback.results.flight import Flight, fly
-from springback.results.saved import read_result
+from springback.results.saved import load
 
 ROOT = Path(__file__).parents[3]
 TABLES = {
@@ -213,7 +213,7 @@ def test_a_scenario_is_flown_with_its_twin(tmp_path: Path, folder: Path) -> None
     )
     arq, quad = flights_of([path], twin=True)
     assert (arq.scenario.vehicle.name, quad.scenario.vehicle.name) == ("arq", "quad")
-    assert arq.measures == read_result(folder).measures
+    assert arq.measures == load(folder).measures
     with pytest.raises(InputError, match="--twin"):
         flights_of([folder], twin=True)
     with pytest.raises(InputError, match="one to 8"):

@@ -191,7 +191,7 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    output.note("flying a few of its flights; new kinds are compiled first")
+    output.note(FIRST.replace("flying", "flying a few of its flights", 1))
     with output.spinner("flying a few"):
         coming = cost_estimate(design, workers)
     output.print(coming.as_dict(), coming.sentence())
@@ -303,22 +303,40 @@ def refly(folder: Path, row: int, output: Output) -> None:
     "--map", "pairs", multiple=True, metavar="X,Y",
     help="Fields of a map of success; by default all pairs of the first four.",
 )  # fmt: skip
+@click.option(
+    "--measure", "measures", multiple=True, metavar="COLUMN",
+    help="Also show a measure in detail: distribution, over each field, sensitivity, maps.",
+)  # fmt: skip
+@click.option(
+    "--cells", type=click.IntRange(2, 64),
+    help="Cells along each field of a map; by default up to 8, of 20 flights each.",
+)  # fmt: skip
 @click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
-def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output) -> None:
+def summary(
+    folder: Path,
+    pairs: tuple[str, ...],
+    measures: tuple[str, ...],
+    cells: int | None,
+    scatter: bool,
+    output: Output,
+) -> None:
     """Summarise the campaign in FOLDER: success, outcomes, quantiles, comparison of robots.
 
     Shares have Wilson intervals. Robots flew the same samples with the same noise, so they are
-    compared in pairs. An unfinished campaign can be summarised, too.
+    compared in pairs. An unfinished campaign can be summarised, too. A measure is any column of
+    numbers that springback query FOLDER lists.
 
     \b
     springback summary results
     springback summary results --out page --map speed,pitch
+    springback summary results --out page --measure impact_peak_acceleration
     """
     from springback.campaign.access import Campaign
-    from springback.campaign.analysis.marginals import scale
+    from springback.campaign.analysis.marginals import SUCCESS, measure_column, scale
     from springback.campaign.analysis.statistics import summary as summed_up
     from springback.interfaces.reports.campaign import summary_text, write_summary
+    from springback.interfaces.reports.measures import measure_report
 
     known = Campaign(folder)
     asked = []
@@ -327,14 +345,26 @@ def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output)
         if not sign or not y or x == y:
             raise InputError(f"--map {text}: give two fields, such as speed,pitch")
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
-    if pairs and output.out is None:
-        raise InputError("--map needs --out: the folder for the figures")
+    for option, given in (("--map", pairs), ("--cells", cells)):
+        if given and output.out is None:
+            raise InputError(f"{option} needs --out: the folder for the figures")
+    for name in measures:
+        try:
+            measure_column(known, name)
+        except InputError as error:
+            raise InputError(f"--measure {error}") from None
     with output.spinner("summing up"):
         found = summed_up(known)
+        names = [name for name in dict.fromkeys(measures) if name != SUCCESS]
+        reports = [measure_report(known, name, scatter=scatter) for name in names]
     if output.out is not None:
         figures = output.wants_figures()
         with output.folder() as place, output.spinner("drawing"):
-            files = write_summary(found, place, pairs=asked, scatter=scatter, figures=figures)
-    output.print(found.as_dict(), summary_text(found))
+            files = write_summary(
+                found, place, measures=reports, pairs=asked, cells=cells, scatter=scatter,
+                figures=figures,
+            )  # fmt: skip
+    data = found.as_dict() | {"measures": {one.name: one.as_dict() for one in reports}}
+    output.print(data, summary_text(found, reports))
     if output.out is not None:
-        output.note_written(files)
+        output.note_written(path for path in files if path.suffix in (".html", ".json"))

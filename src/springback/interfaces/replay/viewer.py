@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from springback.errors import InputError
+from springback.extras import needs
 from springback.files import write_atomically
+from springback.interfaces.output.python_wording import python_words
 from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import plain
 from springback.interfaces.replay.signals import plain_signals
 from springback.interfaces.web.page import Page, page_of
-from springback.interfaces.web.server import App
+from springback.interfaces.web.server import App, serve
 from springback.results.flight import Flight, fly
-from springback.results.saved import read_result
+from springback.results.hooks import NotebookPage, in_notebook
+from springback.results.saved import load
 from springback.scenario.files import read_scenario
 
 #: Most flights on one page (chosen: as many as there are colours that can be distinguished).
@@ -41,7 +44,7 @@ def flights_of(paths: Sequence[Path], *, twin: bool = False) -> list[Flight]:
         if path.suffix.lower() == ".toml" and not path.is_dir():
             flights.append(fly(read_scenario(path)))
         else:
-            flights.append(read_result(path))
+            flights.append(load(path))
     if twin:
         flights.append(fly(read_scenario(paths[0], twin_words(flights[0]))))
     return flights
@@ -88,6 +91,26 @@ def export_page(page: Page, path: Path, *, force: bool = False) -> None:
         write_atomically(path, page.text)
     except OSError as error:
         raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
+
+
+def view_flights(
+    *flights: Flight,
+    export: str | Path | None = None,
+    force: bool = False,
+    browser: bool = True,
+) -> NotebookPage:
+    """Replay flights from Python: `springback.Flight.view`."""
+    with python_words():
+        if len(flights) > MOST:
+            raise InputError(f"a replay shows at most {MOST} flights (got {len(flights)})")
+        page = replay_of(flights)
+        if export is not None:
+            export_page(page, Path(export), force=force)
+        elif not in_notebook():
+            needs("uvicorn", "web")
+            needs("starlette", "web")
+            serve(replay_app(page), what="replay", browser=browser)
+    return NotebookPage(page.text)
 
 
 def replay_app(page: Page) -> App:
