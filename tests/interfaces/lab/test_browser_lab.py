@@ -303,6 +303,18 @@ def test_a_scenario_of_ones_own_is_changed_swept_and_refused(browser: Any, tmp_p
         assert max(one["peak"] for one in shown(browser)["peaks"]) > locked[1]
         assert browser.execute_script(scale) == locked
 
+        browser.find_element(ID, "lock").click()
+        grown = until(lambda: (now := browser.execute_script(scale)) != locked and now, "a scale")
+        move = "const s = document.querySelector('#set-speed-slider'); s.value = 0; s.dispatchEvent(new Event(arguments[0], {bubbles: true}))"
+        browser.execute_script(move, "input")
+        until(
+            lambda: "speed=0.5" in browser.execute_script("return window.springback.answer.query"),
+            "a slow flight",
+        )
+        assert browser.execute_script(scale) == grown  # while the slider is held
+        browser.execute_script(move, "change")
+        until(lambda: browser.execute_script(scale)[1] < grown[1], "the scale of a slow flight")
+
         slide(browser, "cage_radius", 1000)
         control = browser.find_element(CSS, "[data-name=cage_radius]")
         until(lambda: "cages overlap" in control.text, "the reason")

@@ -2,6 +2,7 @@
 
 import asyncio
 import math
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -389,13 +390,18 @@ def test_another_number_of_arms_is_compiled_and_nonsense_is_refused_before(file:
     [
         (("0.22 m", "-1 m"), "vehicle.arms.length: must be more than 0 m (got '-1 m')"),
         (('"hover"', '"hover'), "own.toml"),
+        (
+            ('type = "wall"\ndistance = "2.75 m"', 'type = "own"\nshape = "s.py:pole"'),
+            "s.py:pole is code, and its folder is not trusted",
+        ),
     ],
 )
 def test_a_bad_file_is_refused_in_one_line(file: Path, change: tuple[str, str], line: str) -> None:
     file.write_text(file.read_text(encoding="utf-8").replace(*change), encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-m", "springback", "lab", str(file), "--no-browser"],
-        capture_output=True, text=True, timeout=60, check=False,
+        capture_output=True, text=True, timeout=60, check=False, cwd="/",
+        env={**os.environ, "SPRINGBACK_TRUST": ""},
     )  # fmt: skip
     assert (done.returncode, done.stdout) == (2, "")
     assert line in done.stderr

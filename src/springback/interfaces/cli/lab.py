@@ -6,12 +6,12 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli.common import PATH
+from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 
 
 @click.command()
-@click.argument("scenario", type=PATH, required=False)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("scenario", type=ScenarioPath(), required=False)
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting())
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
 @click.option("--port", type=int, default=0, help="Port to serve on; by default any free one.")
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
@@ -42,10 +42,13 @@ def lab(
     from springback.interfaces.lab.user_scenario import read_user_scenario
     from springback.interfaces.lab.user_settings import user_settings
     from springback.interfaces.web.server import serve
+    from springback.scenario.build import user_parts
 
     table, queue = LabSettings, RequestQueue()
     if scenario is not None:
-        table = user_settings(read_user_scenario(scenario, overrides))
+        user = read_user_scenario(scenario, overrides)
+        user_parts(user.scenario)  # its code is there, and trusted
+        table = user_settings(user)
         queue = RequestQueue(prepared=(table(),))
     app = lab_app(queue, table)
     queue.start()
