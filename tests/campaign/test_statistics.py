@@ -107,7 +107,7 @@ def test_marginals_count_every_flight_once(campaign: Campaign) -> None:
             places = [cell.place for cell in cells]
             assert places == sorted(places)
     speed = marginal(campaign, "speed", 4).robots["arq"]
-    shares = [cell.success.value for cell in speed]
+    shares = [cell.estimate.value for cell in speed]
     assert shares == sorted(shares, reverse=True)  # made up so: the faster, the fewer
     edges = scale(campaign, "speed", 4).edges
     assert edges == pytest.approx((1.0, 1.5, 2.0, 2.5, 3.0), abs=0.02)
@@ -120,8 +120,10 @@ def test_maps_are_what_their_marginals_are(campaign: Campaign) -> None:
     along = marginal(campaign, "speed", 5)
     for robot, cells in along.robots.items():
         assert found.flights[robot].sum(axis=0).tolist() == [cell.flights for cell in cells]
-        assert found.successes[robot].sum(axis=0).tolist() == [cell.successes for cell in cells]
-    assert np.nanmax(found.shares("arq")) <= 1.0
+        won = np.nansum(found.flights[robot] * found.values[robot], axis=0)
+        shares = [cell.estimate.value for cell in cells]
+        assert won / found.flights[robot].sum(axis=0) == pytest.approx(shares)
+    assert np.nanmax(found.values["arq"]) <= 1.0
 
 
 def test_levels_and_logarithms_have_their_own_cells(tmp_path: Path) -> None:
@@ -173,7 +175,10 @@ def test_a_summary_says_why_flights_were_refused(campaign: Campaign) -> None:
 
 def test_captions_call_fields_by_words() -> None:
     said = words_of_map("wall_angle", "start.position[2]")
-    assert said == "Success rate over wall angle and start.position[2]."
+    assert (
+        said
+        == "Success rate over wall angle and start.position[2]; n is the number of flights in a cell."
+    )
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from springback.errors import shown_value
 from springback.kernels.vectors import Vec
 from springback.quantities import Angle, Duration, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
-from springback.scenario.user_code import CodeName
+from springback.scenario.code_files import CodeName
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
@@ -183,3 +183,13 @@ class ScenarioTables(Settings):
     model_error: ModelError = ModelError()
     model: ModelSettings = ModelSettings()
     simulation: SimulationSettings = SimulationSettings()
+
+    @property
+    def code(self) -> list[tuple[str, str]]:
+        """Path and name of each object of the user's own."""
+        found = [] if self.pilot is None else [("pilot", self.pilot)]
+        return found + [
+            (f"world.obstacles[{k}].shape", entry.shape)
+            for k, entry in enumerate(self.world.obstacles)
+            if isinstance(entry, UserShape)
+        ]

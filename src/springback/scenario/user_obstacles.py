@@ -18,8 +18,8 @@ from springback.contact.parameters import Own, SurfaceSettings
 from springback.errors import InputError, shown_value
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm
+from springback.scenario.code_files import error_place, error_words, read_object
 from springback.scenario.tables import UserShape, WorldSettings
-from springback.scenario.user_code import error_place, error_words, read_object
 
 #: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
 STEP = 1e-5

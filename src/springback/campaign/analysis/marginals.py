@@ -1,18 +1,21 @@
-"""Success over single fields and pairs of fields of a campaign."""
+"""Success, or a measure, over single fields and pairs of fields of a campaign."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import IntervalEstimate, Values, share
+from springback.campaign.analysis.intervals import IntervalEstimate, Values, quantile, share
+from springback.campaign.analysis.statistics import ordered_values
+from springback.campaign.columns import FLIGHT, RESULT, known_columns
 from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
 from springback.results.database import identifier
+from springback.settings import nearest_name
 
 
 class Scale(NamedTuple):
@@ -86,20 +89,68 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     return Scale(name, one.unit, (), tuple(map(float, shown)), logarithmic, cell)
 
 
+#: Measure of a map or marginal unless another is named.
+SUCCESS = "success"
+#: Columns without a number that could be summarised.
+_IDENTITIES = {*FLIGHT, *RESULT} - {SUCCESS}
+#: Condition on rows that have a measure, and a cell.
+_KNOWN = "value IS NOT NULL AND NOT isnan(value::DOUBLE) AND cell IS NOT NULL"
+#: Shares of flights below the ends of a marginal's band (chosen).
+BAND = (0.05, 0.95)
+
+
+class MeasureColumn(NamedTuple):
+    """A column that can be summarised."""
+
+    name: str
+    unit: str
+    """SI unit; empty for plain numbers."""
+    meaning: str
+
+
+def measure_column(campaign: Campaign, name: str) -> MeasureColumn:
+    """Column of a campaign whose numbers can be summarised: a measure, success, a varied field.
+
+    Args:
+        campaign: Any.
+        name: Name of the column.
+
+    Raises:
+        InputError: If there is no such column, or it holds no quantity.
+    """
+    words = {one.column for one in campaign.design.dimensions if one.text}
+    fields = {one.column: (one.unit, "varied by the plan") for one in campaign.design.dimensions}
+    known = {
+        column: about for column, about in {**known_columns(), **fields}.items()
+        if column not in _IDENTITIES and column not in words
+    }  # fmt: skip
+    if name in known:
+        return MeasureColumn(name, *known[name])
+    if name in _IDENTITIES or name in words:
+        raise InputError(f"{name}: holds words or numbers of flights, which have no distribution")
+    near = nearest_name(name, known)
+    hint = f"did you mean {near}?" if near else "springback query FOLDER lists all"
+    raise InputError(f"{name}: is no column of this campaign; {hint}")
+
+
 class MarginalCell(NamedTuple):
     """Flights of a robot in a cell."""
 
     place: float
     """Their mean along the field; for levels with words, the number of the level."""
     flights: int
-    successes: int
-    success: IntervalEstimate
+    """Number of flights that have the measure."""
+    estimate: IntervalEstimate
+    """Success rate, or median of the measure."""
+    band: tuple[float, float] | None = None
+    """5 % and 95 % quantiles of the flights; None for success."""
 
 
 @dataclass(frozen=True)
 class Marginal:
-    """Success over one field, averaged over the others."""
+    """Success, or a measure, over one field, averaged over the others."""
 
+    measure: MeasureColumn
     scale: Scale
     robots: dict[str, tuple[MarginalCell, ...]]
     """Non-empty cells of each robot."""
@@ -107,66 +158,101 @@ class Marginal:
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
         cells = {
-            robot: [{"at": c.place, "flights": c.flights, **c.success._asdict()} for c in found]
+            robot: [
+                {"at": c.place, "flights": c.flights, **c.estimate._asdict()}
+                | ({f"{p:g}": v for p, v in zip(BAND, c.band, strict=True)} if c.band else {})
+                for c in found
+            ]
             for robot, found in self.robots.items()
         }
         s = self.scale
         return {"field": s.name, "unit": s.unit, "levels": list(s.labels), "robots": cells}
 
 
-def marginal(campaign: Campaign, name: str, cells: int = 12) -> Marginal:
-    """Success over a field.
+def marginal(campaign: Campaign, name: str, cells: int = 12, *, measure: str = SUCCESS) -> Marginal:
+    """Success, or a measure, over a field.
 
     Args:
         campaign: Campaign that varied it.
-        name: Name of its column.
+        name: Name of the field's column.
         cells: Number of cells if it has no levels.
+        measure: Name of the column to summarise.
+
+    Raises:
+        InputError: If the field was not varied, or there is no such measure.
     """
-    cut = scale(campaign, name, cells)
-    text = bool(cut.labels) and not cut.edges
-    place = "cell" if text else f"avg({identifier(name)})"
-    sql = f"""SELECT robot, {cut.cell} AS cell, {place} AS place, count(success), sum(success)
-              FROM flights WHERE success IS NOT NULL GROUP BY robot, cell ORDER BY robot, cell"""
-    robots: dict[str, list[MarginalCell]] = {robot: [] for robot in campaign.about["robots"]}
-    for robot, _, at, flights, won in campaign.query(sql).rows:
-        robots[robot].append(
-            MarginalCell(float(at), int(flights), int(won), share(int(won), int(flights)))
+    what, cut = measure_column(campaign, measure), scale(campaign, name, cells)
+    robots = {
+        robot: tuple(_along(campaign, what, cut, robot)) for robot in campaign.about["robots"]
+    }
+    return Marginal(what, cut, robots)
+
+
+def _along(
+    campaign: Campaign, what: MeasureColumn, cut: Scale, robot: str
+) -> Iterator[MarginalCell]:
+    """Non-empty cells of a robot."""
+    place = "cell" if cut.labels and not cut.edges else identifier(cut.name)
+    inner = f"SELECT {cut.cell} AS cell, {place} AS place, {identifier(what.name)} AS value"
+    rows = f"FROM (FROM ({inner} FROM flights WHERE robot = ?) WHERE {_KNOWN})"
+    if what.name == SUCCESS:
+        sql = (
+            f"SELECT cell, avg(place), count(value), sum(value) {rows} GROUP BY cell ORDER BY cell"
         )
-    return Marginal(cut, {robot: tuple(found) for robot, found in robots.items()})
+        for _, at, flights, won in campaign.query(sql, [robot]).rows:
+            yield MarginalCell(float(at), int(flights), share(int(won), int(flights)))
+        return
+    found = campaign.arrays(f"SELECT cell, place, value {rows} ORDER BY cell, value", [robot])
+    ordered_values(campaign, {what.name: found["value"]})
+    starts = np.flatnonzero(np.diff(found["cell"])) + 1
+    parts = (np.split(found[name], starts) for name in ("place", "value"))
+    for places, values in zip(*parts, strict=True):
+        if len(values):
+            low, high = (float(np.quantile(values, part)) for part in BAND)
+            at = float(places.mean())
+            yield MarginalCell(at, len(values), quantile(values, 0.5), (low, high))
 
 
 @dataclass(frozen=True)
 class FieldMap:
-    """Success over two fields."""
+    """Success, or a measure, over two fields."""
 
+    measure: MeasureColumn
     x: Scale
     y: Scale
     flights: dict[str, Values]
-    """Number of flights of each robot, by row and column of cells."""
-    successes: dict[str, Values]
-
-    def shares(self, robot: str) -> Values:
-        """Success rates of each robot; NaN for empty cells."""
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(self.successes[robot] / self.flights[robot], np.float64)
+    """Number of flights of each robot that have the measure, by row and column of cells."""
+    values: dict[str, Values]
+    """Success rate, or median of the measure, in SI; NaN for empty cells."""
 
 
-def field_map(campaign: Campaign, x: str, y: str, cells: int = 12) -> FieldMap:
-    """Success over two fields.
+def field_map(
+    campaign: Campaign, x: str, y: str, cells: int = 12, *, measure: str = SUCCESS
+) -> FieldMap:
+    """Success, or a measure, over two fields.
 
     Args:
         campaign: Campaign that varied them.
         x: Name of a column.
         y: Name of another.
         cells: Number of cells along each if it has no levels.
+        measure: Name of the column to summarise.
+
+    Raises:
+        InputError: If a field was not varied, or there is no such measure.
     """
+    what = measure_column(campaign, measure)
     across, up = scale(campaign, x, cells), scale(campaign, y, cells)
-    sql = f"""SELECT robot, {across.cell} AS i, {up.cell} AS j, count(success), sum(success)
-              FROM flights WHERE success IS NOT NULL GROUP BY robot, i, j"""
+    of = "avg(value)" if what.name == SUCCESS else "median(value)"
+    inner = f"""SELECT robot, {across.cell} AS cell, {up.cell} AS line,
+                       {identifier(what.name)} AS value FROM flights"""
+    sql = f"""SELECT robot, cell, line, count(value), {of} FROM ({inner})
+              WHERE {_KNOWN} AND line IS NOT NULL GROUP BY robot, cell, line"""
     shape = (up.cells, across.cells)
     names: Sequence[str] = campaign.about["robots"]
     flights = {robot: np.zeros(shape) for robot in names}
-    won = {robot: np.zeros(shape) for robot in names}
-    for robot, i, j, count, successes in campaign.query(sql).rows:
-        flights[robot][j, i], won[robot][j, i] = count, successes
-    return FieldMap(across, up, flights, won)
+    values = {robot: np.full(shape, np.nan) for robot in names}
+    for robot, i, j, count, found in campaign.query(sql).rows:
+        flights[robot][j, i], values[robot][j, i] = count, found
+    ordered_values(campaign, {what.name: np.concatenate([v.ravel() for v in values.values()])})
+    return FieldMap(what, across, up, flights, values)

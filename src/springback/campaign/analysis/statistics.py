@@ -160,7 +160,7 @@ def _refusal(campaign: Campaign, refused: int) -> str:
     return f"{refused} refused, such as flight {flight} ({robot}): {why}"
 
 
-def _ordered(campaign: Campaign, found: Mapping[str, Values]) -> dict[str, Values]:
+def ordered_values(campaign: Campaign, found: Mapping[str, Values]) -> dict[str, Values]:
     """Known values of each column that has any, in ascending order.
 
     Raises:
@@ -189,7 +189,7 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     found = campaign.arrays(f"SELECT {columns} FROM flights WHERE robot = ?", [robot])
     measures = {
         name: (len(known), tuple(quantile(known, part) for part in PARTS))
-        for name, known in _ordered(campaign, found).items()
+        for name, known in ordered_values(campaign, found).items()
     }
     return RobotSummary(
         robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
@@ -208,7 +208,7 @@ def _pair(campaign: Campaign, robots: tuple[str, str]) -> PairSummary:
     )  # fmt: skip
     total = both + first + second + neither
     columns = ", ".join(f"a.{name} - b.{name} AS {name}" for name in MAIN)
-    found = _ordered(campaign, campaign.arrays(f"SELECT {columns} {pairs}", robots))
+    found = ordered_values(campaign, campaign.arrays(f"SELECT {columns} {pairs}", robots))
     medians = {name: (len(known), quantile(known, 0.5)) for name, known in found.items()}
     return PairSummary(
         robots, total, both, first, second, neither, paired_difference(first, second, total),

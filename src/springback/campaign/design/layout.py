@@ -39,9 +39,10 @@ from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
 from springback.problems import dotted_path, problem_paths
 from springback.results.sealed_json import digest_of
+from springback.scenario.code_files import code_digests, code_names
 from springback.scenario.presets import vehicle_table
 from springback.scenario.scenario import Scenario, merge, preset, scenario_from
-from springback.scenario.user_code import code_digests, code_names
+from springback.scenario.trust import check_trusted
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
 from springback.simulation.noise import Purpose
@@ -102,8 +103,10 @@ class Design:
     @functools.cached_property
     def code(self) -> dict[str, str]:
         """SHA-256 of the user's own files that the scenarios name, by path; runs the files."""
-        words = [word for base in self.bases for word in code_names(base)]
-        return code_digests(dict.fromkeys(words))
+        words = list(dict.fromkeys(word for base in self.bases for word in code_names(base)))
+        for word in words:
+            check_trusted(word, "scenario")
+        return code_digests(words)
 
     @property
     def success(self) -> str:
@@ -114,6 +117,11 @@ class Design:
             return "outcome = 'recovered'"
         failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
         return f"outcome NOT IN ({failures})"
+
+    @property
+    def rule(self) -> str:
+        """Condition of success as the plan has it."""
+        return self.success
 
     def slice(self, first: int, last: int) -> DesignSlice:
         """Flights from ``first`` to before ``last``, independent of other slices."""

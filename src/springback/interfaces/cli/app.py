@@ -25,6 +25,7 @@ from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study
+from springback.interfaces.cli.trust import trust
 from springback.interfaces.cli.view import view
 from springback.interfaces.output import interrupts
 from springback.version import __version__
@@ -42,7 +43,7 @@ def cli() -> None:
 
 for command in (
     fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new, animate,
-    lab, map_command, study, view,
+    lab, map_command, study, trust, view,
 ):  # fmt: skip
     cli.add_command(command)
 

@@ -124,7 +124,6 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.store import stored_plan
-    from springback.scenario.user_code import code_names
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
@@ -132,13 +131,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
         check_conditions(design, source)
         return design
     assert out is not None
-    design = lay_out(stored_plan(out), tried=False)
-    if names := [name for base in design.bases for name in code_names(base)]:
-        raise InputError(
-            f"--out {out}: its plan runs code, {', '.join(dict.fromkeys(names))}; to continue, "
-            "give the PLAN, too"
-        )
-    return design
+    return lay_out(stored_plan(out), tried=False)
 
 
 def _finished(flown: Any, output: Output) -> None:
@@ -273,9 +266,8 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 @click.command()
 @click.argument("folder", type=PATH)
 @click.argument("row", type=int)
-@click.option("--trust", is_flag=True, help="Run the code that its scenario names, if any.")
 @output_options("Folder for summary.json, trajectory.parquet, figures.", required=False)
-def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
+def refly(folder: Path, row: int, output: Output) -> None:
     """Repeat flight ROW of the campaign in FOLDER alone, with its whole trajectory.
 
     Every number is compared with the row, bit for bit; the exit code is 1 if any differs.
@@ -287,7 +279,7 @@ def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
     from springback.campaign.access import Campaign
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
 
-    known = Campaign(folder, trust=trust)
+    known = Campaign(folder)
     with output.spinner(FIRST):
         again = known.refly(row)
     if output.out is not None:
@@ -311,22 +303,40 @@ def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
     "--map", "pairs", multiple=True, metavar="X,Y",
     help="Fields of a map of success; by default all pairs of the first four.",
 )  # fmt: skip
+@click.option(
+    "--measure", "measures", multiple=True, metavar="COLUMN",
+    help="Also show a measure in detail: distribution, over each field, sensitivity, maps.",
+)  # fmt: skip
+@click.option(
+    "--cells", type=click.IntRange(2, 64),
+    help="Cells along each field of a map; by default up to 8, of 20 flights each.",
+)  # fmt: skip
 @click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
-def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output) -> None:
+def summary(
+    folder: Path,
+    pairs: tuple[str, ...],
+    measures: tuple[str, ...],
+    cells: int | None,
+    scatter: bool,
+    output: Output,
+) -> None:
     """Summarise the campaign in FOLDER: success, outcomes, quantiles, comparison of robots.
 
     Shares have Wilson intervals. Robots flew the same samples with the same noise, so they are
-    compared in pairs. An unfinished campaign can be summarised, too.
+    compared in pairs. An unfinished campaign can be summarised, too. A measure is any column of
+    numbers that springback query FOLDER lists.
 
     \b
     springback summary results
     springback summary results --out page --map speed,pitch
+    springback summary results --out page --measure impact_peak_acceleration
     """
     from springback.campaign.access import Campaign
-    from springback.campaign.analysis.marginals import scale
+    from springback.campaign.analysis.marginals import SUCCESS, measure_column, scale
     from springback.campaign.analysis.statistics import summary as summed_up
     from springback.interfaces.reports.campaign import summary_text, write_summary
+    from springback.interfaces.reports.measures import measure_report
 
     known = Campaign(folder)
     asked = []
@@ -335,14 +345,26 @@ def summary(folder: Path, pairs: tuple[str, ...], scatter: bool, output: Output)
         if not sign or not y or x == y:
             raise InputError(f"--map {text}: give two fields, such as speed,pitch")
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
-    if pairs and output.out is None:
-        raise InputError("--map needs --out: the folder for the figures")
+    for option, given in (("--map", pairs), ("--cells", cells)):
+        if given and output.out is None:
+            raise InputError(f"{option} needs --out: the folder for the figures")
+    for name in measures:
+        try:
+            measure_column(known, name)
+        except InputError as error:
+            raise InputError(f"--measure {error}") from None
     with output.spinner("summing up"):
         found = summed_up(known)
+        names = [name for name in dict.fromkeys(measures) if name != SUCCESS]
+        reports = [measure_report(known, name, scatter=scatter) for name in names]
     if output.out is not None:
         figures = output.wants_figures()
         with output.folder() as place, output.spinner("drawing"):
-            files = write_summary(found, place, pairs=asked, scatter=scatter, figures=figures)
-    output.print(found.as_dict(), summary_text(found))
+            files = write_summary(
+                found, place, measures=reports, pairs=asked, cells=cells, scatter=scatter,
+                figures=figures,
+            )  # fmt: skip
+    data = found.as_dict() | {"measures": {one.name: one.as_dict() for one in reports}}
+    output.print(data, summary_text(found, reports))
     if output.out is not None:
         output.note_written(files)

@@ -10,7 +10,7 @@ from springback.interfaces.cli.common import FIRST, PATH, Terminal, terminal_opt
 
 
 @click.command()
-@click.argument("results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=PATH)
+@click.argument("results", nargs=-1, required=True, metavar="RESULT...", type=PATH)
 @click.option("--twin", is_flag=True, help="Also fly the rigid or compliant twin of a SCENARIO.")
 @click.option(
     "--export", metavar="FILE.html", type=PATH,
@@ -36,13 +36,13 @@ def view(
     force: bool,
     terminal: Terminal,
 ) -> None:
-    """Replay a flight, or two side by side, in the browser.
+    """Replay one flight, or up to eight at a time, in the browser.
 
     RESULT is a folder that springback fly wrote, or a SCENARIO.toml, which is flown.
 
     \b
     springback view results
-    springback view arq quad
+    springback view arq quad softer
     springback view examples/collision.toml --twin --export collision.html
     """
     from springback.extras import needs

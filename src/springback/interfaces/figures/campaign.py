@@ -1,8 +1,9 @@
-"""Figures of campaigns: success over one field and over two."""
+"""Figures of campaigns: success, or a measure, over one field and over two."""
 
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,76 +12,99 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
-from springback.campaign.analysis.marginals import FieldMap, Marginal, Scale
-from springback.interfaces.figures.chart import Chart, add_share_bar, draw_shares
+from springback.campaign.analysis.marginals import SUCCESS, FieldMap, Marginal, MeasureColumn, Scale
+from springback.interfaces.figures.chart import (
+    SCALE,
+    Chart,
+    add_share_bar,
+    draw_shares,
+    ink,
+)
 from springback.interfaces.figures.style import StyledFigure, in_style
+from springback.interfaces.output.quantities import DisplayUnit, display_unit, quantity_text
 from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
 SHARE = "Share that succeeds [-]"
+FLIGHTS = "Flights [-]"
 #: Panels side by side, and their size [in].
 ABREAST, PANEL = 3, (2.5, 2.0)
+#: Maps side by side, and their size [in]; most cells along a side that have their value written.
+SIDE, MAP, WRITTEN = 2, (3.2, 2.9), 8
+#: Labels of panels are wrapped if longer than this [characters].
+WIDEST = 26
 #: Labels of levels are slanted if longer than this in total [characters] (chosen).
 LONG = 22
 #: Smallest number of ticks of a logarithmic axis, and largest number of labels (chosen).
 ENOUGH, MOST_TICKS = 3, 5
 
 
-def display_unit(unit: str) -> str:
-    """Unit for display: degrees for angles."""
-    return {"rad": "deg", "": "-"}.get(unit, unit).replace("^2", "²")
-
-
 def display_values(scale: Scale, values: Any) -> Any:
     """Values in the displayed unit."""
-    return np.degrees(values) if scale.unit == "rad" else np.asarray(values)
+    return np.asarray(values) * display_unit(scale.unit).factor
 
 
 def label(scale: Scale) -> str:
     """Name of a field and its unit."""
-    name = scale.name.replace("_", " ")
-    return name if scale.labels and not scale.edges else f"{name} [{display_unit(scale.unit)}]"
+    if scale.labels and not scale.edges:
+        return in_words(scale.name)
+    return f"{in_words(scale.name)} [{display_unit(scale.unit).symbol}]"
+
+
+def in_words(name: str) -> str:
+    """Name of a column, with spaces."""
+    return name.replace("_", " ")
+
+
+def measure_label(measure: MeasureColumn, unit: DisplayUnit) -> str:
+    """Name of a measure and its unit; for success what its share is."""
+    return SHARE if measure.name == SUCCESS else f"{in_words(measure.name)} [{unit.symbol}]"
 
 
 @in_style
 def marginals_figure(found: Sequence[Marginal]) -> Figure:
-    """Success rate over each field, with Wilson intervals.
+    """Success rate with Wilson intervals, or quantiles of a measure, over each field.
 
     Args:
-        found: Marginals, one for each panel.
+        found: Marginals of the same measure, one for each panel.
     """
-    columns = min(ABREAST, len(found))
+    columns = 2 if len(found) == 4 else min(ABREAST, len(found))
     lines = math.ceil(len(found) / columns)
     figure = StyledFigure(figsize=(PANEL[0] * columns + 0.5, PANEL[1] * lines + 0.5))
     grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
     keys: dict[str, Any] = {}
-    lowest = 1.0
+    measure = found[0].measure
+    every = [cell for one in found for cells in one.robots.values() for cell in cells]
+    unit = display_unit(measure.unit, (v for cell in every for v in cell.band or ()))
     for axes, one in zip(grid.flat, found, strict=False):
-        chart = Chart(axes, label(one.scale), SHARE)
+        chart = Chart(axes, label(one.scale), measure_label(measure, unit))
         for robot, look in robot_styles(one.robots).items():
-            cells = one.robots[robot]
-            if cells:
-                keys[look.label] = _line(chart, one, robot, look)
-                lowest = min(lowest, *(cell.success.low or 0.0 for cell in cells))
+            if one.robots[robot]:
+                keys[look.label] = _line(chart, one, robot, look, unit.factor)
         _ticks(axes, one.scale)
-    bottom = max(-0.04, lowest - 0.06 * (1.0 - lowest) - 0.005)
+    if measure.name == SUCCESS:
+        lowest = min((cell.estimate.low or 0.0 for cell in every), default=1.0)
+        bottom = max(-0.04, lowest - 0.06 * (1.0 - lowest) - 0.005)
+        grid[0, 0].set_ylim(bottom, 1.0 + 0.06 * (1.0 - bottom))
     for axes in grid[:, 0]:
-        axes.set_ylim(bottom, 1.0 + 0.06 * (1.0 - bottom))
+        axes.set_ylabel(textwrap.fill(axes.get_ylabel(), WIDEST))
     for axes in list(grid.flat)[len(found) :]:
         axes.set_visible(False)
-    figure.legend(list(keys.values()), list(keys), loc="outside upper center", ncols=len(keys))
+    figure.legend(list(keys.values()), list(keys), loc="outside upper center", ncols=len(keys) or 1)
     return figure
 
 
-def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
+def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle, factor: float) -> Any:
     """One robot over one field: points with bars at levels, else a line in a band."""
     cells = one.robots[robot]
     x = display_values(one.scale, [cell.place for cell in cells])
-    y, low, high = np.array(
-        [(cell.success.value, cell.success.low, cell.success.high) for cell in cells], float
-    ).T
+    y, low, high = factor * np.array([cell.estimate for cell in cells], float).T
+    bands = factor * np.array([cell.band for cell in cells if cell.band])
     style = {**look.curve, "marker": look.marker}
     if not one.scale.labels:
-        chart.band(f"{look.label}, 95 % interval", x, low, high, color=look.colour, alpha=0.18)
+        if len(bands):
+            faint = {"color": look.colour, "alpha": 0.1}
+            chart.band(f"{look.label}, 5 to 95 % of flights", x, *bands.T, **faint)
+        chart.band(f"{look.label}, 95 % interval", x, low, high, color=look.colour, alpha=0.25)
         return chart.curve(look.label, x, y, ms=3.2, **style)
     words = {}
     if not one.scale.edges:  # words, side by side
@@ -88,8 +112,13 @@ def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle) -> Any:
         words = {chart.x: [one.scale.labels[int(place)] for place in x]}
         x = x + 0.14 * (names.index(robot) - 0.5 * (len(names) - 1))
         style["ls"] = "none"
+    if len(bands):
+        thin: dict[str, Any] = {"ls": "none", "elinewidth": 0.7, "color": look.colour, "alpha": 0.6}
+        chart.errorbars(
+            f"_{look.label}, 5 to 95 % of flights", x, y, *bands.T, columns=words, **thin
+        )
     return chart.errorbars(
-        look.label, x, y, low, high, columns=words, ms=4.0, capsize=2.0, elinewidth=0.9, **style
+        look.label, x, y, low, high, columns=words, ms=4.0, capsize=2.0, elinewidth=1.2, **style
     )
 
 
@@ -146,28 +175,91 @@ def _log_ticks(axis: Any, scale: Scale) -> None:
 
 @in_style
 def field_map_figure(found: FieldMap) -> Figure:
-    """Success rate over two fields, by robot.
+    """Success rate, or median of a measure, over two fields, by robot.
+
+    Where there are few cells, each has its value and the number of its flights written in it.
 
     Args:
-        found: Success rates.
+        found: Values.
     """
-    robots = list(found.flights)
-    figure = StyledFigure(figsize=(3.0 * len(robots) + 0.9, 3.0))
-    axes = figure.subplots(1, len(robots), sharex=True, sharey=True, squeeze=False)[0]
+    robots, columns = list(found.flights), min(SIDE, len(found.flights))
+    lines = math.ceil(len(robots) / columns)
+    figure = StyledFigure(figsize=(MAP[0] * columns + 0.9, MAP[1] * lines))
+    grid = figure.subplots(lines, columns, sharex=True, sharey=True, squeeze=False)
+    known = np.concatenate([values.ravel() for values in found.values.values()])
+    unit = display_unit(found.measure.unit, known.tolist())
     image: Any = None
-    for panel, look in zip(axes, robot_styles(robots).items(), strict=True):
-        shares = found.shares(look[0])
-        image = draw_shares(panel, _edges(found.x), _edges(found.y), shares)
+    for panel, look in zip(grid.flat, robot_styles(robots).items(), strict=False):
+        values, flights = unit.factor * found.values[look[0]], found.flights[look[0]]
+        image = _cells(panel, found, values, unit.factor * known[np.isfinite(known)])
+        _write_cells(panel, found, image, values, flights)
         panel.set_facecolor(SHADE)
-        panel.set_xlabel(label(found.x))
         chart = Chart(panel, label(found.x), label(found.y), look[1].label)
+        panel.set_xlabel(label(found.x))
         x, y = np.meshgrid(_middles(found.x), _middles(found.y))
-        chart.record("", {chart.x: x.ravel(), chart.y: y.ravel(), SHARE: shares.ravel()})
+        head = measure_label(found.measure, unit)
+        numbers = {head: values.ravel(), FLIGHTS: flights.ravel()}
+        chart.record("", {chart.x: x.ravel(), chart.y: y.ravel(), **numbers})
         _map_ticks(panel.xaxis, found.x)
         _map_ticks(panel.yaxis, found.y)
-    axes[0].set_ylabel(label(found.y))
-    add_share_bar(figure, image, axes, SHARE, shrink=0.95, aspect=26)
+    for axes in grid[:, 0]:
+        axes.set_ylabel(label(found.y))
+    for axes in list(grid.flat)[len(robots) :]:
+        axes.set_visible(False)
+    bar_look: dict[str, Any] = {"shrink": 0.95, "aspect": 26}
+    if found.measure.name == SUCCESS:
+        add_share_bar(figure, image, grid, SHARE, **bar_look)
+    else:
+        bar = figure.colorbar(image, ax=grid, pad=0.02, **bar_look)
+        bar.set_label(f"Median {measure_label(found.measure, unit)}")
+        bar.ax.grid(visible=False)
     return figure
+
+
+def _cells(panel: Axes, found: FieldMap, values: Any, known: Any) -> Any:
+    """Colour the cells of a robot: shares on their scale, a measure from its least to its most."""
+    x, y = _edges(found.x), _edges(found.y)
+    if found.measure.name == SUCCESS:
+        return draw_shares(panel, x, y, values)
+    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+    high = high if high > low else low + 1.0
+    panel.grid(visible=False)
+    return panel.pcolormesh(
+        x, y, np.ma.masked_invalid(values), cmap=SCALE, vmin=low, vmax=high, edgecolors="white",
+        linewidth=0.4,
+    )  # fmt: skip
+
+
+def _write_cells(panel: Axes, found: FieldMap, image: Any, values: Any, flights: Any) -> None:
+    """Write the value and the number of flights in each cell, if there is room."""
+    if max(values.shape) > WRITTEN:
+        few, many = int(flights.min()), int(flights.max())
+        panel.set_title(f"{few} to {many} flights in a cell", loc="right", fontsize=7)
+        return
+    x, y = (_centres(one) for one in (found.x, found.y))
+    for (row, column), value in np.ndenumerate(values):
+        count = f"n = {int(flights[row, column])}"
+        place = float(image.norm(value)) if np.isfinite(value) else 1.0
+        text = f"{_written(found, value)}\n{count}" if np.isfinite(value) else "–"
+        panel.text(
+            x[column], y[row], text, ha="center", va="center", size=6.2, linespacing=1.15,
+            color=ink(place), clip_on=True,
+        )  # fmt: skip
+
+
+def _written(found: FieldMap, value: float) -> str:
+    """Value of a cell: a share that is not quite 1 never reads as 1."""
+    if found.measure.name != SUCCESS:
+        return quantity_text(value)
+    return f"{value:.2f}" if value >= 1.0 else f"{min(value, 0.99):.2f}"
+
+
+def _centres(scale: Scale) -> Any:
+    """Centres of cells as they are drawn; of a logarithmic axis those in the logarithm."""
+    edges = np.asarray(_edges(scale), float)
+    if scale.logarithmic:
+        return np.sign(edges[1:]) * np.sqrt(edges[1:] * edges[:-1])
+    return 0.5 * (edges[1:] + edges[:-1])
 
 
 def _edges(scale: Scale) -> Any:

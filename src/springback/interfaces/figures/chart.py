@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+from matplotlib.colors import FuncNorm, LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
 
 from springback.interfaces.figures.style import StyledFigure, escape
@@ -30,10 +30,25 @@ Columns = Mapping[str, Any]
 
 #: From failure to success, dark to light, so that the order is visible in black and white.
 SCALE = LinearSegmentedColormap.from_list("success", ["#3B1F4F", "#33638D", "#6FB7C4", "#F4F7E8"])
+#: Shares, and their places on that scale: half of it shows those from 0.8 (chosen).
+SHARES, PLACES = (0.0, 0.5, 0.8, 0.9, 1.0), (0.0, 0.25, 0.5, 0.7, 1.0)
+SHARE_TICKS = (0.0, 0.25, 0.5, 0.8, 0.9, 0.95, 1.0)
+#: Largest place whose colour is dark enough for white letters.
+DARK = 0.47
+
+
+def share_place(shares: Any) -> Any:
+    """Places of shares on the colour scale, from 0 to 1."""
+    return np.interp(shares, SHARES, PLACES)
+
+
+def ink(place: float) -> str:
+    """Colour of letters on a place of the colour scale, from 0 to 1."""
+    return "white" if place < DARK else INK
 
 
 def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
-    """Colour cells by shares from 0 to 1.
+    """Colour cells by shares from 0 to 1, finer near 1 so that 0.9 and 1 differ.
 
     Args:
         ax: Axes to draw on.
@@ -45,15 +60,16 @@ def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
         The mesh, for `add_share_bar`.
     """
     ax.grid(visible=False)
+    norm = FuncNorm((share_place, lambda at: np.interp(at, PLACES, SHARES)), vmin=0.0, vmax=1.0)
     return ax.pcolormesh(
-        x, y, np.ma.masked_invalid(shares), cmap=SCALE, vmin=0.0, vmax=1.0,
-        edgecolors="white", linewidth=0.4,
+        x, y, np.ma.masked_invalid(shares), cmap=SCALE, norm=norm, edgecolors="white",
+        linewidth=0.4,
     )  # fmt: skip
 
 
 def add_share_bar(figure: Figure, mesh: Any, axes: Any, label: str, **look: Any) -> Axes:
     """Add the colour bar of `draw_shares` beside axes; returns its axes."""
-    bar = figure.colorbar(mesh, ax=axes, pad=0.02, **look)
+    bar = figure.colorbar(mesh, ax=axes, pad=0.02, ticks=SHARE_TICKS, **look)
     bar.set_label(label)
     bar.ax.grid(visible=False)
     return bar.ax

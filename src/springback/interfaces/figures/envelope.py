@@ -13,7 +13,13 @@ from matplotlib.patches import Rectangle
 
 from springback.campaign.analysis.envelope import LEVEL, Axis, CellIndex, Envelope
 from springback.campaign.analysis.intervals import Values
-from springback.interfaces.figures.chart import Chart, add_share_bar, draw_shares
+from springback.interfaces.figures.chart import (
+    Chart,
+    add_share_bar,
+    draw_shares,
+    ink,
+    share_place,
+)
 from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE, robot_label
 from springback.studies.run_ups import CONDITIONS
@@ -99,7 +105,7 @@ def _draw_cells(ax: Axes, envelope: Envelope, robot: str) -> Any:
             cell = envelope.cells[CellIndex(robot, int(column), int(row))]
             ax.text(
                 x[column] - abs(across), y[row] - abs(up), str(cell.successes), fontsize=7.5,
-                ha="left", va="bottom", color="white" if shares[row, column] < 0.6 else INK,
+                ha="left", va="bottom", color=ink(share_place(shares[row, column])),
             )  # fmt: skip
     ax.set_xlim(*sorted(edges(x)[[0, -1]]))
     ax.set_ylim(*sorted(edges(y)[[0, -1]]))

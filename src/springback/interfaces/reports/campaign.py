@@ -5,21 +5,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from springback.campaign.analysis.marginals import fields_of, marginal
+from springback.campaign.analysis.failures import failures
 from springback.campaign.analysis.statistics import Summary
 from springback.files import write_json
 from springback.interfaces.output.tables import as_text
-from springback.interfaces.reports.outcomes import outcome_table, quantile_table
+from springback.interfaces.reports.measures import MeasureReport, measure_report
+from springback.interfaces.reports.outcomes import (
+    distribution_table,
+    measure_unit,
+    outcome_table,
+    quantile_table,
+    sensitivity_table,
+)
 
 
-def summary_text(found: Summary) -> str:
+def summary_text(found: Summary, measures: Sequence[MeasureReport] = ()) -> str:
     """Summary for a terminal."""
     about = found.campaign.about
     done, of = found.campaign.done, about["flights"]
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
         f"{about['name']}: {done} of {of} flights ({state})",
-        f"success: {found.campaign.design.success}",
+        f"success: {found.campaign.design.rule}",
         "",
         as_text(*outcome_table(found.robots)),
         *([found.refusal] * bool(found.refusal)),
@@ -27,16 +34,35 @@ def summary_text(found: Summary) -> str:
         "10 %, 50 % and 90 % quantiles of flights",
         as_text(*quantile_table(found.robots)),
     ]
-    return "\n".join(
-        [*lines, *(["", *(pair.sentence() for pair in found.pairs)] * bool(found.pairs))]
-    )
+    lines += ["", *(pair.sentence() for pair in found.pairs)] * bool(found.pairs)
+    for one in measures:
+        lines += ["", *_measure_lines(one)]
+    replay = failures(found.campaign, 1).sentence()
+    return "\n".join([*lines, *(["", replay] * bool(replay))])
+
+
+def _measure_lines(one: MeasureReport) -> list[str]:
+    """Distribution and sensitivity of a measure."""
+    lines = []
+    if one.distribution is not None:
+        measure, unit = one.distribution.measure, measure_unit(one.distribution)
+        lines += [f"{measure.name} [{unit.symbol}]: {measure.meaning}"]
+        lines += [as_text(*distribution_table(one.distribution)), ""]
+    if one.sensitivity.robots:
+        lines += [f"share of the variance of {one.name} that a field alone explains (95 %)"]
+        lines += [as_text(*sensitivity_table(one.sensitivity))]
+    if one.sensitivity.refusal:
+        lines += [f"{one.name}: no sensitivity: {one.sensitivity.refusal}"]
+    return lines
 
 
 def write_summary(
     found: Summary,
     folder: Path,
     *,
+    measures: Sequence[MeasureReport] = (),
     pairs: Sequence[tuple[str, str]] = (),
+    cells: int | None = None,
     scatter: bool = False,
     figures: bool = True,
 ) -> list[Path]:
@@ -45,21 +71,27 @@ def write_summary(
     Args:
         found: The summary.
         folder: Folder to write into.
-        pairs: Pairs of fields to map; by default all pairs of the first four.
+        measures: Measures to show in detail, beside success.
+        pairs: Pairs of fields to map; by default those of the first four, and for a measure of the
+            three with the largest indices.
+        cells: Number of cells along each field of a map; by default as many as flights allow.
         scatter: Show success over the scattered parameters, too.
         figures: Write figures and the page.
 
     Returns:
         The files written.
     """
-    campaign = found.campaign
-    fields = fields_of(campaign, scatter=scatter)
-    marginals = [marginal(campaign, name) for name in fields]
-    data = found.as_dict() | {"marginals": [one.as_dict() for one in marginals]}
+    success = measure_report(found.campaign, scatter=scatter)
+    data = found.as_dict() | {
+        "marginals": [one.as_dict() for one in success.marginals],
+        "sensitivity": success.sensitivity.as_dict(),
+        "measures": {one.name: one.as_dict() for one in measures},
+        "failures": failures(found.campaign).as_dict(),
+    }
     write_json(folder / "summary.json", data)
     written = [folder / "summary.json"]
     if not figures:
         return written
     from springback.interfaces.reports.campaign_page import write_page
 
-    return written + write_page(found, marginals, folder, pairs)
+    return written + write_page(found, [success, *measures], folder, pairs, cells)

@@ -9,12 +9,23 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from springback.campaign.analysis.marginals import Marginal, field_map, fields_of
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.failures import FailureList, failures
+from springback.campaign.analysis.marginals import SUCCESS, field_map
 from springback.campaign.analysis.statistics import Summary
 from springback.interfaces.figures import campaign as figures
+from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
 from springback.interfaces.output.robots import with_labels
-from springback.interfaces.reports.outcomes import outcome_table, quantile_table, share_text
+from springback.interfaces.reports.measures import MeasureReport
+from springback.interfaces.reports.outcomes import (
+    distribution_table,
+    failure_table,
+    measure_unit,
+    outcome_table,
+    quantile_table,
+    share_text,
+)
 from springback.interfaces.reports.page import (
     Content,
     Entry,
@@ -23,94 +34,171 @@ from springback.interfaces.reports.page import (
     TableCell,
     Wording,
     page,
+    table,
 )
 from springback.studies.proportions import CONFIDENCE
 
 WORDS = Wording.of("campaign")
-#: Number of fields whose pairs are drawn by default (chosen: six maps).
-MOST_PAIRED = 4
-#: Most cells along a field of a map, and least mean number of flights in a cell (chosen).
-MOST_CELLS, FLIGHTS_EACH = 16, 20
+#: Number of fields whose pairs are drawn by default: of success, and of a measure (chosen).
+MOST_PAIRED, MEASURE_PAIRED = 4, 3
+#: Most cells along a field of a map, so that each has room for its numbers, and least mean number
+#: of flights in a cell (chosen).
+MOST_CELLS, FLIGHTS_EACH = 8, 20
 
 
 def write_page(
-    found: Summary, marginals: Sequence[Marginal], folder: Path, pairs: Sequence[tuple[str, str]]
+    found: Summary,
+    reports: Sequence[MeasureReport],
+    folder: Path,
+    pairs: Sequence[tuple[str, str]] = (),
+    cells: int | None = None,
 ) -> list[Path]:
     """Write figures, and the page ``summary.html`` with them.
 
     Args:
         found: The summary.
-        marginals: Success over each field.
+        reports: Success, and measures to show in detail.
         folder: Folder to write into.
-        pairs: Pairs of fields to map; by default all pairs of the first four.
+        pairs: Pairs of fields to map; by default see `springback.interfaces.reports.campaign`.
+        cells: Number of cells along each field of a map; by default as many as flights allow.
 
     Returns:
         The files written.
     """
+    flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
+    count = cells or max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
+    drawn = [_pictures(found.campaign, one, pairs, count) for one in reports]
     written = []
-    pictures = _pictures(found, marginals, pairs)
-    for block in pictures:
+    for block in (block for blocks in drawn for block in blocks):
         written += style.save(block.figure, folder / block.name)
-    lead, sections = _page(found, pictures)
+    sections = _sections(found, reports, drawn)
+    lead = WORDS.say(
+        "lead", **_about(found), done=found.campaign.done,
+        version=found.campaign.about["versions"]["springback"],
+    )  # fmt: skip
     written.append(folder / "summary.html")
     text = page(str(found.campaign.about["name"]), sections, lead=lead)
     written[-1].write_text(text, encoding="utf-8")
     return written
 
 
+def _about(found: Summary) -> dict[str, Any]:
+    """Facts on the campaign, with the time of its start to the minute."""
+    about = dict(found.campaign.about)
+    return about | {"started": str(about["started"])[:16].replace("T", " ")}
+
+
 def _pictures(
-    found: Summary, marginals: Sequence[Marginal], pairs: Sequence[tuple[str, str]]
+    campaign: Campaign, one: MeasureReport, pairs: Sequence[tuple[str, str]], cells: int
 ) -> list[FigureBlock]:
-    """Figures of success over each field, and over pairs of fields."""
-    campaign, blocks = found.campaign, []
-    flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
-    cells = max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
-    if marginals:
-        figure = figures.marginals_figure(marginals)
-        said = WORDS.say("marginals", confidence=100 * CONFIDENCE)
-        blocks.append(FigureBlock("marginals", said, figure))
-    for x, y in pairs or combinations(fields_of(campaign)[:MOST_PAIRED], 2):
-        figure = figures.field_map_figure(field_map(campaign, x, y, cells))
-        blocks.append(FigureBlock(f"map-{x}-{y}", words_of_map(x, y), figure))
+    """Figures of success or a measure: distribution, over each field, sensitivity, maps."""
+    tail, what = ("", "") if one.name == SUCCESS else (f"-{one.name}", _plain(one.name))
+    key = "success" if one.name == SUCCESS else "measure"
+    blocks = []
+
+    def add(name: str, figure: style.StyledFigure, caption: str, **given: Any) -> None:
+        said = WORDS.say(caption, confidence=100 * CONFIDENCE, what=what, **given)
+        blocks.append(FigureBlock(name, said, figure))
+
+    if one.distribution is not None:
+        figure = measure_figures.distribution_figure(one.distribution)
+        add(f"distribution{tail}", figure, "distribution")
+    if one.marginals:
+        add(f"marginals{tail}", figures.marginals_figure(one.marginals), f"marginals_{key}")
+    if one.sensitivity.robots:
+        figure = measure_figures.sensitivity_figure(one.sensitivity)
+        add(f"sensitivity{tail}", figure, f"sensitivity_{key}")
+    for x, y in pairs or _usual_pairs(one):
+        if one.name in (x, y):
+            continue
+        figure = figures.field_map_figure(field_map(campaign, x, y, cells, measure=one.name))
+        add(f"map{tail}-{x}-{y}", figure, f"map_{key}", x=_plain(x), y=_plain(y))
     return blocks
 
 
+def _usual_pairs(one: MeasureReport) -> list[tuple[str, str]]:
+    """Pairs of the first fields of the plan; for a measure of those that it depends on most."""
+    names = [marginal.scale.name for marginal in one.marginals]
+    if one.name == SUCCESS:
+        return list(combinations(names[:MOST_PAIRED], 2))
+    ranked = one.sensitivity.ranking() or names
+    return list(combinations(sorted(ranked[:MEASURE_PAIRED], key=names.index), 2))
+
+
 def words_of_map(x: str, y: str) -> str:
-    """Caption of a map over two fields."""
-    return WORDS.say("map", x=_plain(x), y=_plain(y))
+    """Caption of a map of success over two fields."""
+    return WORDS.say("map_success", x=_plain(x), y=_plain(y))
 
 
-def _page(found: Summary, pictures: Sequence[FigureBlock]) -> tuple[str, list[Section]]:
-    """Line below the title, and sections."""
-    about = found.campaign.about
+def _sections(
+    found: Summary, reports: Sequence[MeasureReport], drawn: Sequence[Sequence[FigureBlock]]
+) -> list[Section]:
+    """Sections of the page."""
     confidence = {"confidence": 100 * CONFIDENCE}
+    success, replays = reports[0], failures(found.campaign)
+    pictures = {block.name: block for block in drawn[0]}
     shares = "; ".join(f"{_plain(one.robot)} {share_text(one.success)}" for one in found.robots)
+    refusal = success.sensitivity.refusal
     content: dict[str, Content] = {
         "overview": {
-            **confidence, "rule": found.campaign.design.success, "shares": shares,
+            **confidence, "rule": found.campaign.design.rule, "shares": shares,
             "refusal": f": {found.refusal}" if found.refusal else "",
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
-            "first": pictures[:1],
+            "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
         "robots": {"outcomes": _entries(*outcome_table(found.robots))},
+        "sensitivity": {
+            "indices": [pictures[name] for name in ("sensitivity",) if name in pictures],
+            "refusal": f"Indices are missing: {_plain(refusal)}." if refusal else "",
+        },
+        "failures": {
+            "failed": replays.failed, "listed": len(replays.rows),
+            "flights": _replays(replays) if replays.rows else [],
+        },
         "measures": {**confidence, "quantiles": _entries(*quantile_table(found.robots))},
-        "fields": {"maps": pictures[1:]},
+        "fields": {"maps": [block for name, block in pictures.items() if name.startswith("map-")]},
     }  # fmt: skip
-    lead = WORDS.say(
-        "lead", **about, done=found.campaign.done, version=about["versions"]["springback"]
-    )
-    return lead, WORDS.sections(content)
+    own = [
+        _measure_section(one, blocks) for one, blocks in zip(reports[1:], drawn[1:], strict=True)
+    ]
+    sections = WORDS.sections({name: held for name, held in content.items() if any(held.values())})
+    after = 1 + [section.anchor for section in sections].index("measures")
+    return [*sections[:after], *own, *sections[after:]]
+
+
+def _measure_section(one: MeasureReport, blocks: Sequence[FigureBlock]) -> Section:
+    """Section of a measure."""
+    assert one.distribution is not None
+    measure, unit = one.distribution.measure, measure_unit(one.distribution)
+    name = _plain(measure.name)
+    head, rows = distribution_table(one.distribution)
+    caption = f"{name} [{unit.symbol}]"
+    lines = _entries(head, rows)
+    said = [WORDS.say("measure", meaning=measure.meaning[:1].upper() + measure.meaning[1:])]
+    refusal = one.sensitivity.refusal
+    said += [WORDS.say("no_indices", why=_plain(refusal))] * bool(refusal)
+    return Section(
+        f"measure-{measure.name}", name[:1].upper() + name[1:],
+        (said[0], table(caption, [str(word) for word in lines[0]], lines[1:]), *said[1:], *blocks),
+    )  # fmt: skip
+
+
+def _replays(found: FailureList) -> list[Sequence[Entry]]:
+    """Table of flights with the commands that replay them."""
+    head, rows = failure_table(found)
+    lines = ([row[0], TableCell(row[1], code=True), *map(_entry, row[2:])] for row in rows)
+    return [list(map(_plain, head)), *lines]
+
+
+def _entry(value: Any) -> Entry:
+    if isinstance(value, float):
+        return TableCell(f"{value:.4g}", value)
+    return _plain(value) if isinstance(value, str) else value
 
 
 def _entries(head: list[str], rows: list[tuple[Any, ...]]) -> list[Sequence[Entry]]:
     """Convert a table of the terminal to one of the page."""
-
-    def entry(value: Any) -> Entry:
-        if isinstance(value, float):
-            return TableCell(f"{value:.4g}", value)
-        return _plain(value) if isinstance(value, str) else value
-
-    return [list(map(_plain, head)), *([entry(value) for value in row] for row in rows)]
+    return [list(map(_plain, head)), *(list(map(_entry, row)) for row in rows)]
 
 
 def _plain(text: str) -> str:

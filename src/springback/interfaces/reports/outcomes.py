@@ -1,17 +1,30 @@
-"""Tables of a campaign: outcomes and quantiles of measures of each robot."""
+"""Tables of a campaign: outcomes, measures, sensitivity, and flights to replay."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
+from springback.campaign.analysis.distribution import PARTS as DISTRIBUTION
+from springback.campaign.analysis.distribution import MeasureDistribution
+from springback.campaign.analysis.failures import FailureList
 from springback.campaign.analysis.intervals import IntervalEstimate
-from springback.campaign.analysis.statistics import RobotSummary
+from springback.campaign.analysis.sensitivity import Sensitivity
+from springback.campaign.analysis.statistics import PARTS, RobotSummary
 from springback.campaign.columns import known_columns
+from springback.interfaces.output.quantities import (
+    DisplayUnit,
+    display_unit,
+    estimate_text,
+    interval_text,
+    quantity_text,
+)
+
+Rows = tuple[list[str], list[tuple[Any, ...]]]
+"""Heads of a table, and its rows."""
 
 
-def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
+def outcome_table(robots: Sequence[RobotSummary]) -> Rows:
     """Table of flights, success and outcomes, a row for each robot."""
     words = sorted({word for robot in robots for word in robot.outcomes})
     rows = [
@@ -24,26 +37,79 @@ def outcome_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple
     return ["robot", "flights", "refused", "ledger open", "success (95 %)", *words], rows
 
 
-def quantile_table(robots: Sequence[RobotSummary]) -> tuple[list[str], list[tuple[Any, ...]]]:
+def quantile_table(robots: Sequence[RobotSummary]) -> Rows:
     """Table of quantiles, a row for each measure and robot."""
     rows: list[tuple[Any, ...]] = []
-    names = dict.fromkeys(name for robot in robots for name in robot.measures)
-    for name in names:
-        unit = known_columns()[name][0]
-        factor, unit = (180.0 / math.pi, "deg") if unit == "rad" else (1.0, unit)
-        for robot in robots:
-            if name in robot.measures:
-                count, (low, middle, high) = robot.measures[name]
-                numbers = [_scale(e.value, factor) for e in (low, middle, high)]
-                bounds = [_scale(middle.low, factor), _scale(middle.high, factor)]
-                interval = " to ".join("?" if b is None else f"{b:.4g}" for b in bounds)
-                shown = [None if n is None else float(f"{n:.4g}") for n in numbers]
-                rows.append((f"{name} [{unit or '-'}]", robot.robot, count, *shown, interval))
-    return ["measure", "robot", "flights", "10 %", "50 %", "90 %", "median, 95 %"], rows
+    for name in dict.fromkeys(name for robot in robots for name in robot.measures):
+        found = [(robot.robot, *robot.measures[name]) for robot in robots if name in robot.measures]
+        values = [each.value for _, _, quantiles in found for each in quantiles]
+        unit = display_unit(known_columns()[name][0], values)
+        rows += [
+            (f"{name} [{unit.symbol}]", robot, count, *_quantiles(quantiles, unit.factor))
+            for robot, count, quantiles in found
+        ]
+    head = ["measure", "robot", "flights", *(f"{100 * part:g} %" for part in PARTS)]
+    return [*head, "95 % interval of the median"], rows
 
 
-def _scale(value: float | None, factor: float) -> float | None:
-    return None if value is None else value * factor
+def distribution_table(found: MeasureDistribution) -> Rows:
+    """Table of the distribution of a measure, a row for each robot."""
+    unit = measure_unit(found)
+    rows: list[tuple[Any, ...]] = []
+    for robot, values in found.values.items():
+        ends = (
+            [quantity_text(v * unit.factor) for v in values[[0, -1]]] if len(values) else ["-", "-"]
+        )
+        *shares, interval = _quantiles(found.quantiles(robot), unit.factor)
+        rows.append((robot, len(values), found.without(robot), ends[0], *shares, ends[1], interval))
+    head = ["robot", "flights", "without", "least", *(f"{100 * p:g} %" for p in DISTRIBUTION)]
+    return [*head, "most", "95 % interval of the median"], rows
+
+
+def measure_unit(found: MeasureDistribution) -> DisplayUnit:
+    """Unit in which a measure is shown."""
+    ends = (float(v) for values in found.values.values() if len(values) for v in values[[0, -1]])
+    return display_unit(found.measure.unit, ends)
+
+
+def sensitivity_table(found: Sensitivity) -> Rows:
+    """Table of first-order indices, a row for each field and a column for each robot."""
+    rows = [
+        (name, *(_index_text(indices[name]) for indices in found.robots.values()))
+        for name in found.ranking()
+    ]
+    return ["field", *found.robots], rows
+
+
+def _index_text(index: IntervalEstimate) -> str:
+    return f"{index.value:.2f} ({index.low:.2f} to {index.high:.2f})"
+
+
+def failure_table(found: FailureList) -> Rows:
+    """Table of flights to replay, with the command that does so."""
+    units = {name: display_unit(found.campaign.units.get(name, "")) for name in found.fields}
+    words = {one.column for one in found.campaign.design.dimensions if one.text}
+    head = ["flight", "replay", "robot", "outcome", "kept"]
+    head += [name if name in words else f"{name} [{units[name].symbol}]" for name in found.fields]
+    rows = [
+        (
+            str(row["flight"]), found.command(row["flight"]), row["robot"], row["outcome"],
+            "yes" if row["kept"] else "no",
+            *(_field_text(row[name], units[name]) for name in found.fields),
+        )
+        for row in found.rows
+    ]  # fmt: skip
+    return head, rows
+
+
+def _field_text(value: Any, unit: DisplayUnit) -> str:
+    return f"{value * unit.factor:.4g}" if isinstance(value, float) else str(value)
+
+
+def _quantiles(quantiles: Sequence[IntervalEstimate], factor: float) -> list[str]:
+    """Quantiles with the digits of their intervals, and the interval of the median."""
+    shown = [estimate_text(found, factor) for found in quantiles]
+    return [*shown, interval_text(quantiles[1], factor)]
 
 
 def share_text(estimate: IntervalEstimate) -> str:

@@ -32,6 +32,8 @@ class TableCell:
     mark: Mark | None = None
     links: tuple[tuple[str, str], ...] = ()
     """Texts and anchors of links after the text."""
+    code: bool = False
+    """True for a command to type."""
 
 
 Entry = TableCell | str | float | None
