@@ -74,6 +74,7 @@ TEMPLATES = {
             "springback check {stem}.toml",
             "springback fly {stem}.toml --out {stem}-flight",
             "springback view {stem}-flight",
+            "springback lab {stem}.toml",
             "springback map speed=1:4:4 pitch=-30deg:30deg:3 --robot {stem}.toml --trials 2 "
             "--out {stem}-map",
         ),

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import click
 
-from springback.interfaces.cli.common import PATH
+from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 
 
 @click.command()
-@click.argument("scenario", type=PATH, required=False)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("scenario", type=ScenarioPath(), required=False)
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting())
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
 @click.option("--port", type=int, default=0, help="Port to serve on; by default any free one.")
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
