@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from builders.missing import needs
 from builders.plans import plan
 from springback.campaign import workers
 from springback.campaign.access import Campaign
-from springback.campaign.cost_estimate import cost_estimate
+from springback.campaign.cost_estimate import CostEstimate, cost_estimate
 from springback.campaign.design.layout import lay_out
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
@@ -232,10 +233,29 @@ def test_an_outlook_counts_and_measures(tmp_path: Path) -> None:
     )
     assert (told.flights, told.samples, told.repeats, told.tried) == (64, 4, 8, 64)
     assert told.robots == ("arq", "quad")
-    assert told.time == pytest.approx(64 / (4 * told.rate))
+    flying, start = 64 / (min(4, told.cores) * told.rate), 0.0 if told.compiled else told.setup
+    assert told.time == pytest.approx(start + flying)
+    slower = max(1.0, (told.load + 4) / told.cores)
+    assert told.loaded_time == pytest.approx(start + flying * slower)
+    assert (told.cores, told.cached) == (os.cpu_count(), True)
+    assert "kernels: " in told.sentence()
     assert 64 * 100 < told.bytes < 64 * 5000
     assert "64 flights: 4 samples of 2 dimensions, 8 repeats, arq and quad" in told.sentence()
     assert told.refused == 0
+
+
+def test_an_estimate_says_what_compiling_and_other_work_cost() -> None:
+    known = CostEstimate(
+        1000, 500, 1, ("arq", "quad"), 2, 64, 0, "", 1, False, True, 3.0, 10.0, 2, 2, 4.0, 53.0,
+        153.0, 1000,
+    )  # fmt: skip
+    assert "kernels: compiled before; each worker loads them, in about 3 s" in known.sentence()
+    assert "about 53 s with 2 workers on an idle machine of 2 cores" in known.sentence()
+    assert "about 2 min 33 s if other work goes on: the load is now 4.0" in known.sentence()
+    new = replace(known, compiled=True, setup=70.0, loaded_time=54.0)
+    assert "have just been compiled in 1 min 10 s; they are cached now" in new.sentence()
+    assert "other work" not in new.sentence()
+    assert "each worker compiles them" in replace(new, cached=False).sentence()
 
 
 def test_numbers_of_workers_and_chunks_are_checked(tmp_path: Path) -> None:

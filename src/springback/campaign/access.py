@@ -17,6 +17,7 @@ from springback.campaign.columns import known_columns
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Source
 from springback.campaign.store import (
+    ABOUT,
     about,
     empty_rows,
     is_disk,
@@ -49,6 +50,8 @@ T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
+#: Advice on a condition of success that is no SQL.
+WITH_UNITS = '; with units, give a list: success = ["arm_stroke < 20 mm"]'
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -353,6 +356,14 @@ class Campaign:
                 write_atomically(summary, json_text(data), durable=True)
 
 
+def is_campaign(folder: Path) -> bool:
+    """True if a folder holds a campaign."""
+    try:
+        return (folder / ABOUT).is_file()
+    except (OSError, ValueError):  # an impossible file name
+        return False
+
+
 def _answer(found: Any) -> Answer:
     return Answer([column[0] for column in found.description], found.fetchall())
 
@@ -399,12 +410,19 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     """
     problem_line = (source or Source()).problem_line
     keep = design.plan.keep
+    given = design.plan.success
+    for k, text in enumerate(given if isinstance(given, tuple) else ()):
+        try:
+            design.condition(text)
+        except InputError as error:
+            raise InputError(problem_line(("success", k), str(error))) from None
     conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
     for entry, text in conditions.items():
         try:
             one_expression(text)
         except InputError as error:
-            raise InputError(problem_line(entry.split("."), str(error))) from None
+            more = WITH_UNITS if entry == "success" else ""
+            raise InputError(problem_line(entry.split("."), f"{error}{more}")) from None
     kept = one_expression(conditions["keep.where"])
     statements = {
         "success": f"CREATE TABLE flights AS {rows_of(design)}",

@@ -19,11 +19,14 @@ from springback.campaign.flying import try_code
 from springback.campaign.running import in_time
 from springback.campaign.store import write_rows
 from springback.errors import InputError
+from springback.kernels.compiler import cache_folder, is_writable
 from springback.kernels.layout import structure
 from springback.scenario.scenario import scenario_from
 
 #: Flights flown to measure their time (chosen).
 TRIED = 64
+#: Ratio of times from which the load is worth a line (chosen).
+NOTICED = 1.2
 
 
 @dataclass(frozen=True)
@@ -43,11 +46,22 @@ class CostEstimate:
     """Problem of the first of them."""
     kinds: int
     """Number of kinds of flight among those tried; each is compiled once."""
+    compiled: bool
+    """True if kernels had to be compiled for these flights, which are cached from now on."""
+    cached: bool
+    """True if kernels can be cached on this machine; else every worker compiles them."""
+    setup: float
+    """Time to compile the kernels or, if they were cached, to load them [s]."""
     rate: float
     """Flights per second on one core, once compiled."""
     workers: int
+    cores: int
+    load: float
+    """Mean number of processes that ran on this machine in the last minute."""
     time: float
     """Time of the whole campaign on this machine, if otherwise idle [s]."""
+    loaded_time: float
+    """The same if the present load goes on, shared evenly among processes [s]."""
     bytes: int
     """Size of the whole campaign on the disk."""
 
@@ -63,12 +77,28 @@ class CostEstimate:
             f"{self.repeats} {'repeat' if self.repeats == 1 else 'repeats'}, {names}",
             f"{self.kinds} {'kind' if self.kinds == 1 else 'kinds'} of flight; "
             f"{self.rate:.3g} flights/s on one core, measured on {self.tried} flights just flown",
+            self._kernels(),
             f"about {in_time(self.time)} with {self.workers} "
-            f"{'worker' if self.workers == 1 else 'workers'}, {_size(self.bytes)} on the disk",
+            f"{'worker' if self.workers == 1 else 'workers'} on an idle machine of {self.cores} "
+            f"{'core' if self.cores == 1 else 'cores'}, {_size(self.bytes)} on the disk",
         ]
+        if self.loaded_time > NOTICED * self.time:
+            lines.append(
+                f"about {in_time(self.loaded_time)} if other work goes on: the load is now "
+                f"{self.load:.1f} processes"
+            )
         if self.refused:
             lines.append(f"{self.refused} of {self.tried} cannot be flown, such as: {self.problem}")
         return "\n".join(lines)
+
+    def _kernels(self) -> str:
+        """Sentence on the kernels of these kinds of flight."""
+        took = in_time(self.setup)
+        if not self.compiled:
+            return f"kernels: compiled before; each worker loads them, in about {took}"
+        if self.cached:
+            return f"kernels: were new, and have just been compiled in {took}; they are cached now"
+        return f"kernels: cannot be cached here, so each worker compiles them, in about {took}"
 
 
 def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
@@ -83,19 +113,45 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
     drawn = [design.slice(k, k + 1) for k in numbers]
     tables = [one.tables[0] for one in drawn]
-    fly_scenarios(tables, threads=1)
+    load, known = _load(), kernel_files()
     begun = time.perf_counter()
+    fly_scenarios(tables, threads=1)
+    first = time.perf_counter() - begun
+    compiled, cached = bool(kernel_files() - known), is_writable(cache_folder())
+    begun, used = time.perf_counter(), time.process_time()
     ended = fly_scenarios(tables, threads=1)
-    rate = len(tables) / (time.perf_counter() - begun)
+    # Time of the processor, as other work would have slowed down the clock's.
+    rate = len(tables) / max(time.process_time() - used, 1e-9)
+    setup = max(0.0, first - (time.perf_counter() - begun))
     columns = {name: [one.columns[name][0] for one in drawn] for name in drawn[0].columns}
     rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
     problems = [problem for problem in ended.problems if problem]
+    cores = os.cpu_count() or 1
+    busy = min(crew, cores)
+    alone, start = design.flights / (rate * busy), 0.0 if compiled and cached else setup
+    slower = max(1.0, (load + crew) / cores)
     return CostEstimate(
         design.flights, design.samples, design.plan.repeats, design.robots,
         sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
-        problems[0] if problems else "", kinds_of(tables), rate, crew,
-        design.flights / (rate * crew), round(_bytes_each(rows, design) * design.flights),
+        problems[0] if problems else "", kinds_of(tables), compiled or not cached, cached, setup,
+        rate, crew, cores, load, start + alone, start + alone * slower,
+        round(_bytes_each(rows, design) * design.flights),
     )  # fmt: skip
+
+
+def kernel_files() -> set[Path]:
+    """Files of compiled kernels, those of users' own code included."""
+    folder = cache_folder()
+    own = folder.parents[1] / "own"
+    return {*folder.glob("*.kernel"), *own.glob("*/*.kernel")}
+
+
+def _load() -> float:
+    """Mean number of running processes in the last minute; 0 where the system does not say."""
+    try:
+        return os.getloadavg()[0]
+    except (AttributeError, OSError):
+        return 0.0
 
 
 def kinds_of(tables: Sequence[dict[str, Any]]) -> int:

@@ -236,6 +236,9 @@ def test_a_summary_with_its_page(place: Path, here: Here) -> None:
         "summary.json", "summary.html", "marginals.png", "marginals.pdf", "marginals.csv",
         "map-speed-surface.png", "map-speed-surface.pdf", "map-speed-surface.csv",
     }  # fmt: skip
+    shown = here("summary", "whole", "--measure", "impact_arm_stroke")
+    assert "impact_arm_stroke [mm]: first impact: largest compression of an arm" in shown.stdout
+    assert "share of the variance of impact_arm_stroke that a field alone explains" in shown.stdout
     told = json.loads((place / "page/summary.json").read_text())
     assert [robot["flights"] for robot in told["robots"]] == [150, 150]
     assert [one["field"] for one in told["marginals"]] == ["speed", "surface"]
@@ -254,6 +257,30 @@ def test_a_row_flown_again(place: Path, here: Here) -> None:
     told = json.loads(here("refly", "whole", "17", "--json", "--quiet").stdout)
     assert told["identical"] is True
     assert told["outcome"]
+
+
+def test_a_row_replayed(place: Path, here: Here) -> None:
+    done = here("view", "whole", "17", "16", "--export", "two.html")
+    assert done.returncode == 0, done.stderr
+    for row in (16, 17):
+        assert f"identical to row {row}: every number, to the last bit" in done.stderr
+    assert (place / "two.html").stat().st_size > 100_000
+    (place / "whole/alone").mkdir()
+    for words, said in (
+        (("whole",), "holds a campaign of flights 0 to 299; name one: springback view whole "),
+        (("whole", "300"), "flight 300: must be from 0 to 299"),
+        (("whole", "1", "--twin"), "--twin: needs a single SCENARIO.toml"),
+        (("whole/alone",), "whole/alone/summary.json: is missing"),
+    ):
+        refused = here("view", *words, "--export", "no.html")
+        assert refused.returncode == 2, refused.stderr
+        [line] = refused.stderr.strip().splitlines()
+        assert said in line
+    (place / "whole/kept").mkdir()
+    (place / "whole/kept/flight-0000000012.json").write_text("{}")
+    for inside in ("whole/kept", "whole/kept/flight-0000000012.json"):
+        line = here("view", inside).stderr
+        assert "holds the kept flights 12; replay one: springback view whole 12" in line
 
 
 def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
@@ -282,6 +309,9 @@ def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
         (("query", "whole", "SELECT 1", "--out", "x.xlsx"), "must end in"),
         (("refly", "whole", "300"), "from 0 to 299"),
         (("summary", "whole", "--map", "speed"), "give two fields"),
+        (("summary", "whole", "--cells", "4"), "--cells needs --out"),
+        (("summary", "whole", "--measure", "contact_tim"), "--measure .*did you mean contact_time"),
+        (("campaign", "plan.toml", "success=['speed < 2 N']", "--out", "new"), "wrong unit"),
     ],
 )
 def test_bad_input_is_one_line(words: tuple[str, ...], told: str, place: Path, here: Here) -> None:

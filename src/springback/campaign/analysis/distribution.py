@@ -66,7 +66,7 @@ def distribution(campaign: Campaign, name: str) -> MeasureDistribution:
     """
     what, values, flown = measure_column(campaign, name), {}, {}
     for robot in campaign.about["robots"]:
-        sql = f"""SELECT {identifier(what.name)} AS value FROM flights
+        sql = f"""SELECT {identifier(what.name)}::DOUBLE AS value FROM flights
                   WHERE robot = ? AND outcome <> 'refused'"""
         found = campaign.arrays(sql, [robot])["value"]
         flown[robot] = len(found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -77,7 +78,8 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
         f"[min({column}), max({column})]"
     )  # fmt: skip
     [(low, high)] = campaign.query(f"SELECT {ends} FROM flights").rows[0]
-    if not high > low:
+    if not (isinstance(low, int | float) and isinstance(high, int | float) and high > low):
+        low = low if isinstance(low, int | float) and math.isfinite(low) else 0.0
         high = low + 1.0
     sign = -1.0 if low < 0.0 else 1.0
     function = f"ln({sign!r} * {column})" if logarithmic else column
@@ -94,7 +96,7 @@ SUCCESS = "success"
 #: Columns without a number that could be summarised.
 _IDENTITIES = {*FLIGHT, *RESULT} - {SUCCESS}
 #: Condition on rows that have a measure, and a cell.
-_KNOWN = "value IS NOT NULL AND NOT isnan(value::DOUBLE) AND cell IS NOT NULL"
+_KNOWN = "value IS NOT NULL AND NOT isnan(value) AND cell >= 0"
 #: Shares of flights below the ends of a marginal's band (chosen).
 BAND = (0.05, 0.95)
 
@@ -193,7 +195,7 @@ def _along(
 ) -> Iterator[MarginalCell]:
     """Non-empty cells of a robot."""
     place = "cell" if cut.labels and not cut.edges else identifier(cut.name)
-    inner = f"SELECT {cut.cell} AS cell, {place} AS place, {identifier(what.name)} AS value"
+    inner = f"SELECT {cut.cell} AS cell, {place} AS place, {identifier(what.name)}::DOUBLE AS value"
     rows = f"FROM (FROM ({inner} FROM flights WHERE robot = ?) WHERE {_KNOWN})"
     if what.name == SUCCESS:
         sql = (
@@ -245,14 +247,15 @@ def field_map(
     across, up = scale(campaign, x, cells), scale(campaign, y, cells)
     of = "avg(value)" if what.name == SUCCESS else "median(value)"
     inner = f"""SELECT robot, {across.cell} AS cell, {up.cell} AS line,
-                       {identifier(what.name)} AS value FROM flights"""
+                       {identifier(what.name)}::DOUBLE AS value FROM flights"""
     sql = f"""SELECT robot, cell, line, count(value), {of} FROM ({inner})
-              WHERE {_KNOWN} AND line IS NOT NULL GROUP BY robot, cell, line"""
+              WHERE {_KNOWN} AND line >= 0 GROUP BY robot, cell, line"""
     shape = (up.cells, across.cells)
     names: Sequence[str] = campaign.about["robots"]
     flights = {robot: np.zeros(shape) for robot in names}
     values = {robot: np.full(shape, np.nan) for robot in names}
     for robot, i, j, count, found in campaign.query(sql).rows:
-        flights[robot][j, i], values[robot][j, i] = count, found
+        if robot in flights:  # a foreign folder may have rows of others
+            flights[robot][j, i], values[robot][j, i] = count, found
     ordered_values(campaign, {what.name: np.concatenate([v.ravel() for v in values.values()])})
     return FieldMap(what, across, up, flights, values)

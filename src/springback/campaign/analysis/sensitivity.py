@@ -15,14 +15,19 @@ from springback.campaign.analysis.intervals import IntervalEstimate, Values
 from springback.campaign.analysis.marginals import MeasureColumn, measure_column, scale
 from springback.campaign.analysis.statistics import ordered_values
 from springback.results.database import identifier
+from springback.simulation.noise import Purpose, stream
 from springback.studies.proportions import CONFIDENCE
 
 #: Fewest samples for which indices are given (chosen: below, intervals reach ± 0.2 and more).
 LEAST = 128
+#: Relative deviation up to which values are the same but for rounding (chosen).
+ALIKE = 1e-12
 #: Number of draws of the bootstrap, and most groups of samples that are drawn (chosen).
 DRAWS, GROUPS = 1000, 1000
 #: Fewest samples in a class of a continuous field, and most classes (chosen).
 EACH, MOST_CLASSES = 8, 48
+#: Number of the stream of random numbers; a Latin hypercube shuffles with those below.
+BOOTSTRAP = 2**31
 Classes = npt.NDArray[np.intp]
 
 
@@ -84,7 +89,7 @@ def sensitivity(campaign: Campaign, name: str, fields: Sequence[str]) -> Sensiti
         flights[robot], count = len(values), len(np.unique(samples))
         if count < LEAST:
             reasons.append(f"{robot} has it in {count} samples, and at least {LEAST} are needed")
-        elif not np.ptp(values):
+        elif not values.std() > ALIKE * np.abs(values).max():
             reasons.append(f"it is the same in all flights of {robot}")
         else:
             found[robot] = first_order_indices(
@@ -98,11 +103,11 @@ def _rows(
 ) -> dict[str, Values]:
     """Measure, sample and fields of the flights that have them; levels of words as numbers."""
     words = {one.column for one in campaign.design.dimensions if one.text}
-    columns = [
-        f"{scale(campaign, name, 2).cell if name in words else identifier(name)} AS field{k}"
-        for k, name in enumerate(fields)
-    ]
-    listed = ", ".join([f"{identifier(what.name)} AS value", "sample", *columns])
+    values = (
+        scale(campaign, name, 2).cell if name in words else identifier(name) for name in fields
+    )
+    columns = [f"({value})::DOUBLE AS field{k}" for k, value in enumerate(values)]
+    listed = ", ".join([f"{identifier(what.name)}::DOUBLE AS value", "sample", *columns])
     sql = f"SELECT {listed} FROM flights WHERE robot = ? AND outcome <> 'refused' ORDER BY flight"
     found = campaign.arrays(sql, [robot])
     ordered_values(campaign, {what.name: found["value"]})
@@ -136,7 +141,7 @@ def first_order_indices(
         values: Measure, shape (flights,), not all equal.
         samples: Number of the sample of each flight; equal numbers are drawn together.
     """
-    chance = np.random.default_rng(0)  # the same intervals every time
+    chance = stream(0, Purpose.SHUFFLE, BOOTSTRAP)  # the same intervals every time
     groups, count = _groups(samples, chance)
     drawn = chance.multinomial(count, np.full(count, 1.0 / count), size=DRAWS)
     weights = np.vstack([np.ones(count), drawn]).astype(np.float64)
@@ -146,10 +151,10 @@ def first_order_indices(
     found = {}
     for name, x in fields.items():
         classes = _classes(x, class_count(len(np.unique(samples))))
-        estimate, *others = _explained(weights, squares, groups, classes, centred).tolist()
-        error = reach * float(np.std(others, ddof=1))
+        value, *others = _explained(weights, squares, groups, classes, centred).tolist()
+        estimate, error = min(1.0, max(0.0, value)), reach * float(np.std(others, ddof=1))
         bounds = (estimate, estimate - error, estimate + error)
-        found[name] = IntervalEstimate(*(min(1.0, max(0.0, value)) for value in bounds))
+        found[name] = IntervalEstimate(*(min(1.0, max(0.0, bound)) for bound in bounds))
     return found
 
 

@@ -34,6 +34,7 @@ from springback.campaign.design.sampling import (
     seeds,
     uniform_rows,
 )
+from springback.campaign.design.success import condition_in_words
 from springback.campaign.design.targets import in_numbers
 from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
@@ -108,11 +109,23 @@ class Design:
             check_trusted(word, "scenario")
         return code_digests(words)
 
+    def condition(self, text: str) -> str:
+        """Condition in words as SQL.
+
+        Raises:
+            InputError: If a name or a quantity is wrong.
+        """
+        fields = {one.column: None if one.text else one.unit for one in self.dimensions}
+        return condition_in_words(text, fields)
+
     @property
     def success(self) -> str:
         """Condition of success in SQL."""
-        if self.plan.success is not None:
-            return self.plan.success
+        given = self.plan.success
+        if isinstance(given, tuple):
+            return " AND ".join(f"({self.condition(text)})" for text in given)
+        if given is not None:
+            return given
         if self.bases[0].get("recovery") is not None:
             return "outcome = 'recovered'"
         failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
@@ -121,7 +134,8 @@ class Design:
     @property
     def rule(self) -> str:
         """Condition of success as the plan has it."""
-        return self.success
+        given = self.plan.success
+        return "; ".join(given) if isinstance(given, tuple) else self.success
 
     def slice(self, first: int, last: int) -> DesignSlice:
         """Flights from ``first`` to before ``last``, independent of other slices."""

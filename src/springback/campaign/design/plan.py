@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, ValidationError, ValidationInfo, model_validator
+from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
@@ -150,6 +150,16 @@ class Keep(Settings):
     """Largest number of flights, the first that satisfy it."""
 
 
+def _conditions(value: Any) -> Any:
+    """Condition in SQL, or conditions in words."""
+    words = [*value] if isinstance(value, list | tuple) else None
+    if words is None and not (value is None or isinstance(value, str)):
+        raise problem(f"must be text in SQL, or a list of conditions (got {shown_value(value)})")
+    if words is not None and not (words and all(isinstance(word, str) for word in words)):
+        raise problem(f"must be a list of at least one text (got {shown_value(value)})")
+    return value if words is None else tuple(words)
+
+
 class Plan(Settings):
     """Plan of the flights of a campaign.
 
@@ -173,9 +183,10 @@ class Plan(Settings):
     """Flights of each sample and robot, with different sensor noise and scatter."""
     vary: tuple[Vary, ...] = ()
     scatter: ScatterSettings | None = None
-    success: str | None = None
-    """Condition of success on the columns of a row, in SQL; by default that the robot recovered
-    or, without recovery, neither touched the ground, nor used up a stroke, nor diverged."""
+    success: Annotated[str | tuple[str, ...] | None, BeforeValidator(_conditions)] = None
+    """Condition of success on the columns of a row: a text is SQL; a list has conditions in words,
+    such as ``arm_stroke < 20 mm``, which must all hold.  By default that the robot recovered or,
+    without recovery, neither touched the ground, nor used up a stroke, nor diverged."""
     keep: Keep | None = None
 
     @model_validator(mode="after")

@@ -191,7 +191,7 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    output.note("flying a few of its flights; new kinds are compiled first")
+    output.note(FIRST.replace("flying", "flying a few of its flights", 1))
     with output.spinner("flying a few"):
         coming = cost_estimate(design, workers)
     output.print(coming.as_dict(), coming.sentence())
@@ -367,4 +367,4 @@ def summary(
     data = found.as_dict() | {"measures": {one.name: one.as_dict() for one in reports}}
     output.print(data, summary_text(found, reports))
     if output.out is not None:
-        output.note_written(files)
+        output.note_written(path for path in files if path.suffix in (".html", ".json"))

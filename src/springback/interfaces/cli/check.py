@@ -155,7 +155,7 @@ def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
     """Check a pilot or a shape, and exit with 1 if a property fails."""
     from springback.errors import InputError
     from springback.scenario.avionics import CompiledPilot
-    from springback.scenario.user_code import read_object
+    from springback.scenario.code_files import read_object
     from springback.studies.pilot_check import check_pilot
 
     scenarios = [Path(word) for word in more if "=" not in word]

@@ -242,7 +242,7 @@ def _write_cells(panel: Axes, found: FieldMap, image: Any, values: Any, flights:
         place = float(image.norm(value)) if np.isfinite(value) else 1.0
         text = f"{_written(found, value)}\n{count}" if np.isfinite(value) else "–"
         panel.text(
-            x[column], y[row], text, ha="center", va="center", size=6.2, linespacing=1.15,
+            x[column], y[row], text, ha="center", va="center", size=6.7, linespacing=1.15,
             color=ink(place), clip_on=True,
         )  # fmt: skip
 

@@ -75,7 +75,7 @@ def sensitivity_figure(found: Sensitivity) -> Figure:
         found: Indices, of at least one robot.
     """
     names = found.ranking()[::-1]
-    figure = StyledFigure(figsize=(5.6, 0.9 + 0.32 * len(names)))
+    figure = StyledFigure(figsize=(5.3, 0.9 + 0.32 * len(names)))
     axes = figure.subplots()
     chart = Chart(axes, "Share of the variance that the field alone explains [-]", "field")
     looks = robot_styles(found.robots)

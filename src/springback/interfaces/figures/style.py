@@ -110,7 +110,9 @@ def png(figure: Figure) -> bytes:
     return buffer.getvalue()
 
 
-def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path]:
+def save(
+    figure: StyledFigure, path: Path, *, numbers: bool = True, image: bytes = b""
+) -> list[Path]:
     """Write a figure as PNG and PDF, and its table as CSV.
 
     The files contain no dates: the same figure gives the same files.
@@ -119,13 +121,14 @@ def save(figure: StyledFigure, path: Path, *, numbers: bool = True) -> list[Path
         figure: Any figure.
         path: Path without suffix; the folder is created if it does not exist.
         numbers: Write the CSV, too; False where a file of that name has the numbers already.
+        image: The figure as PNG, if it was drawn before.
 
     Returns:
         The files written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     files = [path.with_name(path.name + suffix) for suffix in (".png", ".pdf")]
-    files[0].write_bytes(png(figure))
+    files[0].write_bytes(image or png(figure))
     undated = {"Creator": None, "Producer": None, "CreationDate": None}
     with style.context(STYLE):
         figure.savefig(files[1], format="pdf", metadata=undated)

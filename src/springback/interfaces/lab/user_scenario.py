@@ -14,11 +14,11 @@ from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
 from springback.control.reference_parameters import RunUpSettings
 from springback.interfaces.output.robots import ROBOTS, robot_label
 from springback.kernels.vectors import Vec
+from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import apply_overrides, read_scenario
 from springback.scenario.presets import is_vehicle_file, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
-from springback.scenario.user_code import with_absolute_names
 from springback.vehicle.parameters import Vehicle
 
 #: Most characters of the robot's label on the page (chosen).

@@ -70,11 +70,11 @@ def write_page(
     drawn = [_pictures(found.campaign, one, pairs, count) for one in reports]
     written = []
     for block in (block for blocks in drawn for block in blocks):
-        written += style.save(block.figure, folder / block.name)
+        written += style.save(block.figure, folder / block.name, image=block.image)
     sections = _sections(found, reports, drawn)
     lead = WORDS.say(
         "lead", **_about(found), done=found.campaign.done,
-        version=found.campaign.about["versions"]["springback"],
+        version=found.campaign.about["versions"].get("springback", "?"),
     )  # fmt: skip
     written.append(folder / "summary.html")
     text = page(str(found.campaign.about["name"]), sections, lead=lead)
@@ -85,7 +85,7 @@ def write_page(
 def _about(found: Summary) -> dict[str, Any]:
     """Facts on the campaign, with the time of its start to the minute."""
     about = dict(found.campaign.about)
-    return about | {"started": str(about["started"])[:16].replace("T", " ")}
+    return about | {"started": str(about.get("started", "?"))[:16].replace("T", " ")}
 
 
 def _pictures(

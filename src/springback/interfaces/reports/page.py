@@ -7,6 +7,7 @@ are in ``templates/*.toml``; code computes the numbers, by name.
 from __future__ import annotations
 
 import base64
+import functools
 import re
 import string
 import tomllib
@@ -78,10 +79,15 @@ class FigureBlock:
         """Anchor on the page."""
         return f"figure-{self.name}"
 
+    @functools.cached_property
+    def image(self) -> bytes:
+        """The PNG file."""
+        return style.png(self.figure)
+
     @property
     def source(self) -> str:
         """The PNG file as a data URI."""
-        return "data:image/png;base64," + base64.b64encode(style.png(self.figure)).decode("ascii")
+        return "data:image/png;base64," + base64.b64encode(self.image).decode("ascii")
 
     @property
     def size(self) -> tuple[int, int]:

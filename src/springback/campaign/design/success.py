@@ -1,0 +1,79 @@
+"""Success in words of measures and limits: ``arm_stroke < 20 mm``, ``recovered``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from pydantic_core import PydanticCustomError
+
+from springback.campaign.columns import FLIGHT, RESULT, known_columns
+from springback.errors import InputError, excerpt
+from springback.quantities import si_number
+from springback.results.database import identifier, literal
+from springback.settings import nearest_name
+from springback.simulation.measures import Outcome
+
+_COMPARISON = re.compile(r"\s*(?P<name>[^<>=!]+?)\s*(?P<sign><=|>=|!=|==?|<|>)\s*(?P<limit>.+?)\s*")
+_OUTCOME = re.compile(r"\s*(?P<no>not\s+)?(?P<word>[A-Za-z_]+)\s*")
+#: Columns that cannot be in a condition, since they are the result of it or of the whole row.
+_RESULTS = {"success", "problem"}
+
+
+def condition_in_words(text: str, fields: Mapping[str, str | None]) -> str:
+    """SQL of a condition in words.
+
+    It is a comparison of a column with a quantity (``touch_speed < 2 m/s``), an outcome
+    (``recovered``, ``not hit_ground``), or several of these with ``or`` between them.  A limit of a
+    measure that a flight does not have is not met.
+
+    Args:
+        text: The condition.
+        fields: Unit of each varied field by column; None for fields of words.
+
+    Raises:
+        InputError: If a name is unknown, or a quantity cannot be read.
+    """
+    return " OR ".join(_term(part, fields) for part in re.split(r"\s+or\s+", text))
+
+
+def _term(text: str, fields: Mapping[str, str | None]) -> str:
+    """SQL of a comparison or an outcome."""
+    columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
+    columns |= {**dict.fromkeys(("robot", "outcome")), **fields}
+    outcomes = [outcome.word for outcome in Outcome]
+    found = _OUTCOME.fullmatch(text)
+    if found is not None:
+        word = found["word"]
+        if word in columns:
+            raise InputError(f"{excerpt(text)}: has no limit; write such as {word} < 1")
+        if word not in outcomes:
+            hint = _hint(word, [*outcomes, *columns])
+            raise InputError(f"{excerpt(text)}: is neither an outcome nor a limit{hint}")
+        return f"outcome {'<>' if found['no'] else '='} {literal(word)}"
+    found = _COMPARISON.fullmatch(text)
+    if found is None:
+        raise InputError(
+            f"{excerpt(text)}: must be a limit such as arm_stroke < 20 mm, or an outcome such as "
+            "recovered"
+        )
+    name, sign, limit = found["name"], found["sign"].replace("==", "="), found["limit"]
+    if name not in columns or name in _RESULTS:
+        hint = _hint(name, columns)
+        raise InputError(f"{excerpt(text)}: there is no column {excerpt(name)}{hint}")
+    unit = columns[name]
+    if unit is None:
+        if sign not in ("=", "!="):
+            raise InputError(f"{excerpt(text)}: {name} holds words, which = and != compare")
+        return f"coalesce({identifier(name)} {sign} {literal(limit)}, false)"
+    try:
+        value = si_number(limit, unit)
+    except PydanticCustomError as error:
+        raise InputError(f"{excerpt(text)}: {name}: {error.message()}") from None
+    return f"coalesce({identifier(name)} {sign} {value!r}::DOUBLE, false)"
+
+
+def _hint(word: str, known: Mapping[str, object] | list[str]) -> str:
+    hidden = {*FLIGHT, *RESULT}
+    near = nearest_name(word, [name for name in known if name not in hidden])
+    return f"; did you mean {near}?" if near else "; springback query FOLDER lists the columns"
