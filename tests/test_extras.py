@@ -19,7 +19,7 @@ from springback import extras
 from springback.errors import InputError
 from springback.extras import OF_DEVELOPERS, install_line, needs, packages
 from springback.interfaces.cli.app import cli
-from springback.interfaces.cli.diagnosis import MISSING, extras_found
+from springback.interfaces.output.diagnosis import MISSING, extras_found
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]

@@ -86,8 +86,13 @@ def test_code_that_cannot_be_checked_is_one_line(words: list[str], message: str)
         check(f"{EXAMPLES / 'own_obstacle.py'}:{words[0]}", *words[1:])
 
 
-def test_a_scenario_whose_code_cannot_be_used_is_refused(tmp_path: Path) -> None:
+def test_a_scenario_whose_code_cannot_be_used_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "s.toml"
     path.write_text((EXAMPLES / "own_obstacle.toml").read_text())
+    with pytest.raises(InputError, match="not trusted"):
+        check(str(path))
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
     with pytest.raises(InputError, match="there is no such file"):
         check(str(path))

@@ -27,6 +27,7 @@ from springback.vehicle.parameters import Vehicle
 @pytest.fixture(autouse=True)
 def in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
 
 
 def new(*words: str) -> str:

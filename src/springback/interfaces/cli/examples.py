@@ -64,7 +64,7 @@ class TemplateFiles(NamedTuple):
     files: dict[str, str]
     """Suffix of the written file's name, after its stem, and the example that it comes from."""
     next: tuple[str, ...]
-    """Commands to type next, with ``{stem}`` of the file's path."""
+    """Commands to type next, with ``{stem}`` of the file's path and its ``{folder}``."""
 
 
 TEMPLATES = {
@@ -74,12 +74,16 @@ TEMPLATES = {
             "springback check {stem}.toml",
             "springback fly {stem}.toml --out {stem}-flight",
             "springback view {stem}-flight",
+            "springback lab {stem}.toml",
+            "springback map speed=1:4:4 pitch=-30deg:30deg:3 --robot {stem}.toml --trials 2 "
+            "--out {stem}-map",
         ),
     ),
     "pilot": TemplateFiles(
         {".py": "own_pilot.py", ".toml": "own_pilot.toml"},
         (
             "springback check {stem}.py:hover",
+            "springback trust {folder}",
             "springback fly {stem}.toml --out {stem}-flight",
             "python {stem}.py",
         ),
@@ -88,6 +92,7 @@ TEMPLATES = {
         {".py": "own_obstacle.py", ".toml": "own_obstacle.toml"},
         (
             "springback check {stem}.py:POLE",
+            "springback trust {folder}",
             "springback fly {stem}.toml --out {stem}-flight",
             "python {stem}.py",
         ),
@@ -153,11 +158,14 @@ def new(
             write_atomically(one, text)
     except OSError as error:
         raise InputError(f"{path}: cannot be written ({error.strerror})") from None
-    stem = shlex.quote(str(path.with_suffix("")))
+    stem, folder = shlex.quote(str(path.with_suffix(""))), shlex.quote(str(path.parent))
     terminal.print(
         {"files": [str(one) for one in written]}, f"written: {', '.join(map(str, written))}"
     )
-    terminal.note("next:\n" + "\n".join(f"  {line.format(stem=stem)}" for line in template.next))
+    terminal.note(
+        "next:\n"
+        + "\n".join(f"  {line.format(stem=stem, folder=folder)}" for line in template.next)
+    )
 
 
 def _renamed(example: str, kind: str, name: str, compiled: bool) -> str:

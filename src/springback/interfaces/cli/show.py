@@ -55,7 +55,7 @@ def show(preset: str | None, terminal: Terminal) -> None:
 @terminal_options("as_json", "quiet")
 def doctor(terminal: Terminal) -> None:
     """Check this installation: versions, extras, compiler, agreement of the executors."""
-    from springback.interfaces.cli.diagnosis import diagnosis
+    from springback.interfaces.output.diagnosis import diagnosis
 
     with terminal.spinner("compiling and checking"):
         found = diagnosis()
