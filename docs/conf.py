@@ -24,6 +24,7 @@ extensions = [
     "modules",
     "presets",
     "measure_tables",
+    "commands",
 ]
 exclude_patterns = ["_build", "extensions", "figures"]
 source_suffix = {".md": "markdown"}
@@ -49,8 +50,10 @@ html_theme = "furo"
 html_title = f"springback {release}"
 html_static_path = ["_static"]
 html_css_files = ["springback.css"]
+html_js_files = ["copy.js"]
 html_math_renderer = "mathml"
 html_copy_source = False
+html_search_scorer = str(ROOT / "docs" / "extensions" / "scorer.js")
 html_show_search_summary = False  # pages opened from a disk may not read each other
 html_show_sphinx = False
 html_last_updated_fmt = None

@@ -1,7 +1,7 @@
 """A user-defined pilot in plain Python: it hovers with motion capture and a gyroscope.
 
-springback fly steps.toml --pilot own_pilot.py:hover --out results
 springback check own_pilot.py:hover
+springback fly own_pilot.toml --out own_pilot
 """
 
 import math
@@ -35,7 +35,13 @@ class Memory(NamedTuple):
 
 
 def hover(time: float, measurement: Measurement, memory: Memory | None):
-    """Thrust of each rotor [N], and the new memory; memory is None at first."""
+    """Thrust of each rotor [N], and the new memory; memory is None at first.
+
+    It is called at every tick, 1000 times a second.  Measurements are delayed and noisy: a pose
+    with position [m] and attitude (quaternion wxyz, body to world), and an inertial unit with
+    angular velocity [rad/s] and specific force [m/s²] in body axes.  ``fresh`` says if one is new.
+    Everything to be remembered goes into the memory, which is returned anew and never changed.
+    """
     pose, position = measurement.pose, np.array(measurement.pose.position)
     if memory is None:
         memory = Memory(time, position, np.zeros(3))

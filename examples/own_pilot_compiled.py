@@ -1,7 +1,9 @@
-"""The pilot of own_pilot.py, compiled: floats and NamedTuples of floats, no arrays.
+"""A user-defined pilot that is compiled: it hovers with motion capture and a gyroscope.
 
-springback fly steps.toml --pilot own_pilot_compiled.py:hover --out results
+Settings and memory are NamedTuples of floats and vectors; no arrays, integers, or exceptions.
+
 springback check own_pilot_compiled.py:hover
+springback fly own_pilot.toml --out own_pilot
 """
 
 import math
@@ -55,6 +57,7 @@ def clipped(thrust: float, most: float) -> float:
 @pilot_step.register(Hover)
 @kernel
 def _(pilot: Hover, time: float, measurement: Measurement, memory: Memory) -> PilotOutput:
+    """Thrust of each rotor [N], and the new memory, at every tick."""
     p, after, pose = pilot, moved(time, measurement, memory), measurement.pose
     force = p.mass * (-5.0 * (pose.position - p.place) - 3.5 * after.velocity)
     force = force + Vec(0.0, 0.0, p.mass * 9.81)

@@ -13,10 +13,12 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+import click
 import pytest
 
 import springback
 from builders.cases import nonempty
+from springback.interfaces.cli.app import cli
 from springback.scenario.fields import TableField, fields_of
 from springback.settings import Settings
 
@@ -141,6 +143,16 @@ def test_every_public_name_has_its_entry(built: dict[str, Page]) -> None:
     ids = set().union(*(page.ids for page in built.values()))
     for name, chapter in nonempty(springback._PUBLIC.items()):
         assert f"springback.{chapter}.{name}" in ids, name
+
+
+def test_every_option_of_every_command_has_its_row(built: dict[str, Page]) -> None:
+    text = "".join(built["commands.html"].text)
+    for name, command in nonempty(cli.commands.items()):
+        assert f"springback {name}" in text
+        assert name in built["commands.html"].ids
+        for option in command.params:
+            if isinstance(option, click.Option):
+                assert all(word in text for word in option.opts), (name, option.opts)
 
 
 # -- as written -----------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ const digest = createHash("sha256");
 for (const name of sources) digest.update(name + "\n").update(readFileSync(join(here, name)));
 const hash = digest.digest("hex");
 
-const bundled = ["three", "uplot"];
+const bundled = ["fflate", "three", "uplot"];
 const licences = bundled
   .map((name) => {
     const about = JSON.parse(readFileSync(join(here, "node_modules", name, "package.json")));

@@ -47,7 +47,7 @@ PLAIN = {
     "radius": "Of the circle.",
     "period": "Time for one round.",
     "begins": "Until then the robot waits at the first point.",
-    "start": "Where it begins, at rest.",
+    "start": "Where it begins, at rest; in a scenario ``start.position`` unless given.",
     "rate": "Of its samples.",
     "delay": "From sample to arrival.",
     "full_scale": "Readings end at plus and minus this.",

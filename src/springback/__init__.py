@@ -5,6 +5,7 @@ The public names, in the order of the documentation; each is loaded on first use
 
 from __future__ import annotations
 
+from springback.results.hooks import provide as _provide
 from springback.version import __version__ as __version__
 
 TYPE_CHECKING = False  # not imported from typing: until Ctrl-C is handled, it shows a traceback
@@ -33,9 +34,11 @@ if TYPE_CHECKING:
     from springback.paper.slider import slider_experiments as slider_experiments
     from springback.results.flight import Flight as Flight
     from springback.results.flight import fly as fly
+    from springback.results.saved import load as load
     from springback.scenario.avionics import CompiledPilot as CompiledPilot
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
+    from springback.scenario.user_pilots import PilotContext as PilotContext
     from springback.sensing.measurement import Measurement as Measurement
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
@@ -67,10 +70,10 @@ _PUBLIC = {
     "Measurement": "sensing.measurement",
     "pilot_step": "simulation.onboard", "PilotOutput": "simulation.onboard",
     "telemetry_of": "simulation.onboard",
-    "CompiledPilot": "scenario.avionics",
+    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user_pilots",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
-    "fly": "results.flight", "Flight": "results.flight",
+    "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",
     "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
     "Plan": "campaign.design.plan", "run_campaign": "campaign.running",
     "Campaign": "campaign.access", "CampaignError": "campaign.errors",
@@ -78,6 +81,16 @@ _PUBLIC = {
     "slider_experiments": "paper.slider", "Interpretation": "paper.slider",
     "InputError": "errors",
 }  # fmt: skip
+
+_provide({
+    "Flight.save": ("springback.interfaces.reports.flight_files", "save_flight"),
+    "Flight.view": ("springback.interfaces.replay.viewer", "view_flights"),
+    "Flight.animate": ("springback.interfaces.animation.film", "save_film"),
+    "Flight.plot": ("springback.interfaces.figures.plot", "plot"),
+    "Flight.html": ("springback.interfaces.reports.notebook", "flight_html"),
+    "Campaign.plot": ("springback.interfaces.figures.plot", "plot_campaign"),
+    "Campaign.html": ("springback.interfaces.reports.notebook", "campaign_html"),
+})  # fmt: skip
 
 __all__ = [*_PUBLIC, "__version__"]
 

@@ -148,7 +148,12 @@ class Unit:
         """
         return si_number(value, self.unit, above=self.above, least=self.least, most=self.most)
 
-    def _three(self, value: Any) -> tuple[float, ...]:
+    def triple(self, value: Any) -> tuple[float, ...]:
+        """Three numbers in SI.
+
+        Raises:
+            The problem, with the given value, its unit and the allowed range.
+        """
         if not isinstance(value, list | tuple) or len(value) != 3:
             numbers = f"three numbers in {self.unit or 'no unit'}"
             raise problem(f"must be {numbers} (got {shown_value(value)})")
@@ -161,7 +166,7 @@ class Unit:
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
         """Numbers are read in place of pydantic."""
-        readers = {Triple: self._three, PerArm: self._one_or_each}
+        readers = {Triple: self.triple, PerArm: self._one_or_each}
         return no_info_plain_validator_function(readers.get(source, self.read))
 
 

@@ -35,7 +35,7 @@ from springback.campaign.design.layout import lay_out
 from springback.errors import InputError
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
-from springback.results.saved import read_result
+from springback.results.saved import load
 
 ROOT = Path(__file__).parents[2]
 CAMPAIGN = """
@@ -85,7 +85,7 @@ def damaged_results(folder: Path, cases: int) -> Iterator[Row]:
     write_flight(flight, folder / "f", figures=False)
 
     def said(place: Path) -> Any:
-        read = read_result(place)
+        read = load(place)
         columns = {
             name: values.tobytes() for name, values in (read.columns | read.telemetry).items()
         }

@@ -36,10 +36,11 @@ from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
 from springback.interfaces.cli.app import environment
 from springback.interfaces.replay.labels import scenes_of
+from springback.interfaces.replay.signals import plain_signals
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.results.parquet import write_parquet
-from springback.results.saved import read_result
+from springback.results.saved import load
 from springback.results.sealed_json import SEAL, with_digest
 
 SUMMARY, TRAJECTORY, DIARY = "summary.json", "trajectory.parquet", "telemetry.parquet"
@@ -188,7 +189,7 @@ def _columns(kind: str) -> Columns:
             else np.array([math.nan if row[k] is None else row[k] for row in answer.rows])
             for k, name in enumerate(answer.columns)
         }
-    read = read_result(result()[0])
+    read = load(result()[0])
     return dict(read.columns if kind == "trajectory" else read.telemetry)
 
 
@@ -292,11 +293,12 @@ def result_files(changed: Changed) -> None:
     """As `springback view` does."""
     folder, files = result()
     with _become(folder, files, changed.files):
-        flight = read_result(folder)
+        flight = load(folder)
         assert all(value is None or math.isfinite(value) for value in flight.measures.values())
         json.dumps(flight.summary(), allow_nan=False).encode()
         repr(flight).encode()
-        scenes_of([flight], [folder])
+        [scene] = scenes_of([flight], [folder])
+        json.dumps(plain_signals(flight, scene), allow_nan=False)
 
 
 def campaign_files(changed: Changed, *, summed: bool | None = None) -> None:

@@ -9,6 +9,7 @@ import pytest
 
 import springback
 from springback.campaign.access import Campaign
+from springback.campaign.cost_estimate import cost_estimate
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.envelope import plan_envelope
@@ -60,7 +61,8 @@ count = 12
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
     (tmp_path / "mine.py").write_text(CODE)
     (tmp_path / "flight.toml").write_text(SCENARIO)
     (tmp_path / "heavy.toml").write_text('preset = "arq"\nbody = { mass = 0.9 }\n')
@@ -88,20 +90,30 @@ def test_rows_are_those_of_flights(folder: Path) -> None:
     assert rows[4]["impact_peak_acceleration"] != rows[5]["impact_peak_acceleration"]
 
 
-def test_a_stranger_s_folder_runs_nothing(folder: Path) -> None:
+def test_a_stranger_s_folder_runs_nothing(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out = folder / "out"
     run_campaign(_plan(folder), out, workers=1)
     (folder / "ran").unlink()
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(out))
     known = Campaign(out)
     assert known.query("SELECT count(*) FROM flights").rows == [(24,)]
     lay_out(stored_plan(out), tried=False)
-    with pytest.raises(InputError, match=r"runs code, .*mine.py:wall; if you trust it"):
-        known.refly(3)
+    for work in (
+        lambda: known.refly(3),
+        lambda: run_campaign(stored_plan(out), out, resume=True),
+        lambda: run_campaign(_plan(folder), folder / "more"),
+        lambda: cost_estimate(lay_out(_plan(folder))),
+    ):
+        with pytest.raises(
+            InputError, match=r"mine.py:wall is code, and its folder is not trusted"
+        ):
+            work()
     assert not (folder / "ran").exists()
-    assert not Campaign(out, trust=True).refly(3).differences
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(folder))
+    assert not known.refly(3).differences
     (folder / "mine.py").write_text(CODE + "\n")
     with pytest.raises(InputError, match=r"mine.py: has changed since the campaign was flown"):
-        Campaign(out, trust=True).refly(3)
+        Campaign(out).refly(3)
 
 
 def test_a_campaign_goes_on_with_the_same_code_only(folder: Path) -> None:

@@ -173,7 +173,8 @@ def test_scatter_is_that_of_trials() -> None:
         scenario_from(dealt.tables[1]),
         scenario_from(trial_tables("arq", 0.0, 2.0, noise_stream)),
     )
-    assert ours.start == theirs.start
+    assert ours.start_state() == theirs.start_state()
+    assert ours.reference == theirs.reference
     assert ours.control == theirs.control
     assert ours.model_error == theirs.model_error
     for one, other in zip(ours.world.obstacles[:1], theirs.world.obstacles[:1], strict=True):
@@ -357,3 +358,26 @@ def test_a_value_of_the_scenario_can_be_overridden_where_it_is_in_a_file(tmp_pat
     assert plain.scenario["start"]["position"] == [0.6, 0, 1]
     assert moved.scenario["start"]["position"] == [0.6, 0, 3]
     assert lay_out(moved, source).robots == ("quad",)
+
+
+def test_a_run_up_begins_at_the_varied_start_and_not_at_the_scattered_one() -> None:
+    """At every height the robot runs up level, whatever displaces it at first."""
+    base = {
+        "vehicle": "arq",
+        "reference": {"type": "run-up", "speed": 2.0},
+        "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": "wall"}]},
+    }
+    heights = {"field": "start.position.2", "values": [1.0, "3 m"]}
+    design = lay_out(plan(
+        method="grid", samples=None, scenario=base, robots=[], vary=[heights],
+        scatter={"position": "3 cm"},
+    ))  # fmt: skip
+    dealt = design.slice(0, 2)
+    for k, height in enumerate((1.0, 3.0)):
+        scenario = scenario_from(dealt.tables[k])
+        assert scenario.reference.start == (0.0, 0.0, height)
+        assert scenario.start_state().position.z == height + dealt.columns["scatter_position_z"][k]
+    given = {**base, "reference": {**base["reference"], "start": [0.0, 0.0, 2.0]}}
+    design = lay_out(plan(method="grid", samples=None, scenario=given, robots=[], vary=[heights]))
+    starts = [scenario_from(one).reference.start for one in design.slice(0, 2).tables]
+    assert starts == [(0.0, 0.0, 2.0)] * 2

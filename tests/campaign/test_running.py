@@ -67,6 +67,14 @@ def test_every_flight_flown_alone_is_its_row(whole: Campaign) -> None:
         whole.row(24)
 
 
+def test_a_row_is_flown_and_viewed_from_python(whole: Campaign, tmp_path: Path) -> None:
+    flight = whole.flight(7)
+    assert flight.touch_speed == whole.row(7)["touch_speed"]
+    page = whole.view(7, 8, export=tmp_path / "rows.html")
+    assert page.text == flight.view(whole.flight(8), export=tmp_path / "same.html").text
+    assert (tmp_path / "rows.html").is_file()
+
+
 def test_a_row_that_is_not_its_flight_is_told(
     whole: Campaign, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 from springback.contact.restitution import restitution
+from springback.errors import InputError
 from springback.results.flight import as_scenario, fly
+from springback.scenario.avionics import scenario_warnings
 from springback.simulation.measures import Outcome
 from springback.vehicle.library import VEHICLES
 
@@ -162,3 +164,29 @@ def test_a_flight_reads_like_its_measures() -> None:
     assert flight.message in repr(flight)
     with pytest.raises(AttributeError, match="peak_acceleration"):
         _ = flight.peak_accelleration
+
+
+RUN_UP: dict[str, Any] = {"vehicle": "arq", "reference": {"type": "run-up", "speed": 2.0}}
+
+
+def test_a_run_up_begins_where_the_vehicle_does_unless_it_has_a_start_of_its_own() -> None:
+    high = as_scenario(RUN_UP, ("start.position.2=3 m",))
+    assert high.reference.start == high.start.position == (0.0, 0.0, 3.0)
+    assert as_scenario(RUN_UP).reference.start == (0.0, 0.0, 1.0)
+    assert scenario_warnings(high) == []
+    own = as_scenario(RUN_UP, ("start.position.2=3 m", "reference.start=[0, 0, 2]"))
+    assert own.reference.start == (0.0, 0.0, 2.0)
+    assert "reference.start is 1 m from start.position" in scenario_warnings(own)[0]
+
+
+def test_an_offset_moves_the_vehicle_and_not_its_run_up() -> None:
+    aside = as_scenario(RUN_UP, ("start.offset=[0, 0.05, 0]",))
+    assert aside.reference.start == (0.0, 0.0, 1.0)
+    assert aside.start_state().position == (0.0, 0.05, 1.0)
+
+
+def test_a_bad_position_is_one_problem_although_a_run_up_begins_there() -> None:
+    with pytest.raises(InputError) as caught:
+        as_scenario(RUN_UP, ('start.position=[0, 0, "3 kg"]',))
+    [problem] = caught.value.problems
+    assert "start.position: has the wrong unit (got '3 kg')" in problem

@@ -1,4 +1,5 @@
 // A flight from springback.interfaces.replay.scene, unpacked for evaluation at any instant.
+import { signalsOf } from "./signals.js";
 
 const KINDS = { f4: Float32Array, f8: Float64Array, i4: Int32Array };
 
@@ -30,6 +31,8 @@ export function flightOf(scene) {
     point: unpacked(scene.point.of),
     rows,
     series: scene.series.map((one) => ({ ...one, values: unpacked(one.values) })),
+    signals: signalsOf(scene.signals),
+    every: scene.signals?.telemetry?.every ?? 1, // of the ticks of the telemetry
     shift: 0,
   };
 }
@@ -93,17 +96,41 @@ export function poseAt(flight, time) {
   };
 }
 
-/** Value of a series at a time. */
-export function valueAt(flight, values, time) {
-  const t = Math.min(Math.max(time - flight.shift, flight.begin), flight.end);
-  const i = placeOf(flight.t, t);
-  const k = Math.min(i + 1, flight.n - 1);
-  const u = k > i ? (t - flight.t[i]) / (flight.t[k] - flight.t[i]) : 0;
+/** Value at a time of a curve {flight, t, values, held}; the curves of a scene are over its instants. */
+export function valueAt({ flight, t = flight.t, values, held = false }, time) {
+  const own = Math.min(Math.max(time - flight.shift, t[0]), t[t.length - 1]);
+  const i = placeOf(t, own);
+  const k = held ? i : Math.min(i + 1, t.length - 1);
+  const u = k > i ? (own - t[i]) / (t[k] - t[i]) : 0;
   return values[i] * (1 - u) + values[k] * u;
+}
+
+/** True if the pilot recorded an estimate of the pose. */
+export const hasEstimate = (flight) => ["est_x", "est_qw"].every((name) => flight.signals.has(name));
+
+/** The estimated pose at a time, as of poseAt, with arms as the Hall sensors have them. */
+export function estimateAt(flight, time) {
+  const value = (name, otherwise) => {
+    const signal = flight.signals.get(name);
+    return signal ? valueAt({ flight, ...signal, values: signal.values }, time) : otherwise;
+  };
+  const q = ["w", "x", "y", "z"].map((part) => value(`est_q${part}`));
+  const norm = Math.hypot(...q) || 1;
+  return {
+    own: Math.min(Math.max(time - flight.shift, flight.begin), flight.end),
+    position: ["x", "y", "z"].map((axis) => value(`est_${axis}`)),
+    quaternion: q.map((x) => x / norm),
+    armLengths: flight.arms.map((arm, j) => value(`hall${j + 1}`, arm.length)),
+    thrust: flight.arms.map(() => 0),
+    contacts: [],
+  };
 }
 
 /** First touch [s], or null. */
 export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0] + flight.shift : null);
+
+/** First touch of the first flight that touches anything [s], or null. */
+export const firstTouch = (flights) => flights.map(touchOf).find((touch) => touch !== null) ?? null;
 
 /** Largest contact force of one cage, or of the main body, over a flight [N]. */
 export function largestForce(flight) {

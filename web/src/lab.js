@@ -5,8 +5,10 @@ import { touchOf } from "./flight.js";
 import { createControls } from "./lab_controls.js";
 import { createQueue } from "./lab_queue.js";
 import { createLabPlots } from "./lab_plots.js";
+import { createLabSweep } from "./lab_sweep.js";
 import { createLabTable } from "./lab_table.js";
-import { choice, createPlayer, create } from "./player.js";
+import { choice, create } from "./elements.js";
+import { createPlayer } from "./player.js";
 import { CAMERAS, createScene, together } from "./scene.js";
 import { palette } from "./colours.js";
 
@@ -15,9 +17,8 @@ const VIEWS = { impact: "Impact", follow: "Follow", side: "Side", top: "Top", fr
 const PRESSED = 0.012;
 /** Time after the last key at which typed input is sent [ms]. */
 const PAUSE = 350;
-const colourOf = (flight) => palette().robots[flight.label === "Quad" ? 1 : 0];
 
-/** @param data {controls}: the table of settings */
+/** @param data {controls, sweeps, file}: the table of settings, what can be swept, the user's file */
 export function startLab(element, data) {
   const page = Math.random().toString(36).slice(2);
   let answer = null;
@@ -32,16 +33,18 @@ export function startLab(element, data) {
   const link = create("input", { class: "link", readonly: true, "aria-label": "Link to these settings", id: "link", onfocus: () => link.select() });
   const copy = create("button", { type: "button", id: "copy", onclick: copyLink }, "Copy link");
   const pin = create("button", { type: "button", id: "pin", "aria-pressed": "false", title: "Keep this flight behind the next ones for comparison", onclick: togglePin }, "Pin");
-  const reset = create("button", { type: "button", id: "reset", title: "Return to the paper's slider test", onclick: () => go("", { push: true }) }, "Reset");
+  const reset = create("button", { type: "button", id: "reset", title: data.file ? `Return to ${data.file}` : "Return to the paper's slider test", onclick: () => go("", { push: true }) }, "Reset");
   const files = create("span", { class: "files" });
   const stage = create("div", { class: "stage" });
   const preparing = create("div", { class: "preparing", role: "status", hidden: true });
   const bar = create("div");
   const plotBox = create("div");
   const tableBox = create("div", { class: "measures" });
+  const sweepBox = create("div");
+  const lock = create("button", { type: "button", id: "lock", "aria-pressed": "false", title: "Keep the vertical scales of all plots as they are", onclick: toggleLock }, "Lock y");
   const took = create("p", { class: "took" });
   const drawer = create("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
-  const cameras = choice("Camera", CAMERAS.map((mode) => [mode, VIEWS[mode] ?? mode]), "impact", (mode) => scene.setCamera(mode));
+  const cameras = choice("Camera", CAMERAS.filter((mode) => VIEWS[mode]).map((mode) => [mode, VIEWS[mode]]), "impact", (mode) => scene.setCamera(mode));
   const compare = choice("Two robots", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
   const timeHead = create("h2");
   const spans = choice("Plots show", [["impact", "impact"], ["all", "all"]], "impact", (which) => {
@@ -52,13 +55,13 @@ export function startLab(element, data) {
   element.classList.add("lab");
   element.replaceChildren(
     create("header", { class: "top" },
-      create("div", { class: "said" }, create("h1", {}, "Impact lab"), outcomes, alert),
+      create("div", { class: "said" }, create("h1", {}, "Impact lab", ...(data.file ? [create("small", {}, data.file)] : [])), outcomes, alert),
       create("div", { class: "actions" }, pin, reset, files, create("span", { class: "linking" }, link, copy))),
     create("main", {},
       create("aside", { class: "settings", id: "settings" }, controls.element, took),
       create("div", { class: "middle" },
         create("div", { class: "frame" }, stage, create("div", { class: "views" }, cameras, compare), preparing), bar, tableBox),
-      create("aside", { class: "curves" }, create("div", { class: "plot-head" }, timeHead, spans), plotBox)),
+      create("aside", { class: "curves" }, sweepBox, create("div", { class: "plot-head" }, timeHead, lock, spans), plotBox)),
     drawer,
   );
 
@@ -66,10 +69,15 @@ export function startLab(element, data) {
   const plots = createLabPlots(plotBox, { onSeek: (t) => (player.pause(), player.seek(t)) });
   const player = createPlayer({ scene, plots: { show: plots.show, replace: () => drawPlots() }, bar });
   const table = createLabTable(tableBox);
+  const sweep = createLabSweep(sweepBox, {
+    choices: data.sweeps, table: data.controls, page, isShown: controls.isShown, onPick: controls.pick,
+    onChoice: () => answer && remember(answer.query, { settled: true }),
+  });
   const queue = createQueue(page, { answered, refused, waits, gone });
 
   // -- settings and answers -----------------------------------------------------------------------
   let typed = 0;
+  let moving = false;
   function changed(name, value, how) {
     clearTimeout(typed);
     const ask = () => queue.ask(controls.query(), { ...how, since: performance.now() });
@@ -88,13 +96,14 @@ export function startLab(element, data) {
     const first = !before || before.settings.mode !== found.settings.mode;
     const many = found.flights.length !== before?.flights.length;
     scene.replace(found.flights.map((one) => one.scene), { keepCamera: !first && !many });
-    for (const flight of scene.flights) flight.colour = colourOf(flight);
     compare.hidden = found.flights.length < 2;
-    if (first) spans.mark((whole = found.settings.mode === "flight") ? "all" : "impact");
+    if (first) spans.mark((whole = found.is_piloted) ? "all" : "impact");
+    moving = Boolean(how.moving);
     player.replace({ keepTime: !first });
     if (first) begin();
     drawOutcomes();
-    table.show(found, pinned);
+    showTable();
+    sweep.show(found, how);
     files.replaceChildren(...found.flights.map((one) => create("a", {
       class: "button", href: `scenario.toml?${[found.query, `of=${one.robot}`].filter(Boolean).join("&")}`, download: one.file, title: `Scenario for springback fly, ${one.label}`,
     }, `${one.label}.toml`)));
@@ -109,7 +118,7 @@ export function startLab(element, data) {
   /** Initial camera and instant of a new kind of flight. */
   function begin() {
     const touch = touchOf(scene.flights[0]);
-    const impact = answer.settings.mode === "impact";
+    const impact = !answer.is_piloted;
     const view = impact ? "impact" : "follow";
     cameras.mark(view);
     scene.setCamera(view);
@@ -119,7 +128,7 @@ export function startLab(element, data) {
   function drawPlots() {
     if (!answer) return;
     timeHead.textContent = whole ? "Time [s]" : "Time from touch [ms]";
-    plots.replace(scene.flights, { whole });
+    plots.replace(scene.flights, { whole, moving });
   }
 
   function drawOutcomes() {
@@ -128,6 +137,15 @@ export function startLab(element, data) {
       line.style.setProperty("--colour", scene.flights[k].colour);
       return line;
     }));
+  }
+
+  const showTable = () => table.show(answer, pinned, scene.flights.map((one) => one.colour));
+
+  function toggleLock() {
+    const on = lock.getAttribute("aria-pressed") !== "true";
+    lock.setAttribute("aria-pressed", String(on));
+    plots.lock(on);
+    drawPlots();
   }
 
   function say(lines) {
@@ -146,8 +164,8 @@ export function startLab(element, data) {
   /** Kernels are being compiled: the request is repeated soon. */
   function waits(kind) {
     preparing.hidden = false;
-    preparing.replaceChildren(create("progress", {}), create("p", {}, `Compiling for ${kind.what}: ${Math.round(kind.waited)} s so far.`),
-      create("p", { class: "words" }, "Once on this machine, 10 s to a minute or two; other settings can be flown meanwhile if they are ready."));
+    preparing.replaceChildren(create("progress", {}), create("p", {}, `Compiling for ${kind.what}, about ${kind.about} s: ${Math.round(kind.waited)} s so far.`),
+      create("p", { class: "words" }, `Once on this machine; ${answer ? "the previous flight stays, and " : ""}other settings can be flown meanwhile if they are ready.`));
   }
 
   function gone() {
@@ -158,10 +176,10 @@ export function startLab(element, data) {
   let gesture = false;
   /** Put settings into the address; one drag or one typed word is one step of the history. */
   function remember(query, { settled = false, aside = false, restored = false }) {
-    const address = `${location.pathname}${query ? `?${query}` : ""}`;
+    const address = `${location.pathname}${query ? `?${query}` : ""}${sweep.hash()}`;
     link.value = location.origin + address;
     if (aside || restored) return;
-    if (`${location.pathname}${location.search}` !== address) {
+    if (`${location.pathname}${location.search}${location.hash}` !== address) {
       if (gesture) history.replaceState(null, "", address);
       else history.pushState(null, "", address);
     }
@@ -171,7 +189,7 @@ export function startLab(element, data) {
   function go(query, { push = false } = {}) {
     queue.ask(query, { since: performance.now(), settled: push, restored: !push });
   }
-  addEventListener("popstate", () => go(location.search.slice(1)));
+  addEventListener("popstate", () => (sweep.restore(location.hash), go(location.search.slice(1))));
 
   async function copyLink() {
     try {
@@ -189,10 +207,9 @@ export function startLab(element, data) {
     pin.setAttribute("aria-pressed", String(Boolean(pinned)));
     pin.textContent = pinned ? "Unpin" : "Pin";
     const behind = pinned ? together(pinned.flights.map((one) => ({ ...one.scene })), palette()) : [];
-    for (const flight of behind) flight.colour = colourOf(flight);
     plots.pin(behind);
     drawPlots();
-    table.show(answer, pinned);
+    showTable();
   }
 
   function open(opened) {
@@ -203,9 +220,10 @@ export function startLab(element, data) {
   }
 
   controls.show(Object.fromEntries(data.controls.map((one) => [one.name, one.default])));
+  sweep.restore(location.hash);
   go(location.search.slice(1));
   window.springback = {
-    scene, player, plots, controls, latency,
+    scene, player, plots, controls, sweep, latency,
     pose: () => ({ ...scene.pose(), playing: player.playing, pace: player.pace }),
     get answer() {
       return answer;

@@ -1,6 +1,6 @@
 // The controls of the lab, built from the table that the server sends: sliders with a field and the
 // paper's values as marks, and choices.  The server validates values.
-import { choice, create } from "./player.js";
+import { choice, create } from "./elements.js";
 
 const SHARES = 1000;
 
@@ -81,7 +81,16 @@ function sliderControl(control, changed) {
     else describe();
   }
   element.title = control.explains;
-  return { element, show, tellProblem };
+  const pick = (value) => set(valueAt(control, shareOf(control, value)), { settled: true });
+  return { element, show, tellProblem, pick };
+}
+
+/** A number that cannot be set here, with the reason. */
+function fixedControl(control) {
+  const words = create("p", { class: "words" }, control.explains);
+  const element = create("div", { class: "fixed-control", "data-name": control.name }, create("span", { class: "label" }, control.label), words);
+  const tellProblem = (text) => (words.textContent = text || control.explains);
+  return { element, show: () => {}, tellProblem };
 }
 
 function choiceControl(control, changed) {
@@ -99,12 +108,14 @@ function choiceControl(control, changed) {
   return { element, show: (value) => (select.value = value), tellProblem: (text) => (words.textContent = text || control.explains) };
 }
 
+const KINDS = { slider: sliderControl, fixed: fixedControl, choice: choiceControl };
+
 /**
  * A form with all controls.
  *
  * @param controls the table, from springback.interfaces.lab.settings.controls
  * @param changed called with name, text and {moving, typing, settled}
- * @returns {element, values, query, show, tellProblems}: values are texts as typed
+ * @returns {element, values, query, show, tellProblems, isShown, pick}: values are texts as typed
  */
 export function createControls(controls, changed) {
   const values = {};
@@ -117,7 +128,7 @@ export function createControls(controls, changed) {
   };
   for (const control of controls) {
     values[control.name] = String(control.default);
-    parts[control.name] = (control.kind === "slider" ? sliderControl : choiceControl)(control, onChange);
+    parts[control.name] = KINDS[control.kind](control, onChange);
     if (!groups.has(control.group)) groups.set(control.group, []);
     groups.get(control.group).push(parts[control.name].element);
   }
@@ -147,13 +158,16 @@ export function createControls(controls, changed) {
   function tellProblems(lines) {
     for (const part of Object.values(parts)) part.tellProblem("");
     for (const line of lines) {
-      const name = line.split(":")[0];
-      parts[name]?.tellProblem(line.slice(name.length + 1).trim());
+      const field = line.split(":")[0];
+      const name = field in parts ? field : controls.find((one) => one.path === field)?.name;
+      parts[name]?.tellProblem(line.slice(field.length + 1).trim());
     }
   }
 
   const query = () => controls.filter((one) => values[one.name] !== String(one.default))
     .map((one) => `${one.name}=${encodeURIComponent(values[one.name])}`).join("&");
   hide();
-  return { element, values, query, show, tellProblems };
+  const isShown = (name) => !parts[name].element.hidden;
+  const pick = (name, value) => parts[name].pick(value);
+  return { element, values, query, show, tellProblems, isShown, pick };
 }

@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import { palette } from "./colours.js";
 import { touchOf } from "./flight.js";
-import { create } from "./player.js";
+import { create } from "./elements.js";
 
 const HEIGHT = 100;
 const ENERGY = "Energy";
@@ -24,12 +24,17 @@ function roundAbove(x, digits = [1, 1.5, 2, 3, 5, 7, 10]) {
   return power * digits.find((digit) => digit * power >= x * 0.999999);
 }
 
-/** Bounds that stay constant while curves still fit and fill them. */
-function steady(bounds, low, high) {
+/**
+ * Bounds that stay constant while curves still fit and fill them; while a control moves they only
+ * grow, and locked ones never change.
+ */
+export function steady(bounds, low, high, { moving = false, locked = false } = {}) {
+  if (bounds && locked) return bounds;
   const wanted = [low < -1e-9 ? -roundAbove(-low) : 0, high > 1e-9 ? roundAbove(high) : low < -1e-9 ? 0 : 1];
   const [least, most] = bounds ?? wanted;
-  const fits = low >= least && high <= most && high - low > 0.4 * (most - least);
-  return bounds && fits ? bounds : wanted;
+  const fits = low >= least && high <= most && (moving || high - low > 0.3 * (most - least));
+  if (bounds && fits) return bounds;
+  return moving ? [Math.min(least, wanted[0]), Math.max(most, wanted[1])] : wanted;
 }
 
 function span(curves, from, to) {
@@ -74,7 +79,8 @@ function curvesOf(flights, pinned) {
     of(flight, false);
   });
   pinned.forEach((flight) => of(flight, true));
-  const order = (panel) => ["Acceleration", "Arm compression", `${ENERGY}, ARQ`, `${ENERGY}, Quad`, "Velocity", "Contact force"].indexOf(panel.name);
+  const balances = flights.map((flight) => `${ENERGY}, ${flight.label}`);
+  const order = (panel) => ["Acceleration", "Arm compression", ...balances, "Velocity", "Contact force"].indexOf(panel.name);
   return [...panels.values()].sort((a, b) => order(a) - order(b));
 }
 
@@ -88,9 +94,10 @@ export function createLabPlots(element, { onSeek }) {
   let shown = [];
   let now = 0;
   let window_ = null;
+  let locked = false;
   element.classList.add("plots");
 
-  function replace(flights, { whole = false } = {}) {
+  function replace(flights, { whole = false, moving = false } = {}) {
     shown = flights;
     const touch = touchOf(flights[0]);
     const [begin, end] = [flights[0].begin, flights[0].end];
@@ -107,7 +114,7 @@ export function createLabPlots(element, { onSeek }) {
       const one = plots.get(panel.name) ?? build(panel, whole);
       one.panel = panel;
       one.zero = zero;
-      one.bounds = steady(one.bounds, ...span(panel.curves, ...window_));
+      one.bounds = steady(one.bounds, ...span(panel.curves, ...window_), { moving, locked });
       one.plot.batch(() => {
         one.plot.setData(dataOf(panel), false);
         one.plot.setScale("x", { min: window_[0], max: window_[1] });
@@ -203,6 +210,12 @@ export function createLabPlots(element, { onSeek }) {
     pin(flights) {
       pinned = flights;
     },
+    /** Keep all vertical scales as they are, whatever is drawn. */
+    lock(on) {
+      locked = on;
+    },
+    /** Vertical scale of a panel, for tests. */
+    bounds: (name) => plots.get(name)?.bounds,
     /** Numbers of a panel's curves, for tests. */
     curve: (name) => plots.get(name)?.panel.curves.map((curve) => ({ name: curve.name, peak: curve.values.reduce((a, b) => Math.max(a, b), 0), points: curve.values.length })),
     get flights() {

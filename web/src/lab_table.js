@@ -1,6 +1,5 @@
 // Measures of the robots with printed ones, and those of a pinned flight.
-import { palette } from "./colours.js";
-import { create } from "./player.js";
+import { create } from "./elements.js";
 
 const format = (value) => {
   if (value === null || value === undefined) return "–";
@@ -11,15 +10,15 @@ const format = (value) => {
 };
 
 export function createLabTable(element) {
-  /** Show the measures of an answer, and those of a pinned one. */
-  function show(answer, pinned) {
+  /** Show the measures of an answer in the colours of its flights, and those of a pinned one. */
+  function show(answer, pinned, colours) {
     const robots = answer.flights.map((one) => [one.robot, one.label]);
     const kept = (robot) => pinned?.flights.some((one) => one.robot === robot);
     const printed = answer.measures.some((row) => Object.keys(row.printed).length);
     const head = create("tr", {}, create("th", {}, ""));
-    for (const [robot, label] of robots) {
+    for (const [k, [robot, label]] of robots.entries()) {
       const cell = create("th", { scope: "col" }, label);
-      cell.style.color = palette().robots[robot === "quad" ? 1 : 0];
+      cell.style.color = colours[k];
       head.append(cell);
       if (printed) head.append(create("th", { scope: "col", class: "printed" }, "paper"));
       if (kept(robot)) head.append(create("th", { scope: "col", class: "pinned" }, "pinned"));

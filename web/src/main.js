@@ -1,6 +1,6 @@
 // Applications of a page, selected by <body data-app="…">.
 import "./style.css";
-import { startReplay } from "./player.js";
+import { startReplay } from "./replay.js";
 import { startLab } from "./lab.js";
 
 const apps = { replay: startReplay, lab: startLab };

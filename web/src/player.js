@@ -1,43 +1,12 @@
-// The replay: a scene, a time line, plots and numbers, all at one instant.
-import { palette } from "./colours.js";
-import { placeOf, poseAt, touchOf, valueAt } from "./flight.js";
+// The player of a replay: a scene, a time line, plots and numbers, all at one instant.
+import { create, icon } from "./elements.js";
+import { firstTouch, placeOf, poseAt, valueAt } from "./flight.js";
 import { timeLine } from "./pace.js";
-import { createPlots, format } from "./plots.js";
-import { CAMERAS, createScene } from "./scene.js";
+import { format } from "./plots.js";
 
 const PACES = [1, 2, 5, 10, 20, 50, 100, 200];
-const NAMES = { follow: "Follow", free: "Whole flight", side: "Side", top: "Top", impact: "Impact" };
 /** Start this long before the first touch [s]. */
 const LEAD = 0.25;
-
-/** An element with attributes and children. */
-export function create(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-    else if (value === true) element.setAttribute(name, "");
-    else if (value !== false && value != null) element.setAttribute(name, value);
-  }
-  element.append(...children);
-  return element;
-}
-
-const ICONS = {
-  play: "M7 4.5v15l12.5-7.5z",
-  pause: "M6.5 4.5h4v15h-4zM13.5 4.5h4v15h-4z",
-  back: "M18 5v14l-9.5-7zM5.5 5h2.4v14H5.5z",
-  forth: "M6 5v14l9.5-7zM16.1 5h2.4v14h-2.4z",
-  touch: "M4 4h3v16H4zM20 12l-9 6V6z",
-};
-function icon(name) {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 24 24");
-  svg.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", ICONS[name]);
-  svg.append(path);
-  return svg;
-}
 
 const paceName = (pace) => {
   if (pace > 0.995) return "real time";
@@ -49,9 +18,11 @@ const paceName = (pace) => {
  * Controls, time line and clock around a scene and plots.
  *
  * @param parts {scene, plots, bar, readouts}: a scene, plots or null, and elements to fill
+ * @param parts.actions further keys, by name what they do
+ * @param parts.onRest called when it shows another instant or pace and does not play
  * @returns {replace, seek, play, pause, setPace, time, playing, dispose}
  */
-export function createPlayer({ scene, plots = null, bar, readouts = null, keys = true }) {
+export function createPlayer({ scene, plots = null, bar, readouts = null, actions = {}, onRest = () => {} }) {
   const state = { t: 0, playing: false, pace: "auto", line: null, flights: [], last: 0 };
 
   // -- controls -----------------------------------------------------------------------------------
@@ -83,10 +54,11 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     slider.value = share;
     track.style.setProperty("--share", share);
     tell();
+    if (!state.playing) onRest();
   }
 
   function tell() {
-    const touch = state.flights.length ? touchOf(state.flights[0]) : null;
+    const touch = firstTouch(state.flights);
     const since = touch === null ? "" : ` · ${state.t >= touch ? "+" : "−"}${Math.abs(1e3 * (state.t - touch)).toFixed(1)} ms from touch`;
     const running = state.pace === "auto" ? state.line.paceAt(state.t) : 1 / Number(state.pace);
     clock.replaceChildren(create("b", {}, `${state.t.toFixed(4)} s`), create("span", {}, since), create("span", { class: "pace" }, paceName(running)));
@@ -115,6 +87,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
   }
 
   function pause() {
+    if (state.playing) setTimeout(onRest);
     state.playing = false;
     tellButton();
   }
@@ -129,6 +102,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     state.pace = value === "auto" ? "auto" : String(PACES.reduce((a, b) => (Math.abs(b - value) < Math.abs(a - value) ? b : a)));
     pace.value = state.pace;
     tell();
+    onRest();
   }
 
   function slower(by) {
@@ -148,7 +122,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
   function goToTouch() {
     pause();
-    const touch = touchOf(state.flights[0]);
+    const touch = firstTouch(state.flights);
     if (touch !== null) seek(touch);
   }
 
@@ -190,18 +164,20 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     if (!readouts) return;
     const rows = ["speed", "acceleration", "compression, largest", "contact force, sum of all contacts", "thrust, all rotors"];
     const units = ["m/s", "m/s²", "mm", "N", "N"];
-    const table = create("table", { class: "numbers" });
+    const crowded = state.flights.length > 2;
+    const table = create("table", { class: crowded ? "numbers crowded" : "numbers" });
     if (state.flights.length > 1) {
       table.append(create("thead", {}, create("tr", {}, create("th", {}, ""), ...state.flights.map((f) => {
         const head = create("th", { scope: "col" }, f.label);
         head.style.color = f.colour;
         return head;
-      }), create("th", {}, ""))));
+      }), ...(crowded ? [] : [create("th", {}, "")]))));
     }
     const body = create("tbody");
     cells = rows.map((name, k) => {
       const values = state.flights.map(() => create("td"));
-      body.append(create("tr", {}, create("th", { scope: "row" }, name), ...values, create("td", { class: "unit" }, units[k])));
+      const unit = create("td", { class: "unit" }, units[k]);
+      body.append(create("tr", {}, create("th", { scope: "row" }, crowded ? `${name} [${units[k]}]` : name), ...values, ...(crowded ? [] : [unit])));
       return values;
     });
     table.append(body);
@@ -212,7 +188,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     state.flights.forEach((flight, k) => {
       const pose = poseAt(flight, state.t);
       const find = (panel) => flight.series.find((one) => one.panel === panel);
-      const value = (panel) => (find(panel) ? valueAt(flight, find(panel).values, state.t) : 0);
+      const value = (panel) => (find(panel) ? valueAt({ flight, values: find(panel).values }, state.t) : 0);
       const pressed = Math.max(0, ...flight.arms.map((arm, j) => (arm.compliant ? 1e3 * (arm.length - pose.armLengths[j]) : 0)));
       const force = Math.hypot(...[0, 1, 2].map((c) => pose.contacts.reduce((sum, one) => sum + (one ? one.force[c] : 0), 0)));
       const numbers = [value("Velocity"), value("Acceleration"), pressed, force, pose.thrust.reduce((a, b) => a + b, 0)];
@@ -223,24 +199,23 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
 
   // -- keyboard -----------------------------------------------------------------------------------
   function pressed(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("dialog")) return;
     const tag = event.target.tagName;
     if (tag === "TEXTAREA" || tag === "SELECT" || (tag === "INPUT" && event.target.type !== "range")) return;
     if (event.target.type === "range" && event.target !== slider) return;
     const by = event.shiftKey ? 10 : 1;
-    const actions = {
+    const all = {
       " ": () => (state.playing ? pause() : play()),
       ArrowRight: () => step(by), ArrowLeft: () => step(-by),
       Home: () => (pause(), seek(state.line.begin)), End: () => (pause(), seek(state.line.end)),
-      ",": () => slower(1), ".": () => slower(-1), t: goToTouch,
+      ",": () => slower(1), ".": () => slower(-1), t: goToTouch, ...actions,
     };
     if (event.key === " " && tag === "BUTTON") return; // it presses the button
-    const act = actions[event.key];
+    const act = all[event.key];
     if (!act || !state.line) return;
-    event.preventDefault();
-    act();
+    if (act() !== false) event.preventDefault();
   }
-  if (keys) document.addEventListener("keydown", pressed);
+  document.addEventListener("keydown", pressed);
 
   /** Switch to the flights of the scene; the time is kept if possible. */
   function replace({ keepTime = true } = {}) {
@@ -249,7 +224,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     prepareReadouts();
     plots?.replace(state.flights);
     drawTicks();
-    const touch = touchOf(state.flights[0]);
+    const touch = firstTouch(state.flights);
     seek(keepTime ? state.t : touch === null ? state.line.begin : touch - LEAD);
   }
 
@@ -272,102 +247,3 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, keys =
     },
   };
 }
-
-/** Buttons that choose one of several. */
-export function choice(label, options, chosen, onchoose) {
-  const group = create("div", { class: "choice", role: "group", "aria-label": label });
-  for (const [value, name] of options) {
-    group.append(create("button", { type: "button", "data-value": value, "aria-pressed": String(value === chosen), onclick: () => {
-      mark(value);
-      onchoose(value);
-    } }, name));
-  }
-  function mark(value) {
-    for (const button of group.children) button.setAttribute("aria-pressed", String(button.dataset.value === value));
-  }
-  group.mark = mark;
-  return group;
-}
-
-/** The page of springback view: data is {flights: […]}. */
-export function startReplay(element, data) {
-  const many = data.flights.length > 1;
-  const stage = create("div", { class: "stage" });
-  const bar = create("div");
-  const readouts = create("div", { class: "readouts" });
-  const plotBox = create("div");
-  let cameras = null;
-  const scene = createScene(stage, { flights: data.flights, onCamera: (mode) => cameras?.mark(mode) });
-  const flights = scene.flights;
-
-  const outcomes = flights.map((flight) => {
-    const line = create("p", { class: `outcome ${flight.success ? "well" : "badly"}` },
-      create("b", {}, flight.label), ` ${flight.sentence}`);
-    line.style.setProperty("--colour", flight.colour);
-    return line;
-  });
-  const name = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
-  cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
-  const compare = choice("Two flights", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
-  const bends = flights.some((flight) => flight.arms.some((arm) => arm.compliant));
-  const arms = choice("Arm travel", [["1", "arms to scale"], ["10", "arm travel × 10"]], "1", (times) => scene.setMagnified(Number(times)));
-  const notes = [...new Set(flights.flatMap((flight) => [
-    ...flight.notes.map((note) => `${flight.label}: ${note}.`),
-    flight.shift ? `${flight.label} is shown ${Math.abs(flight.shift).toFixed(3)} s ${flight.shift < 0 ? "earlier" : "later"} than it flew, so that both touch at the same time.` : "",
-  ]))].filter(Boolean);
-  const error = Math.max(...flights.map((flight) => flight.departure.position)) * 1000;
-  notes.push(`Motion between the drawn instants is interpolated linearly: positions are within ${error < 0.01 ? "0.01" : error.toFixed(2)} mm of the flight.`);
-
-  const plots = createPlots(plotBox, { onSeek: (t) => {
-    player.pause();
-    player.seek(t);
-  }, onZoom: (part) => zooms.mark(part ? "" : "all") });
-  const touch = touchOf(flights[0]);
-  const impact = () => {
-    const [begin, end] = flights[0].impacts[0].map((t) => t + flights[0].shift);
-    const room = 0.35 * Math.min(end - begin, 0.2) + 0.004;
-    return [begin - room, Math.min(end, begin + 0.3) + 2 * room];
-  };
-  const zooms = choice("Plots show", [["all", "whole flight"], ...(touch === null ? [] : [["impact", "first impact"]])], "all", (which) =>
-    which === "all" ? plots.zoom() : plots.zoom(...impact()));
-  const about = create("details", { class: "about" }, create("summary", {}, "About this view"),
-    ...notes.map((note) => create("p", {}, note)),
-    create("p", {}, "World axes: x north, y west, z up. Yellow arrows are the contact forces on cages and main body, including friction; the numbers show their vector sum, in which friction on two cages may cancel. Blue bars are the thrust of the rotors; dark discs are vertical shadows."),
-    create("p", { class: "keys" }, "Keys: space plays, ← and → step by one instant (with shift by ten), , and . change the speed, T goes to the touch, Home and End to the ends. In a plot a click jumps there, a drag zooms in, and a double click shows all."));
-
-  element.replaceChildren(
-    create("header", { class: "top" }, create("div", {}, create("h1", {}, name), ...outcomes), create("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []))),
-    create("main", {}, create("div", { class: "left" }, stage, bar), create("aside", {}, readouts, create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms), plotBox, about)),
-  );
-  element.classList.add("replay");
-  const player = createPlayer({ scene, plots, bar, readouts });
-  player.replace({ keepTime: false });
-  if (touch !== null) {
-    zooms.mark("impact");
-    plots.zoom(...impact());
-  }
-  scene.setCamera("follow");
-
-  // A link may set the initial view: #t=2.76&camera=impact&speed=50&arms=10
-  const asked = new URLSearchParams(location.hash.slice(1));
-  if (CAMERAS.includes(asked.get("camera"))) {
-    cameras.mark(asked.get("camera"));
-    scene.setCamera(asked.get("camera"));
-  }
-  if (asked.get("arms") === "10" && bends) {
-    arms.mark("10");
-    scene.setMagnified(10);
-  }
-  if (asked.get("compare") === "ghost" && many) {
-    compare.mark("ghost");
-    scene.setCompare("ghost");
-  }
-  if (asked.get("speed") === "auto" || Number(asked.get("speed")) > 0) player.setPace(asked.get("speed"));
-  if (asked.get("t") && Number.isFinite(Number(asked.get("t")))) player.seek(Number(asked.get("t")));
-
-  window.springback = { scene, player, plots, pose: () => ({ ...scene.pose(), playing: player.playing, pace: player.pace }) };
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => player.replace());
-  return window.springback;
-}
-
-export { palette };

@@ -1,104 +1,67 @@
-// Plots over time, synchronised with a scene: a line marks the instant, a click or tap goes there.
+// Plots over time, synchronised with a scene: a line marks the instant, a click or tap goes there, a
+// drag zooms, and what is under the cursor is shown as numbers.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { palette } from "./colours.js";
-import { valueAt, wholeForce } from "./flight.js";
+import { create } from "./elements.js";
+import { valueAt } from "./flight.js";
+import { panelsOf, standardPanels } from "./panels.js";
 
 const HEIGHT = 112;
-/** Curves that agree within this share of their peak are drawn and labelled as one. */
-const ALIKE = 5e-3;
-const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3], [12, 4], [4, 2, 1, 2]];
-/** Curve that replaces those of all arms when there are two flights. */
-const OF_ALL = {
-  "Arm compression": ["largest", (values) => Math.max(...values)],
-  Thrust: ["all rotors", (values) => values.reduce((a, b) => a + b, 0)],
-  Velocity: ["speed", (values) => values[0]],
-  Energy: ["motion", (values) => values[0]],
-};
-
-/** Panels of curves: [{name, unit, curves: [{name, flight, values, colour, dash}]}]. */
-export function panelsOf(flights) {
-  const colours = palette();
-  const names = [...new Set(flights.flatMap((f) => f.series.map((one) => one.panel)))];
-  return names.map((name) => {
-    const mine = flights.map((flight) => flight.series.filter((one) => one.panel === name));
-    const unit = mine.flat()[0].unit;
-    const curves = flights.length > 1 ? mine.flatMap((series, k) => summed(name, series, flights[k], k)) : joined(mine[0]);
-    curves.forEach((curve, k) => {
-      curve.flight ??= flights[0];
-      curve.colour ??= colours.arms[k % colours.arms.length];
-      curve.dash ??= DASHES[k % DASHES.length];
-    });
-    return { name, unit, curves };
-  });
-}
-
-function summed(panel, series, flight, k) {
-  if (!series.length) return [];
-  if (panel === "Contact force") {
-    return [{ name: `${flight.label}, sum of all contacts`, values: wholeForce(flight), flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
-  }
-  const [word, rule] = OF_ALL[panel] ?? ["", (values) => values[0]];
-  const values = Float32Array.from(series[0].values, (_, i) => rule(series.map((one) => one.values[i])));
-  const name = word ? `${flight.label}, ${word}` : flight.label;
-  return [{ name, values, flight, colour: flight.colour, dash: k ? [7, 3] : [] }];
-}
-
-/** Equal curves of arms merged. */
-function joined(series) {
-  const found = [];
-  for (const one of series) {
-    const peak = one.values.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-    const twin = found.find((other) => {
-      const limit = ALIKE * Math.max(peak, other.peak);
-      return other.values.every((x, i) => Math.abs(x - one.values[i]) <= limit);
-    });
-    if (twin) twin.names.push(one.name);
-    else found.push({ names: [one.name], values: one.values, peak });
-  }
-  return found.map(({ names, values }) => ({ name: shortened(names), values }));
-}
-
-/** "arm 1", "arm 2" as "arm 1, 2". */
-function shortened(names) {
-  const stems = names.map((name) => name.match(/^(.*?)\s*(\d+)$/));
-  if (names.length < 2 || stems.some((m) => !m || m[1] !== stems[0][1])) return names.join(", ");
-  return `${stems[0][1]} ${stems.map((m) => m[2]).join(", ")}`;
-}
+/** Least width of the numbers beside a plot [px]. */
+const AXIS = 54;
+/** Zooms that can be undone. */
+const MOST_ZOOMS = 100;
+/** Shortest and longest time that a plot can show [s]. */
+const RANGES = [1e-6, 1e6];
+/** A drag zooms along a direction if it is this long in it [px]. */
+const LEAST_DRAG = 14;
 
 export const format = (value) => {
   const size = Math.abs(value);
   if (size < 5e-4) return "0";
   return value.toFixed(size < 1 ? 3 : size < 10 ? 2 : size < 100 ? 1 : 0);
 };
+/** As many digits as a plot of this height shows. */
+function fine(value, [low, high]) {
+  const digits = Math.max(0, Math.ceil(-Math.log10(1e-3 * (high - low || 1))));
+  if (digits > 6 || Math.abs(value) >= 1e6) return value === 0 ? "0" : value.toExponential(3);
+  return value.toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1");
+}
 
 /**
  * Plots of flights inside an element.
  *
  * @param options.onSeek called with the time that was clicked [s]
- * @param options.onZoom called when the user has changed the range: true for a part, false for all
+ * @param options.onZoom called when the range has changed
+ * @param options.onEdit called with the index of a plot whose signals are to be changed
+ * @param options.onRemove called with the index of a plot to be removed
  */
-export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = {}) {
+export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onEdit = () => {}, onRemove = () => {} } = {}) {
   let plots = [];
-  let range = null;
+  let flights = [];
+  let wanted = null; // all standard panels
+  let zoomed = { range: null, heights: {} }; // times [s]; limits of the values by key of the panel
+  let history = [];
   let now = 0;
+  let under = null; // time under the cursor
   element.classList.add("plots");
 
-  function build(flights) {
+  /** Show these plots: names of standard panels, and lists of signals. */
+  function choose(list) {
+    wanted = list && [...new Map(list.map((plot) => [String(plot), plot])).values()];
+    build(flights);
+  }
+
+  function build(those) {
+    flights = those;
     plots.forEach(({ plot }) => plot.destroy());
     element.replaceChildren();
     const colours = palette();
-    plots = panelsOf(flights).filter((panel) => panel.curves.length).map((panel) => {
-      const box = document.createElement("section");
-      box.className = "plot";
-      const head = document.createElement("header");
-      const title = document.createElement("h3");
-      title.textContent = panel.unit ? `${panel.name} [${panel.unit}]` : panel.name;
-      const keys = document.createElement("div");
-      keys.className = "plot-keys";
+    const list = wanted ?? standardPanels(flights);
+    plots = panelsOf(flights, list).map((panel) => {
+      const keys = create("div", { class: "plot-keys" });
       const values = panel.curves.map((curve) => {
-        const key = document.createElement("span");
-        key.className = "plot-key";
         const swatch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
         swatch.setAttribute("viewBox", "0 0 22 6");
         swatch.setAttribute("aria-hidden", "true");
@@ -106,48 +69,51 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
         Object.entries({ x1: 0, x2: 22, y1: 3, y2: 3, stroke: curve.colour, "stroke-width": 2.4, "stroke-dasharray": curve.dash.join(" ") })
           .forEach(([k, v]) => line.setAttribute(k, v));
         swatch.append(line);
-        const name = document.createElement("span");
-        name.textContent = curve.name;
-        const value = document.createElement("b");
-        key.append(swatch, name, value);
-        keys.append(key);
+        const value = create("b");
+        keys.append(create("span", { class: "plot-key" }, swatch, create("span", {}, curve.name), value));
         return value;
       });
-      head.append(title, keys);
-      const canvas = document.createElement("div");
-      canvas.className = "plot-canvas";
-      box.append(head, canvas);
-      element.append(box);
-      return { panel, values, canvas, plot: drawnIn(canvas, panel, flights, colours), marker: null };
+      const title = panel.unit ? `${panel.name} [${panel.unit}]` : panel.name;
+      const index = list.findIndex((one) => panel.key === (Array.isArray(one) ? one.join() : one));
+      const small = (text, label, act) => create("button", { type: "button", class: "small", title: label, "aria-label": `${label}: ${title}`, onclick: act }, text);
+      const tools = create("span", { class: "plot-tools" },
+        ...(panel.own ? [small("edit", "Change the signals", () => onEdit(index))] : []), small("×", "Remove this plot", () => onRemove(index)));
+      const canvas = create("div", { class: "plot-canvas" });
+      element.append(create("section", { class: "plot" }, create("header", {}, create("h3", {}, title), tools, keys), canvas));
+      const one = { panel, values, canvas, marker: create("div", { class: "plot-now" }), cross: create("div", { class: "plot-under", hidden: true }), flag: create("div", { class: "plot-flag", hidden: true }) };
+      one.plot = drawnIn(one, colours);
+      one.plot.over.append(one.marker, one.cross, one.flag);
+      return one;
     });
-    plots.forEach((one) => {
-      one.marker = document.createElement("div");
-      one.marker.className = "plot-now";
-      one.plot.over.append(one.marker);
-      mark(one);
-    });
-    if (range) zoom(...range);
-    show(now);
+    apply();
   }
 
-  function drawnIn(canvas, panel, flights, colours) {
-    const tables = panel.curves.map((curve) => [Array.from(curve.flight.t, (t) => t + curve.flight.shift), Array.from(curve.values)]);
-    const shared = panel.curves.every((curve) => curve.flight === panel.curves[0].flight);
-    const data = shared ? [tables[0][0], ...tables.map((table) => table[1])] : uPlot.join(tables);
+  function drawnIn({ panel, canvas }, colours) {
+    const clocks = new Map();
+    for (const curve of panel.curves) {
+      const key = clocks.get(curve.t) ?? { times: Array.from(curve.t, (t) => t + curve.flight.shift), curves: [] };
+      clocks.set(curve.t, { ...key, curves: [...key.curves, curve] });
+    }
+    const groups = [...clocks.values()];
+    const tables = groups.map(({ times, curves }) => [times, ...curves.map((curve) => Array.from(curve.values))]);
+    const data = tables.length === 1 ? tables[0] : uPlot.join(tables);
+    const ordered = groups.flatMap(({ curves }) => curves); // as the columns of the data
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
-    const stretches = flights.flatMap((f) => f.impacts.map(([a, b]) => [a + f.shift, b + f.shift]));
+    const stretches = merged(flights.flatMap((f) => f.impacts.map(([a, b]) => [a + f.shift, b + f.shift])));
+    const stepped = uPlot.paths.stepped({ align: 1 });
+    const words = panel.words && ((_, ticks) => ticks.map((x) => panel.words[x] ?? ""));
     const options = {
       width: Math.max(canvas.clientWidth, 200),
       height: HEIGHT,
       padding: [6, 20, 0, 0],
       legend: { show: false },
-      scales: { x: { time: false }, y: { range: (_, low, high) => roomy(low, high) } },
-      cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => (zoom(), onZoom(false)) } },
+      scales: { x: { time: false }, y: { range: (_, low, high) => zoomed.heights[panel.key] ?? roomy(low, high) } },
+      cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: LEAST_DRAG, setScale: false }, bind: { dblclick: () => () => zoom() } },
       axes: [
         { ...axis, size: 22, gap: 2, space: 56, values: (_, ticks) => ticks.map((t) => seconds(t, ticks)) },
-        { ...axis, size: 46, gap: 4, space: 22 },
+        { ...axis, size: (_, ticks) => Math.max(AXIS, 7 * Math.max(0, ...(ticks ?? []).map((text) => text.length)) + 8), gap: 4, space: words ? 13 : 22, ...(words ? { values: words } : {}) },
       ],
-      series: [{}, ...panel.curves.map((curve) => ({ stroke: curve.colour, width: 1.7, dash: curve.dash, spanGaps: true, points: { show: false } }))],
+      series: [{}, ...ordered.map((curve) => ({ stroke: curve.colour, width: 1.7, dash: curve.dash, spanGaps: true, points: { show: false }, ...(curve.held ? { paths: stepped } : {}) }))],
       hooks: {
         drawClear: [
           (u) => {
@@ -159,56 +125,111 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
             }
           },
         ],
-        setSelect: [
-          (u) => {
-            if (u.select.width < 6) return;
-            zoom(u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x"));
-            u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-            onZoom(true);
-          },
-        ],
+        setSelect: [(u) => select(u, panel.key)],
         // A new range or size applies from the next drawing on, so the mark moves then.
-        draw: [(u) => plots.filter((one) => one.plot === u).forEach(mark)],
+        draw: [(u) => plots.filter((one) => one.plot === u).forEach(tellOne)],
       },
     };
     const plot = new uPlot(options, data, canvas);
     let pressed = null;
-    plot.over.addEventListener("pointerdown", (event) => (pressed = event.clientX));
+    plot.over.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
     plot.over.addEventListener("pointerup", (event) => {
-      const left = plot.over.getBoundingClientRect().left;
-      if (pressed !== null && Math.abs(event.clientX - pressed) < 5) onSeek(plot.posToVal(event.clientX - left, "x"));
+      if (pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5) onSeek(timeAt(event));
       pressed = null;
     });
     plot.over.addEventListener("pointercancel", () => (pressed = null));
+    plot.over.addEventListener("pointermove", (event) => event.pointerType !== "touch" && point(timeAt(event), plot));
+    plot.over.addEventListener("pointerleave", () => point(null));
+    const timeAt = (event) => plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x");
     return plot;
   }
 
-  /** Show the times from begin to end [s]; all without arguments. */
+  // -- zoom ---------------------------------------------------------------------------------------
+
+  /** The rectangle that was dragged: times for all plots, values for this one. */
+  function select(u, key) {
+    const { left, top, width, height } = u.select;
+    const across = width >= LEAST_DRAG && width < u.over.clientWidth - 1;
+    const up = height >= LEAST_DRAG && height < u.over.clientHeight - 1;
+    if (width + height <= 0 || !(across || up)) return;
+    const range = across ? [u.posToVal(left, "x"), u.posToVal(left + width, "x")] : zoomed.range;
+    const limits = up ? { [key]: [u.posToVal(top + height, "y"), u.posToVal(top, "y")] } : {};
+    u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+    go({ range, heights: { ...zoomed.heights, ...limits } });
+  }
+
+  /** Change the range, so that it can be undone. */
+  function go(next) {
+    if (JSON.stringify(next) === JSON.stringify(zoomed) || !isPossible(next.range)) return;
+    history = [...history, zoomed].slice(-MOST_ZOOMS);
+    zoomed = next;
+    apply();
+    onZoom();
+  }
+
+  /** Show the times from begin to end [s] and all values; everything without arguments. */
   function zoom(from, to) {
-    range = from === undefined ? null : [from, to];
-    plots.forEach(({ plot }) => {
-      const t = plot.data[0];
-      plot.setScale("x", range ? { min: from, max: to } : { min: t[0], max: t[t.length - 1] });
-    });
+    go({ range: from === undefined ? null : [from, to], heights: {} });
+  }
+
+  /** Return to the range before the last zoom; false if there was none. */
+  function back() {
+    if (!history.length) return false;
+    zoomed = history.pop();
+    apply();
+    onZoom();
+    return true;
+  }
+
+  function apply() {
+    const ends = flights.length ? [Math.min(...flights.map((f) => f.begin + f.shift)), Math.max(...flights.map((f) => f.end + f.shift))] : [0, 1];
+    const [min, max] = zoomed.range ?? ends;
+    plots.forEach(({ plot }) => plot.setScale("x", { min, max }));
     show(now);
   }
 
-  /** Move the line of a plot to the time, or hide it if that is not in view. */
-  function mark({ plot, marker }) {
-    if (!marker) return;
+  // -- instants -----------------------------------------------------------------------------------
+
+  /** Move the lines of a plot to the time and to the cursor, or hide them if that is not in view. */
+  function mark({ plot, marker, cross }) {
     const { min, max } = plot.scales.x;
-    marker.hidden = !(now >= min && now <= max);
-    marker.style.transform = `translateX(${plot.valToPos(now, "x")}px)`;
+    for (const [line, t] of [[marker, now], [cross, under]]) {
+      line.hidden = t === null || !(t >= min && t <= max);
+      if (!line.hidden) line.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
+    }
+  }
+
+  /** Show the values at a time in place of those at the instant; null ends that. */
+  function point(t, plot) {
+    under = t;
+    for (const one of plots) {
+      one.flag.hidden = t === null || one.plot !== plot;
+      if (one.flag.hidden) continue;
+      one.flag.textContent = `${t.toFixed(4)} s`;
+      const at = plot.valToPos(t, "x");
+      one.flag.classList.toggle("left", at > 0.7 * plot.over.clientWidth);
+      one.flag.style.transform = `translateX(${at}px)`;
+    }
+    element.classList.toggle("pointing", t !== null);
+    tell();
   }
 
   /** Mark a time [s] and show all values there. */
   function show(t) {
     now = t;
-    for (const one of plots) {
-      const { panel, values } = one;
-      mark(one);
-      panel.curves.forEach((curve, k) => (values[k].textContent = format(valueAt(curve.flight, curve.values, t))));
-    }
+    tell();
+  }
+
+  const tell = () => plots.forEach(tellOne);
+
+  function tellOne(one) {
+    const { panel, plot, values } = one;
+    const limits = [plot.scales.y.min ?? 0, plot.scales.y.max ?? 1];
+    mark(one);
+    panel.curves.forEach((curve, k) => {
+      const value = valueAt(curve, under ?? now);
+      values[k].textContent = panel.words?.[Math.round(value)] ?? fine(value, limits);
+    });
   }
 
   function resize() {
@@ -223,18 +244,57 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {} } = 
   watching.observe(element);
   return {
     replace: build,
+    choose,
     show,
     zoom,
+    back,
     resize,
-    get range() {
-      return range;
+    /** Show a range without a step to undo: as of a link. */
+    restore(next) {
+      if (!isPossible(next.range)) return;
+      zoomed = next;
+      apply();
+      onZoom();
     },
+    get wanted() {
+      return wanted ?? standardPanels(flights);
+    },
+    get range() {
+      return zoomed.range;
+    },
+    get zoomed() {
+      return zoomed;
+    },
+    get canGoBack() {
+      return history.length > 0;
+    },
+    /** What is shown: [{name, unit, limits, values: {curve: text}}]. */
+    shown: () => plots.map(({ panel, plot, values }) => ({ name: panel.name, unit: panel.unit, limits: [plot.scales.y.min, plot.scales.y.max],
+      values: Object.fromEntries(panel.curves.map((curve, k) => [curve.name, values[k].textContent])) })),
     dispose() {
       watching.disconnect();
       plots.forEach(({ plot }) => plot.destroy());
       element.replaceChildren();
     },
   };
+}
+
+/** False for a range that is empty, too short or too long, or no numbers. */
+function isPossible(range) {
+  if (range === null) return true;
+  const [from, to] = range;
+  return to - from >= RANGES[0] && to - from <= RANGES[1] && Math.abs(from) <= RANGES[1];
+}
+
+/** Stretches of time without overlaps. */
+function merged(stretches) {
+  const found = [];
+  for (const [from, to] of stretches.sort((a, b) => a[0] - b[0])) {
+    const last = found[found.length - 1];
+    if (last && from <= last[1]) last[1] = Math.max(last[1], to);
+    else found.push([from, to]);
+  }
+  return found;
 }
 
 function roomy(low, high) {

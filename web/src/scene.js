@@ -1,22 +1,26 @@
-// Three-dimensional view of one or two flights.
+// Three-dimensional view of one flight or several.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
-import { flightOf, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
+import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { Arrow, Robot, disposed } from "./robot.js";
-import { Path, Shadow, compass, obstacle, rail, reference } from "./surroundings.js";
+import { Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; distance of robots side by side [m]. */
 const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
 /** Flights whose first touches differ by more than this are aligned [s]. */
 const TOGETHER = 5e-3;
-const FOLLOWING = ["follow", "side", "top"];
-export const CAMERAS = ["follow", "free", "side", "top", "impact"];
+const FOLLOWING = ["follow", "front", "side", "top"];
+export const CAMERAS = ["follow", "free", "front", "side", "top", "impact"];
+/** A moving picture slower than this is drawn with fewer pixels [ms], at least this share of them along each side. */
+const SLOW = 100;
+const COARSEST = 0.4;
+/** Time after the last drawing at which a picture is drawn with all its pixels [ms]. */
+const STILL = 400;
 
 /** Radius of a robot with its cages [m]. */
 const reachOf = (flight) => Math.max(...flight.arms.map((arm) => arm.length + arm.cage_radius));
-const sum = (a, b) => a.map((x, k) => x + b[k]);
 
 /** Give flights their colours, and align their first touches. */
 export function together(scenes, colours, align = true) {
@@ -24,12 +28,16 @@ export function together(scenes, colours, align = true) {
   const robots = colours.robots;
   flights.forEach((flight, k) => {
     const rigid = !flight.arms.some((arm) => arm.compliant);
-    flight.colour = flights.length > 1 ? robots[k % 2] : robots[rigid ? 1 : 0];
+    flight.colour = flights.length > 1 ? robots[k % robots.length] : robots[rigid ? 1 : 0];
     flight.glow = colours.force;
+    flight.index = k;
     flight.shift = 0;
   });
-  const [first, second] = flights.map(touchOf);
-  if (align && second != null && Math.abs(first - second) > TOGETHER) flights[1].shift = first - second;
+  const touches = flights.map(touchOf);
+  const first = touches.find((touch) => touch !== null);
+  touches.forEach((touch, k) => {
+    if (align && touch !== null && Math.abs(first - touch) > TOGETHER) flights[k].shift = first - touch;
+  });
   return flights;
 }
 
@@ -38,12 +46,13 @@ export function together(scenes, colours, align = true) {
  *
  * @param element element to fill; its size is that of the view
  * @param options.flights scenes from springback.interfaces.replay.scene.plain, or flights
- * @param options.compare "side" or "ghost"
+ * @param options.compare "side" or "ghost": all but the first flight translucent, in one place
  * @param options.align align flights that touch at different times
  * @param options.onCamera called with the view, one of CAMERAS, when it is selected, and with "" when the user has moved the camera
+ * @param options.onDrawn called after each drawing
  */
-export function createScene(element, { flights = [], compare = "side", align = true, onCamera = () => {} } = {}) {
-  const state = { compare, align, magnified: 1, camera: "follow", t: 0, flights: [], lost: false };
+export function createScene(element, { flights = [], compare = "side", align = true, onCamera = () => {}, onDrawn = () => {} } = {}) {
+  const state = { compare, align, magnified: 1, camera: "follow", t: 0, all: [], hidden: new Set(), flights: [], forces: true, path: true, estimate: false, share: 1 };
   let colours = palette();
   element.classList.add("picture");
   const labels = document.createElement("div");
@@ -74,6 +83,10 @@ export function createScene(element, { flights = [], compare = "side", align = t
   let content = new THREE.Group();
   let actors = [];
   let asked = 0;
+  let askedAt = 0;
+  let drawnAt = -Infinity;
+  let resting = 0;
+  let slowness = 0;
   const resolution = new THREE.Vector2(1, 1);
 
   if (renderer) {
@@ -95,14 +108,42 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   /** Schedule one drawing. */
   function draw() {
-    if (renderer && !asked) asked = requestAnimationFrame(drawn);
+    if (!renderer || asked) return;
+    askedAt = performance.now();
+    asked = requestAnimationFrame(drawn);
+  }
+
+  /** Fewer pixels while a picture moves too slowly, all of them when it has come to rest. */
+  function pacePixels() {
+    const now = performance.now();
+    const moves = askedAt - drawnAt < STILL;
+    drawnAt = now;
+    clearTimeout(resting);
+    if (moves) slowness = 0.7 * slowness + 0.3 * (now - askedAt);
+    if (slowness > SLOW && state.share > COARSEST) {
+      state.share = Math.max(COARSEST, 0.7 * state.share);
+      slowness = 0.5 * SLOW;
+    }
+    setPixels(moves ? state.share : 1);
+    if (moves && state.share < 1) resting = setTimeout(draw, STILL);
+  }
+
+  function setPixels(share) {
+    const ratio = Math.min(devicePixelRatio || 1, 2) * share;
+    if (Math.abs(renderer.getPixelRatio() - ratio) > 1e-3) renderer.setPixelRatio(ratio);
   }
 
   function drawn() {
     asked = 0;
+    if (!renderer || !element.clientWidth || !element.clientHeight) return;
+    pacePixels();
+    render();
+    onDrawn();
+  }
+
+  function render() {
     const width = element.clientWidth;
     const height = element.clientHeight;
-    if (!renderer || !width || !height) return;
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
     renderer.setClearColor(colours.background, 1);
@@ -128,18 +169,22 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return left.y < 0 ? left.negate() : left;
   }
 
+  /** Horizontal direction into the first wall, or north. */
+  const forward = () => leftward().applyAxisAngle(camera.up, -Math.PI / 2);
+
   function offsets() {
-    if (state.compare !== "side" || state.flights.length < 2) return [[0, 0, 0], [0, 0, 0]];
+    if (state.compare !== "side") return state.flights.map(() => [0, 0, 0]);
     const across = leftward();
     const reach = Math.max(...state.flights.map(reachOf));
-    across.multiplyScalar(reach + 0.5 * BETWEEN);
-    return [across.toArray(), across.clone().negate().toArray()];
+    const middle = 0.5 * (state.flights.length - 1);
+    return state.flights.map((_, k) => across.clone().multiplyScalar((middle - k) * (2 * reach + BETWEEN)).toArray());
   }
 
   /** Replace the flights; the camera is kept if requested. */
   function replace(scenes, { keepCamera = true } = {}) {
     colours = palette();
-    state.flights = together(scenes, colours, state.align);
+    state.all = together(scenes, colours, state.align);
+    state.flights = state.all.filter((_, k) => !state.hidden.has(k));
     if (renderer) rebuild();
     if (!keepCamera) setCamera(state.camera);
     show(state.t);
@@ -166,6 +211,9 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const path = new Path(flight, colours, resolution);
       const arrows = [...flight.arms, ...flight.hull].map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
+      shadow.group.visible = !ghost || state.flights.length === 2; // of many in one place they are a blot
+      const estimate = hasEstimate(flight) ? new Robot(flight, { colour: colours.ink, opacity: 0.35 }, colours) : null;
+      if (estimate) group.add(estimate.group);
       group.add(robot.group, path.group, shadow.group, ...arrows.map((arrow) => arrow.group));
       if (flight.guide.length) group.add(rail(flight, colours));
       const box = new THREE.Box3();
@@ -179,7 +227,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         labels.append(name);
         return name;
       });
-      return { flight, group, robot, path, arrows, shadow, scale, names, ghost, contacts: [] };
+      return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [] };
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
     joined(things).forEach((thing) => {
@@ -220,7 +268,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
         legend.lastChild.style.setProperty("--colour", flight.colour);
       });
     }
-    if (most > 0) {
+    if (state.estimate && state.flights.some(hasEstimate)) entry("estimate", "estimated pose");
+    if (most > 0 && state.forces) {
       const round = roundBelow(most);
       entry("force", `contact force on a cage or the main body, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
@@ -237,7 +286,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
-        name.hidden = actor.ghost || !contact || contact.size < 0.5;
+        name.hidden = actor.ghost || !state.forces || !contact || contact.size < 0.5;
         if (name.hidden) return;
         at.set(...contact.point).addScaledVector(new THREE.Vector3(...contact.force), actor.scale);
         at.add(actor.group.position).project(camera);
@@ -269,12 +318,17 @@ export function createScene(element, { flights = [], compare = "side", align = t
     actors.forEach((actor, k) => {
       const pose = state.poses[k];
       actor.robot.show(pose, state.magnified);
+      actor.path.group.visible = state.path;
       actor.path.show(pose.own);
+      if (actor.estimate) {
+        actor.estimate.group.visible = state.estimate;
+        if (state.estimate) actor.estimate.show(estimateAt(actor.flight, t), state.magnified);
+      }
       actor.shadow.show(pose);
       actor.contacts = pose.contacts;
       actor.arrows.forEach((arrow, j) => {
         const contact = pose.contacts[j];
-        if (contact) arrow.show(contact.point, contact.force.map((x) => actor.scale * x));
+        if (contact && state.forces) arrow.show(contact.point, contact.force.map((x) => actor.scale * x));
         else arrow.hide();
       });
     });
@@ -312,18 +366,20 @@ export function createScene(element, { flights = [], compare = "side", align = t
     if (!renderer || !actors.length) return;
     const reach = Math.max(...state.flights.map(reachOf));
     const places = actors.map((actor) => actor.group.position);
-    const apart = places.length > 1 ? places[0].distanceTo(places[1]) / 2 : 0;
+    const apart = places[0].distanceTo(places[places.length - 1]) / 2;
     const radius = reach + apart + 0.1;
+    const row = places.length > 2 && apart > 0; // seen along the flight, as wide as the view
+    const near = row ? Math.max(farFrom(reach + 0.2), radius / (Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.aspect) + reach) : farFrom(radius);
     const box = state.box.clone().expandByScalar(reach + 0.1);
     const centre = box.getCenter(new THREE.Vector3());
     const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
-    const before = new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
+    const before = row ? forward().negate().addScaledVector(leftward(), -0.25).setZ(0.5).normalize() : new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
     if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
-    else if (state.camera === "impact") look(impactPlace(), new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
+    else if (state.camera === "impact") look(impactPlace(), row ? before.clone().multiplyScalar(near) : new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
-      const from = { follow: before, side: leftward().negate().setZ(0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
-      look(followed.clone(), from.clone().normalize().multiplyScalar(farFrom(radius)));
+      const from = { follow: before, front: forward().setZ(0.12), side: leftward().negate().setZ(0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
+      look(followed.clone(), from.clone().normalize().multiplyScalar(state.camera === "side" ? farFrom(radius) : near));
     }
     draw();
   }
@@ -342,7 +398,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const width = element.clientWidth;
     const height = element.clientHeight;
     if (!width || !height) return;
-    renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
+    setPixels(1);
     renderer.setSize(width, height, false);
     const before = camera.aspect;
     camera.aspect = width / height;
@@ -356,13 +412,14 @@ export function createScene(element, { flights = [], compare = "side", align = t
   const watching = new ResizeObserver(resize);
   watching.observe(element);
   const scheme = matchMedia("(prefers-color-scheme: dark)");
-  const recolour = () => replace(state.flights);
+  const recolour = () => replace(state.all);
   scheme.addEventListener("change", recolour);
 
   function dispose() {
     watching.disconnect();
     scheme.removeEventListener("change", recolour);
     cancelAnimationFrame(asked);
+    clearTimeout(resting);
     disposed(content);
     corner.children.slice().forEach(disposed);
     controls?.dispose();
@@ -381,7 +438,27 @@ export function createScene(element, { flights = [], compare = "side", align = t
     /** "side" or "ghost". */
     setCompare(mode) {
       state.compare = mode;
-      if (state.flights.length) replace(state.flights, { keepCamera: false });
+      if (state.flights.length) replace(state.all, { keepCamera: false });
+    },
+    /** Show or hide a flight by its number, or "forces", "path", "estimate". */
+    setShown(what, on) {
+      if (typeof what !== "number") {
+        state[what] = on;
+        tellLegend();
+        show(state.t);
+        return;
+      }
+      if (on) state.hidden.delete(what);
+      else state.hidden.add(what);
+      replace(state.all, { keepCamera: false });
+    },
+    /** The picture: a canvas that is valid until the end of this task, drawn again with all its pixels or just drawn. */
+    canvas(again = true) {
+      if (again && renderer) {
+        setPixels(1);
+        render();
+      }
+      return renderer?.domElement ?? null;
     },
     /** Set the factor of arm compressions. */
     setMagnified(times) {
@@ -389,49 +466,21 @@ export function createScene(element, { flights = [], compare = "side", align = t
       tellLegend();
       show(state.t);
     },
+    /** The flights that are shown. */
     get flights() {
       return state.flights;
+    },
+    /** All flights, the hidden ones, too. */
+    get all() {
+      return state.all;
     },
     get camera() {
       return state.camera;
     },
     /** Numbers of what is shown. */
-    pose: () => ({ t: state.t, camera: state.camera, flights: state.poses ?? [] }),
+    pose: () => ({ t: state.t, camera: state.camera, pixels: state.share, flights: state.poses ?? [],
+      estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),
   };
-}
-
-/** An obstacle, shifted. */
-const moved = (one, by) => (one.kind === "mesh" ? { ...one, moved: by } : { ...one, centre: sum(one.centre, by) });
-
-const dot = (a, b) => a.reduce((total, x, k) => total + x * b[k], 0);
-
-/** Merge rectangles in one plane, so that they have no seam and do not flicker. */
-function joined(things) {
-  const found = new Map();
-  for (const one of things) {
-    const flat = one.kind !== "mesh";
-    const name = flat
-      ? [one.kind, one.thickness, ...one.normal, dot(one.normal, one.centre)].map((x) => (x.toFixed ? x.toFixed(4) : x)).join()
-      : `${one.name} ${one.moved}`;
-    const other = found.get(name);
-    found.set(name, other && flat ? union(other, one) : one);
-  }
-  return [...found.values()];
-}
-
-function union(a, b) {
-  const result = { ...a, centre: a.centre.slice() };
-  for (const axis of ["across", "along"]) {
-    const half = Math.hypot(...a[axis]);
-    const unit = a[axis].map((x) => x / half);
-    const reach = Math.abs(dot(unit, b.across)) + Math.abs(dot(unit, b.along));
-    const off = dot(unit, b.centre) - dot(unit, a.centre);
-    const low = Math.min(-half, off - reach);
-    const high = Math.max(half, off + reach);
-    result[axis] = unit.map((x) => (x * (high - low)) / 2);
-    result.centre = result.centre.map((x, k) => x + (unit[k] * (low + high)) / 2);
-  }
-  return result;
 }

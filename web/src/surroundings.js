@@ -220,3 +220,39 @@ export function compass(colours) {
   });
   return group;
 }
+
+const sum = (a, b) => a.map((x, k) => x + b[k]);
+
+/** An obstacle, shifted. */
+export const moved = (one, by) => (one.kind === "mesh" ? { ...one, moved: by } : { ...one, centre: sum(one.centre, by) });
+
+const dot = (a, b) => a.reduce((total, x, k) => total + x * b[k], 0);
+
+/** Merge rectangles in one plane, so that they have no seam and do not flicker. */
+export function joined(things) {
+  const found = new Map();
+  for (const one of things) {
+    const flat = one.kind !== "mesh";
+    const name = flat
+      ? [one.kind, one.thickness, ...one.normal, dot(one.normal, one.centre)].map((x) => (x.toFixed ? x.toFixed(4) : x)).join()
+      : `${one.name} ${one.moved}`;
+    const other = found.get(name);
+    found.set(name, other && flat ? union(other, one) : one);
+  }
+  return [...found.values()];
+}
+
+function union(a, b) {
+  const result = { ...a, centre: a.centre.slice() };
+  for (const axis of ["across", "along"]) {
+    const half = Math.hypot(...a[axis]);
+    const unit = a[axis].map((x) => x / half);
+    const reach = Math.abs(dot(unit, b.across)) + Math.abs(dot(unit, b.along));
+    const off = dot(unit, b.centre) - dot(unit, a.centre);
+    const low = Math.min(-half, off - reach);
+    const high = Math.max(half, off + reach);
+    result[axis] = unit.map((x) => (x * (high - low)) / 2);
+    result.centre = result.centre.map((x, k) => x + (unit[k] * (low + high)) / 2);
+  }
+  return result;
+}

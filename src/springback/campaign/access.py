@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -37,12 +37,14 @@ from springback.results.database import (
     sandbox,
 )
 from springback.results.flight import Flight, fly
+from springback.results.hooks import NotebookPage, hook
 from springback.results.parquet import write_parquet
-from springback.scenario.user_code import changed_files, code_names
+from springback.scenario.code_files import changed_files
 from springback.version import __version__
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.figure import Figure
 
 T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
@@ -76,17 +78,13 @@ class RepeatedFlight(NamedTuple):
 class Campaign:
     """A campaign in a folder, complete or not."""
 
-    def __init__(self, folder: str | Path, *, trust: bool = False) -> None:
+    def __init__(self, folder: str | Path) -> None:
         """Open the folder of a campaign and verify every byte of its parts.
-
-        Args:
-            folder: Folder of the campaign.
-            trust: Run the code that its scenarios name, if flights are repeated.
 
         Raises:
             InputError: If there is no campaign, or parts of it are missing or damaged.
         """
-        self.folder, self.trust = Path(folder), trust
+        self.folder = Path(folder)
         self._counted = False
         self.about = about(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
@@ -274,13 +272,14 @@ class Campaign:
 
         Raises:
             InputError: If it has not been flown, or could not be flown; if its scenario names code
-                and the campaign is not trusted, or the code has changed.
+                that is not trusted, or has changed.
         """
         row = self.row(number)
         if row["outcome"] == "refused":
             raise InputError(f"flight {number}: could not be flown: {row['problem']}")
         drawn = self.design.slice(number, number + 1)
-        self._check_code(drawn.tables[0])
+        if changed := changed_files(self.about["code"]):
+            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
         now |= {"outcome": flight.outcome.word, **flight.measures}
@@ -292,16 +291,57 @@ class Campaign:
         )
         return RepeatedFlight(flight, tuple(different))
 
-    def _check_code(self, tables: Mapping[str, Any]) -> None:
-        """Reject code that may be a stranger's, or that has changed since the flights."""
-        names = code_names(tables)
-        if names and not self.trust:
-            raise InputError(
-                f"its scenario runs code, {', '.join(names)}; if you trust it, say so: --trust, or "
-                "Campaign(folder, trust=True)"
-            )
-        if names and (changed := changed_files(self.about["code"])):
-            raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
+    def flight(self, number: int) -> Flight:
+        """One flight, repeated with its trajectory; `refly` also compares it with its row.
+
+        Args:
+            number: Number of the flight.
+
+        Raises:
+            InputError: If it has not been flown, or could not be flown.
+        """
+        return self.refly(number).flight
+
+    def view(
+        self,
+        number: int,
+        *others: int,
+        export: str | Path | None = None,
+        force: bool = False,
+        browser: bool = True,
+    ) -> NotebookPage:
+        """Replay one flight, or several side by side; see `springback.Flight.view`.
+
+        Args:
+            number: Number of the flight.
+            others: Numbers of flights to show beside it.
+            export: As there.
+            force: As there.
+            browser: As there.
+
+        Raises:
+            InputError: If one has not been flown or could not be flown, and as there.
+        """
+        first, *rest = map(self.flight, (number, *others))
+        return first.view(*rest, export=export, force=force, browser=browser)
+
+    def plot(self, measure: str = "success", by: str | tuple[str, str] | None = None) -> Figure:
+        """Figure of a measure over the flights, by robot, with 95 % intervals.
+
+        Args:
+            measure: Name of a column: a measure, or ``success``.
+            by: Name of a varied field; the measure is drawn over it.  Two names give a map; None
+                the distribution, as a histogram and cumulated.
+
+        Raises:
+            InputError: If matplotlib is not installed, there is no such column, or a field was not
+                varied.
+        """
+        figure: Figure = hook("Campaign.plot")(self, measure, by)
+        return figure
+
+    def _repr_html_(self) -> str:
+        return str(hook("Campaign.html")(self))
 
     def keep(self, remark: Callable[[str], None]) -> None:
         """Store the trajectories that the plan selects, of the first flights with its condition."""

@@ -8,8 +8,8 @@ from springback.batch.scenarios import Device, fly_scenarios, no_collection
 from springback.campaign.design.layout import Design, design_of
 from springback.errors import InputError
 from springback.results.flight import check_user_pilot
+from springback.scenario.code_files import changed_files
 from springback.scenario.scenario import scenario_from
-from springback.scenario.user_code import changed_files
 
 Chunk = tuple[int, int]
 """Numbers of the first flight, and of the one after the last."""

@@ -181,7 +181,7 @@ def run_campaign(
                 f"{watch.given_up} flights were given up: {failed[0].why}; {store.done} of "
                 f"{design.flights} are kept, and --resume tries the others again"
             )
-        campaign = Campaign(folder, trust=True)
+        campaign = Campaign(folder)
         campaign.keep(say)
     return campaign
 

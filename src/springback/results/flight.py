@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
+import functools
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,14 +14,17 @@ import numpy as np
 from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
-from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
-from springback.results.meshes import Mesh, surfaces_of
+from springback.errors import InputError
+from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
+from springback.results.events import Event, events_of
+from springback.results.hooks import NotebookPage, hook
+from springback.results.motion import columns_at, gaps, specific_force_at
 from springback.results.recovery_measures import (
-    RECOVERY_MEASURES,
     is_evaluated,
     recovery_measures,
     recovery_outcome,
 )
+from springback.results.result import FlightResult
 from springback.scenario.arguments import check_executor, chosen_pilot
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
@@ -30,8 +33,6 @@ from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user_pilots import AnyPilot, guarded_pilot, in_words, source_text, validate
 from springback.simulation.flight import (
     Executor,
-    FlightRecord,
-    Trace,
     check_instants,
     fly_one,
     own_types,
@@ -42,274 +43,184 @@ from springback.simulation.guided import (
     fly_guided,
     ticks_of,
 )
-from springback.simulation.measures import (
-    FAILURES,
-    MEASURES,
-    Outcome,
-    measures_of,
-    outcome_of,
-)
+from springback.simulation.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
 
 if TYPE_CHECKING:
-    import pandas
-    import xarray
+    from matplotlib.figure import Figure
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-@dataclass(frozen=True, repr=False, eq=False)
-class Flight:
+class Flight(FlightResult):
     """Result of a flight.  Every measure is an attribute as well: ``flight.touch_speed``."""
 
-    scenario: Scenario
-    outcome: Outcome
-    measures: dict[str, float | None]
-    """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
-    columns: dict[str, Array]
-    """Trajectory by column, each of shape (instants,); empty if it was not recorded."""
-    units: dict[str, str]
-    """Unit of each column, including telemetry."""
-    telemetry: dict[str, Array] = field(default_factory=dict)
-    """Measured, estimated, desired and commanded values at every tick; empty without a pilot."""
-    work: dict[str, Array] = field(default_factory=dict)
-    """Work done so far [J], by kind, and 1 during contact, each of shape (instants,), for
-    `springback.results.energy_history`.  Files do not contain it.
-    """
-    own: tuple[Own, ...] = ()
-    """The user's own obstacles; empty for a flight that was read back."""
-    own_surfaces: tuple[Mesh, ...] = ()
-    """Surfaces of those obstacles for drawing, in a flight that was read back."""
-
-    def __getattr__(self, name: str) -> float | None:
-        measures: dict[str, float | None] = self.__dict__.get("measures", {})
-        if name in measures:
-            return measures[name]
-        raise AttributeError(f"a flight has no {name!r}; measures: {', '.join(measures)}")
-
-    @property
-    def success(self) -> bool:
-        """Success as in campaigns: recovered, if required; else neither ground nor stop was hit.
-
-        A simulation that diverged is not a success either.
-        """
-        if "runs" in self.measures:
-            return self.outcome is Outcome.RECOVERED
-        return self.outcome not in FAILURES
-
-    @property
-    def is_finite(self) -> bool:
-        """True if the simulation stayed finite."""
-        return self.outcome is not Outcome.NOT_FINITE
-
-    @property
-    def remarks(self) -> dict[type[FlightWarning], str]:
-        """Warnings about the flight, a sentence each, by their kind."""
-        found: dict[type[FlightWarning], str] = {}
-        if self.measures.get("ledger_open"):
-            left = self.measures["ledger_residual"]  # None if it is not finite
-            share = "more than all" if left is None else f"{left:.1e}"
-            found[LedgerWarning] = (
-                f"the energy ledger leaves {share} of the energy: the "
-                "numbers cannot be trusted; try smaller steps (simulation.impact_step)"
-            )
-        commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
-        lowest = np.min(commands, axis=0, initial=0.0)
-        below = np.flatnonzero(lowest < 0.0)
-        propulsion = self.scenario.vehicle.propulsion
-        if len(below) and propulsion is not None:
-            found[CommandWarning] = (
-                f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
-                f"at {self.telemetry['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do "
-                f"not turn backwards and give their minimum, {propulsion.min_thrust:g} N"
-            )
-        return found
-
-    @property
-    def message(self) -> str:
-        """The outcome in a sentence."""
-        return self.outcome.value
-
-    @property
-    def t(self) -> Array:
-        """Instants of the trajectory [s], shape (instants,)."""
-        return self.columns["t"]
-
-    def __repr__(self) -> str:
-        shown = [
-            ("touch_speed", "m/s"), ("restitution_at_separation", ""),
-            ("impact_peak_acceleration", "m/s²"), ("contact_time", "s"), ("travel", "m"),
-            ("impact_arm_stroke", "m"), ("contacts", ""), ("peak_acceleration", "m/s²"),
-        ]  # fmt: skip
-        if "runs" in self.measures:
-            shown += [
-                ("detection_delay", "s"), ("recovery_time", "s"), ("height_loss", "m"),
-                ("nose_up", "deg"), ("nose_down", "deg"), ("runs", ""), ("recovered_runs", ""),
-            ]  # fmt: skip
-        lines = [f"Flight {self.scenario.name!r}: {self.message}"]
-        width = max(len(name) for name, _ in shown)
-        for name, unit in shown:
-            value = self.measures[name]
-            if unit == "deg" and value is not None:  # for reading; the measure is in rad
-                value = math.degrees(value)
-            lines.append(
-                f"  {name:<{width}} {'-' if value is None else f'{value:.5g} {unit}'.rstrip()}"
-            )
-        return "\n".join(lines)
-
-    def _need_trajectory(self) -> None:
-        if not self.columns:
-            raise InputError("this flight has no trajectory: fly it with trajectory=True")
-
-    def to_dataframe(self) -> pandas.DataFrame:
-        """Trajectory as a pandas DataFrame, one row per instant; units in ``attrs``.
+    @functools.cached_property
+    def events(self) -> tuple[Event, ...]:
+        """Events in order of time: touches, separations, peaks, stops, alarms, phases, the end.
 
         Raises:
-            InputError: If pandas is not installed, or the trajectory was not recorded.
+            InputError: If the trajectory was not recorded.
         """
-        self._need_trajectory()
-        from springback.extras import needs
+        self.need_trajectory()
+        return events_of(self)
 
-        pd = needs("pandas", "dataframe")
-        frame: pandas.DataFrame = pd.DataFrame(self.columns)
-        frame.attrs["units"] = dict(self.units)
-        return frame
+    def resample(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
+        """Columns of trajectory and telemetry at evenly spaced or any other instants.
 
-    def to_xarray(self) -> xarray.Dataset:
-        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
+        The recorded instants are those of the integration: 0.1 ms apart in a contact, much more
+        elsewhere.  Between them attitudes are interpolated spherically and all else linearly;
+        telemetry keeps the value of the last tick, as on board.
+
+        Args:
+            step: Spacing of the instants from the start [s].
+            times: Instants instead [s], shape (instants,).
 
         Raises:
-            InputError: If xarray is not installed, or the trajectory was not recorded.
+            InputError: If the trajectory was not recorded, or an instant is not within it.
         """
-        self._need_trajectory()
-        from springback.extras import needs
+        return columns_at(self, step, times)
 
-        xr = needs("xarray", "xarray")
-        data = {
-            name: ("t", values, {"units": self.units[name]})
-            for name, values in self.columns.items()
-            if name != "t"
-        }
-        known = {name: value for name, value in self.measures.items() if value is not None}
-        dataset: xarray.Dataset = xr.Dataset(
-            data,
-            coords={"t": ("t", self.t, {"units": "s"})},
-            attrs={"name": self.scenario.name, "outcome": self.outcome.word, **known},
+    def specific_force(self, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Array:
+        """Specific force at a point fixed to the main body, as a perfect accelerometer feels there.
+
+        ``Rᵀ(v̇ + g e_Z) + α × r + ω × (ω × r)``, with the exact angular acceleration α of the
+        equations of motion.  At rest it is g upwards.
+
+        Args:
+            at: Position r of the point from the main body's centre of mass, body axes [m].
+
+        Returns:
+            At each instant of the trajectory, along the body axes [m/s²], shape (instants, 3).
+
+        Raises:
+            InputError: If the trajectory was not recorded, or obstacles of the user's own are
+                unknown because the flight was read from a folder.
+        """
+        return specific_force_at(self, at)
+
+    def gap(self, obstacle: int | None = None) -> Array:
+        """Distance of each cage, and of the hull, from the obstacles, by the flight's contact laws.
+
+        Args:
+            obstacle: Number of the obstacle, from 0, in the order of the scenario and then of the
+                user's own; None: the nearest one.
+
+        Returns:
+            At each instant, negative in penetration [m], shape (instants, cages), with one more
+            column for the hull if there is one.
+
+        Raises:
+            InputError: If the trajectory was not recorded, there is no such obstacle, or it is the
+                user's own and unknown because the flight was read from a folder.
+        """
+        return gaps(self, obstacle)
+
+    # -- what the interfaces carry out --
+
+    def save(self, folder: str | Path, *, force: bool = False, figures: bool = True) -> list[Path]:
+        """Write the files that ``springback fly --out`` writes; `springback.load` reads them.
+
+        Args:
+            folder: Folder to write, completely or not at all.
+            force: Replace the results in it.
+            figures: Write figures too; they need matplotlib.
+
+        Returns:
+            The files.
+
+        Raises:
+            InputError: If the folder is not empty and ``force`` is false, or cannot be written.
+        """
+        return list(hook("Flight.save")(self, folder, force=force, figures=figures))
+
+    def view(
+        self,
+        *others: Flight,
+        export: str | Path | None = None,
+        force: bool = False,
+        browser: bool = True,
+    ) -> NotebookPage:
+        """Replay the flight, or several side by side, as ``springback view`` does.
+
+        A notebook shows the result in a frame.  Elsewhere a browser is opened on
+        a page that is served until Ctrl-C.
+
+        Args:
+            others: Flights to show beside it.
+            export: Write a self-contained page to this file instead.
+            force: Replace that file.
+            browser: Open a browser; else only print the address.
+
+        Raises:
+            InputError: If a flight has no trajectory, the file exists, or an extra is missing.
+        """
+        view: NotebookPage = hook("Flight.view")(
+            self, *others, export=export, force=force, browser=browser
         )
-        return dataset
+        return view
 
-    def summary(self) -> dict[str, Any]:
-        """The result as plain data: outcome, measures, units, scenario, versions."""
-        from springback.version import __version__
+    def animate(
+        self,
+        path: str | Path,
+        *others: Flight,
+        slow: float = 20.0,
+        begin: float | None = None,
+        end: float | None = None,
+        fps: float = 25.0,
+        size: tuple[int, int] | None = None,
+        force: bool = False,
+    ) -> Path:
+        """Write a film of the flight, or of two side by side, synchronised at first touch.
 
-        known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
-        return {
-            "springback": __version__,
-            "name": self.scenario.name,
-            "outcome": self.outcome.word,
-            "message": self.message,
-            "measures": self.measures,
-            "units": {name: unit for name, (unit, _) in known.items()},
-            "scenario": self.scenario.model_dump(mode="json"),
-            **self._own_obstacles(),
-        }
+        Args:
+            path: Ends in .gif, .webp or .mp4.
+            others: At most one flight to show beside it.
+            slow: Slow-motion factor of impacts.
+            begin: First instant, from first touch [s]; by default shortly before it.
+            end: Last instant, from first touch [s].
+            fps: Frames a second.
+            size: Width and height [px].
+            force: Replace an existing file.
 
-    def _own_obstacles(self) -> dict[str, Any]:
-        """Surfaces of the user's own obstacles near the flight, if any."""
-        found = self.own_surfaces
-        if self.own and self.columns:
-            place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
-            pressed = [c > 0.0 for name, c in self.columns.items() if name.startswith("fn")]
-            touching = np.any(pressed, axis=0)
-            found = surfaces_of(self.own, place[touching] if touching.any() else place)
-        return {"own_obstacles": [one.as_dict() for one in found]} if found else {}
+        Returns:
+            The file.
 
+        Raises:
+            InputError: If there is nothing to show, the file exists, or an extra is missing.
+        """
+        options = {"slow": slow, "begin": begin, "end": end, "fps": fps, "size": size}
+        return Path(hook("Flight.animate")(self, path, *others, force=force, **options))
 
-def _columns(flown: FlightRecord) -> tuple[dict[str, Array], dict[str, str]]:
-    """Trajectory columns under their file names, with units."""
-    trace = flown.trace
-    if trace is None:
-        return {}, {}
-    state, view = "state", "acceleration"
-    names: dict[str, tuple[str, str]] = {"t": ("time", "s")}
-    names |= {axis: (f"{state}.position.{axis}", "m") for axis in "xyz"}
-    names |= {f"q{part}": (f"{state}.attitude.{part}", "") for part in "wxyz"}
-    names |= {f"v{axis}": (f"{state}.velocity.{axis}", "m/s") for axis in "xyz"}
-    names |= {f"w{axis}": (f"{state}.angular_velocity.{axis}", "rad/s") for axis in "xyz"}
-    count = range(1, len(flown.start.arm_length) + 1)
-    names |= {f"l{j}": (f"{state}.arm_length.{j}", "m") for j in count}
-    names |= {f"dl{j}": (f"{state}.arm_rate.{j}", "m/s") for j in count}
-    names |= {f"a{axis}": (f"{view}.{axis}", "m/s^2") for axis in "xyz"}
-    names |= {f"fn{j}": (f"arms.{j}.normal", "N") for j in count}
-    names |= {"fn_body": ("hull.1.normal", "N")} if flown.model.airframe.hull else {}
-    columns = {name: np.ascontiguousarray(trace[source]) for name, (source, _) in names.items()}
-    units = {name: unit for name, (_, unit) in names.items()}
-    rubbed = {f"ff{j}": f"arms.{j}.friction" for j in count}
-    rubbed |= {"ff_body": "hull.1.friction"} if flown.model.airframe.hull else {}
-    for name, source in rubbed.items():
-        parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
-        columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
-    return columns, units
+    def plot(
+        self,
+        columns: str | Sequence[str | Sequence[str]] | None = None,
+        *,
+        width: float | str = "one column",
+        height: float | str | None = None,
+        window: tuple[float, float] | None = None,
+    ) -> Figure:
+        """Figure of columns over time, as wide as a column of a paper; also `springback.plot`.
 
+        Args:
+            columns: Names of columns of the trajectory or of telemetry.  Neighbours of one kind
+                share a panel, as do those that are given as a list.  None draws the figure of the
+                whole flight, whatever the width.
+            width: ``one column`` (88 mm), ``two columns`` (180 mm), a number [m], or ``"120 mm"``.
+            height: Of the figure; by default 30 mm for each panel.
+            window: First and last instant shown [s].
 
-def _work(flown: FlightRecord) -> dict[str, Array]:
-    """Work in the trace by name, and a flag for contact of any cage."""
-    trace, stem = flown.trace, "work."
-    if trace is None:
-        return {}
-    names = [name for name in trace.columns if name.startswith(stem)]
-    work = {name.removeprefix(stem): np.ascontiguousarray(trace[name]) for name in names}
-    touching = np.zeros(len(trace.values))
-    for name in trace.columns:
-        if ".engaged." in name:
-            np.maximum(touching, trace[name], out=touching)
-    return work | {"touching": touching}
+        Raises:
+            InputError: If matplotlib is not installed, the flight has no trajectory, a column does
+                not exist, or a size is out of range.
+        """
+        figure: Figure = hook("Flight.plot")(
+            self, columns, width=width, height=height, window=window
+        )
+        return figure
 
-
-#: Columns of telemetry: name, source, unit.  An `n` represents the number of an arm.
-_TELEMETRY = (
-    ("t", "time", "s"),
-    ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
-    ("imu_a{a}", "measurement.inertial.specific_force.{a}", "m/s^2"),
-    ("imu_w{a}", "measurement.inertial.angular_velocity.{a}", "rad/s"),
-    ("imu_fresh", "measurement.inertial.fresh", ""),
-    ("pose_{a}", "measurement.pose.position.{a}", "m"),
-    ("pose_q{q}", "measurement.pose.attitude.{q}", ""),
-    ("pose_fresh", "measurement.pose.fresh", ""), ("pose_age", "measurement.pose.age", "s"),
-    ("hall{n}", "measurement.arm_length.{n}", "m"),
-    ("est_{a}", "pilot.estimate.position.{a}", "m"),
-    ("est_q{q}", "pilot.estimate.attitude.{q}", ""),
-    ("est_v{a}", "pilot.estimate.velocity.{a}", "m/s"),
-    ("est_w{a}", "pilot.estimate.angular_velocity.{a}", "rad/s"),
-    ("ref_{a}", "pilot.wanted.position.{a}", "m"), ("ref_v{a}", "pilot.wanted.velocity.{a}", "m/s"),
-    ("ref_a{a}", "pilot.wanted.acceleration.{a}", "m/s^2"), ("ref_yaw", "pilot.wanted.yaw", "rad"),
-    ("aim_q{q}", "pilot.aim.attitude.{q}", ""), ("aim_thrust", "pilot.aim.thrust", "N"),
-    ("aim_w{a}", "pilot.setpoint.{a}", "rad/s"),
-    ("phase", "pilot.phase", ""), ("goal_{a}", "pilot.goal.{a}", "m"),
-    ("pressed", "pilot.pressed", "m"), ("jolt", "pilot.jolt", "m/s^2"), ("push", "pilot.push", "N"),
-    ("alarms_hall", "pilot.alarms.1", ""), ("alarms_acceleration", "pilot.alarms.2", ""),
-    ("alarms_wrench", "pilot.alarms.3", ""),
-    ("force_{a}", "pilot.force.{a}", "N"), ("moment_{a}", "pilot.moment.{a}", "N m"),
-    ("hit_{a}", "pilot.direction.{a}", ""),
-)  # fmt: skip
-
-
-def _telemetry(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
-    """Columns of telemetry under their file names, with units; those that the pilot recorded."""
-    columns: dict[str, Array] = {}
-    units: dict[str, str] = {}
-    if trace is None:
-        return columns, units
-    for name, source, unit in _TELEMETRY:
-        for n in range(1, arms + 1) if "{n}" in source else (0,):
-            for a in "xyz" if "{a}" in source else ("",):
-                for q in "wxyz" if "{q}" in source else ("",):
-                    known = source.format(n=n, a=a, q=q)
-                    if known in trace.columns:
-                        column = name.format(n=n, a=a, q=q)
-                        columns[column] = np.ascontiguousarray(trace[known])
-                        units[column] = unit
-    return columns, units
+    def _repr_html_(self) -> str:
+        return str(hook("Flight.html")(self))
 
 
 def fly(
@@ -361,9 +272,9 @@ def fly(
     flown = fly_one(
         built.model, built.start, trace=trajectory, executor=executor, progress=progress
     )
-    columns, units = _columns(flown)
+    columns, units = trajectory_columns(flown)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    work = _work(flown)
+    work = work_columns(flown)
     return _wary(Flight(ready, outcome, measures, columns, units, work=work, own=parts.obstacles))
 
 
@@ -383,12 +294,11 @@ def _fly_guided(
 ) -> Flight:
     """Fly with a pilot."""
     guided = fly_built(built, trace=trajectory, executor=executor, progress=progress)
-    columns, units = _columns(guided.flown)
-    telemetry, telemetry_units = _telemetry(guided.telemetry, len(built.start.arm_length))
+    columns, units = trajectory_columns(guided.flown)
+    telemetry, telemetry_units = telemetry_columns(guided.telemetry, len(built.start.arm_length))
     outcome, measures = guided_result(guided)
-    return Flight(
-        ready, outcome, measures, columns, units | telemetry_units, telemetry, _work(guided.flown)
-    )
+    work, units = work_columns(guided.flown), units | telemetry_units
+    return Flight(ready, outcome, measures, columns, units, telemetry, work)
 
 
 def fly_built(

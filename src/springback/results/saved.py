@@ -27,7 +27,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 LARGEST = 1e100
 
 
-def read_result(folder: str | Path) -> Flight:
+def load(folder: str | Path) -> Flight:
     """Read a flight as it was written, with its scenario, measures, trajectory and telemetry.
 
     Args:

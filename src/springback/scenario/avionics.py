@@ -54,6 +54,9 @@ from springback.vehicle.state import Airframe, State
 FIRST_GUST_NOISE = 5
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
+#: Distance between the starts of a vehicle and its run-up that is worth a warning [m] (chosen: five
+#: standard deviations of the trials' positions, and more).
+APART = 0.2
 
 
 class CompiledPilot(NamedTuple):
@@ -365,7 +368,7 @@ def recovery_pilot(
     eyes = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
     route: Route = recovery.route(ZERO)
     if recovery.home is None:
-        route = route._replace(home=Vec(*s.start.position))
+        route = route._replace(home=s.start.place())
     return RecoveryPilot(cascade, *eyes, route)
 
 
@@ -460,11 +463,25 @@ def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[st
         return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
-    return gains + _circle_shortfalls(scenario)
+    return gains + _circle_shortfalls(scenario) + _two_starts(scenario)
 
 
 def _unread(names: list[str], why: str) -> list[str]:
     return [f"{name} is not used: {why}" for name in names]
+
+
+def _two_starts(scenario: ScenarioTables) -> list[str]:
+    """A run-up that begins far from the vehicle."""
+    run_up, start = scenario.reference, scenario.start
+    if not isinstance(run_up, RunUpSettings):
+        return []
+    apart = math.dist(run_up.start, start.position)
+    if apart <= APART:
+        return []
+    return [
+        f"reference.start is {apart:.3g} m from start.position: the vehicle flies there first, "
+        "while the run-up begins; without reference.start it begins at start.position"
+    ]
 
 
 def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:

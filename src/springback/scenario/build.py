@@ -26,6 +26,7 @@ from springback.scenario.checks import (
 )
 from springback.scenario.model import flight_model, hover_thrusts, start_state
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.trust import check_trusted
 from springback.scenario.user_obstacles import check_own_obstacles, own_obstacles
 from springback.scenario.user_pilots import (
     AnyPilot,
@@ -93,8 +94,10 @@ def named_parts(scenario: ScenarioTables) -> UserParts:
     """The user's own parts that a scenario names, unchecked; runs their files.
 
     Raises:
-        InputError: If a file cannot be used.
+        InputError: If a file cannot be used, or is in a folder that is not trusted.
     """
+    for path, word in scenario.code:
+        check_trusted(word, path)
     pilot = None if scenario.pilot is None else read_pilot(scenario.pilot)
     return UserParts(own_obstacles(scenario.world), pilot)
 

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
+from springback.scenario.code_files import with_absolute_names
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import (
     MOST_DEPTH,
@@ -19,7 +20,6 @@ from springback.scenario.source_text import (
     source_text,
     toml_tables,
 )
-from springback.scenario.user_code import with_absolute_names
 from springback.settings import Settings
 
 Key = str | int

@@ -227,4 +227,4 @@ def start_state(start: Start, vehicle: Vehicle) -> State:
     s, lengths = start, vehicle.lengths()
     attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
     velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
-    return State(Vec(*s.position), attitude, velocity, spin, lengths, rates)
+    return State(s.place(), attitude, velocity, spin, lengths, rates)

@@ -6,12 +6,18 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from pydantic_core import PydanticCustomError
+
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
+from springback.quantities import Unit
 from springback.scenario.source_text import source_text, toml_tables
 from springback.sensing.library import ESTIMATORS
 from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
+
+#: Position in the world.
+POSITION = Unit("m")
 
 
 def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
@@ -117,9 +123,23 @@ def obstacle_table(entry: Any) -> Any:
     return {**entry, **own}
 
 
+def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A raw scenario whose run-up begins at ``start.position``, unless it has its own ``start``."""
+    result, reference, start = dict(given), given.get("reference"), given.get("start")
+    if not isinstance(reference, Mapping) or not isinstance(start, Mapping):
+        return result
+    if reference.get("type") != "run-up" or "start" in reference or "position" not in start:
+        return result
+    try:
+        position = POSITION.triple(start["position"])
+    except PydanticCustomError:  # reported where it was written
+        return result
+    return {**result, "reference": {**reference, "start": position}}
+
+
 def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A raw scenario, every preset replaced by its values."""
-    result = dict(given)
+    """A raw scenario, presets replaced by their values; a run-up begins where the vehicle does."""
+    result = _with_its_start(given)
     if "vehicle" in result:
         with within("vehicle"):
             result["vehicle"] = vehicle_table(result["vehicle"])

@@ -11,9 +11,10 @@ from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
 from springback.errors import shown_value
+from springback.kernels.vectors import Vec
 from springback.quantities import Angle, Duration, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
-from springback.scenario.user_code import CodeName
+from springback.scenario.code_files import CodeName
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
@@ -72,11 +73,18 @@ class Start(Settings):
     """State at time 0.  Euler angles are ZYX; positive pitch is nose down."""
 
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 1.0)
+    """Of the main body, less ``offset``; a run-up without a ``start`` of its own begins here."""
+    offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
+    """Displacement of the vehicle from ``position``, which no reference follows, as by scatter."""
     velocity: Annotated[Triple, Unit("m/s")] = (0.0, 0.0, 0.0)
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+
+    def place(self) -> Vec:
+        """Position of the main body at time 0, world [m]."""
+        return Vec(*self.position) + Vec(*self.offset)
 
 
 class ModelSettings(Settings):
@@ -175,3 +183,13 @@ class ScenarioTables(Settings):
     model_error: ModelError = ModelError()
     model: ModelSettings = ModelSettings()
     simulation: SimulationSettings = SimulationSettings()
+
+    @property
+    def code(self) -> list[tuple[str, str]]:
+        """Path and name of each object of the user's own."""
+        found = [] if self.pilot is None else [("pilot", self.pilot)]
+        return found + [
+            (f"world.obstacles[{k}].shape", entry.shape)
+            for k, entry in enumerate(self.world.obstacles)
+            if isinstance(entry, UserShape)
+        ]

@@ -18,8 +18,8 @@ from springback.contact.parameters import Own, SurfaceSettings
 from springback.errors import InputError, shown_value
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm
+from springback.scenario.code_files import error_place, error_words, read_object
 from springback.scenario.tables import UserShape, WorldSettings
-from springback.scenario.user_code import error_place, error_words, read_object
 
 #: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
 STEP = 1e-5
@@ -111,8 +111,22 @@ def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
             )
         known = (type(pair[0]), repr(pair[0]), *(round(x) for x in start))
         if known not in _SEEN:
-            _Sampled(f"own obstacle {k}, {type(pair[0]).__name__}", pair[0]).check(start)
+            check_shape_from(start, pair[0], f"own obstacle {k}, {type(pair[0]).__name__}")
             _SEEN.add(known)
+
+
+def check_shape_from(start: Vec, shape: Any, name: str) -> None:
+    """Reject a shape whose distance or normal is wrong where rays from a point meet it.
+
+    Args:
+        start: Where the rays begin, world [m].
+        shape: The shape.
+        name: Of the shape, for errors.
+
+    Raises:
+        InputError: With the first point that is wrong.
+    """
+    _Sampled(name, shape).check(start)
 
 
 #: Validated shapes, by their numbers and the cubic metre of the start.

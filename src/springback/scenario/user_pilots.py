@@ -16,7 +16,7 @@ from springback.errors import InputError
 from springback.kernels.compiler import CompilerError
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.scenario.avionics import CompiledPilot
-from springback.scenario.user_code import PACKAGE, error_place, error_words, read_object
+from springback.scenario.code_files import PACKAGE, error_place, error_words, read_object
 from springback.simulation.guided import Command, PlainPilot
 from springback.simulation.onboard import PilotOutput, pilot_step
 from springback.vehicle.parameters import Vehicle

@@ -117,6 +117,7 @@ def trial_tables(
     ]
     error = dict(base.get("model_error", {}))
     return base | {
+        "reference": {"start": list(HOME)} | base["reference"],
         "world": {**base["world"], "obstacles": obstacles},
         "start": {
             "position": list(noise_stream.position),

@@ -50,9 +50,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def scene(folder: Path) -> Scene:
-    from springback.interfaces.replay.scene import read_result
+    from springback.interfaces.replay.scene import load
 
-    return scene_of(read_result(folder))
+    return scene_of(load(folder))
 
 
 def animate(*words: Any) -> Result:

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 from springback.interfaces.lab.app import lab_app
 from springback.interfaces.lab.queue import RequestQueue
-from springback.interfaces.lab.settings import DEFAULTS
+from springback.interfaces.lab.settings import LabSettings
 from springback.interfaces.web.server import bound, server_of
 
 #: Settings in a link that cannot be, and how what is said of them begins.
@@ -35,15 +35,15 @@ WRONG = {
 
 
 @contextmanager
-def served_lab() -> Iterator[int]:
+def served_lab(table: type[LabSettings] = LabSettings) -> Iterator[int]:
     """A lab on this machine whose default kind is ready; its port."""
-    queue = RequestQueue(prepared=(DEFAULTS,))
+    queue = RequestQueue(prepared=(table(),))
     queue.start()
-    server = server_of(lab_app(queue))
+    server = server_of(lab_app(queue, table))
     with bound("127.0.0.1", 0) as listening:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()
-        assert queue.wait(DEFAULTS, 400.0)
+        assert queue.wait(table(), 400.0)
         while not server.started:
             time.sleep(0.01)
         yield listening.getsockname()[1]

@@ -19,6 +19,8 @@ from interfaces.browsing import needs_browser, resized
 from interfaces.lab.lab_served import served_lab
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.settings import settings_from
+from springback.interfaces.lab.user_scenario import read_user_scenario
+from springback.interfaces.lab.user_settings import user_settings
 
 pytestmark = needs_browser
 ID, CSS = "id", "css selector"
@@ -249,3 +251,65 @@ def test_a_file_can_be_taken_away(browser: Any, lab: str) -> None:
     links = [a.get_attribute("href") for a in browser.find_elements(CSS, ".files a")]
     assert links == [f"{lab}scenario.toml?stiffness=2.6&of={robot}" for robot in ("arq", "quad")]
     assert Path(links[0].split("?")[0]).name == "scenario.toml"
+
+
+MINE = """
+vehicle = {preset = "quad", name = "Mine", arms = {length = "0.24 m"}}
+thrust = "hover"
+start = {position = ["2.3 m", 0, "1 m"], velocity = ["2 m/s", 0, 0]}
+simulation = {duration = "0.2 s"}
+[[world.obstacles]]
+type = "wall"
+distance = "2.75 m"
+surface = "wall"
+"""
+
+
+def test_a_scenario_of_ones_own_is_changed_swept_and_refused(browser: Any, tmp_path: Path) -> None:
+    """One page: the user's vehicle, the present point on its curve, a reason beside its control."""
+    path = tmp_path / "mine.toml"
+    path.write_text(MINE, encoding="utf-8")
+    state = "return window.springback.sweep.state()"
+    with served_lab(user_settings(read_user_scenario(path))) as port:
+        opened(browser, f"http://127.0.0.1:{port}/#sweep=cage_radius,impact_peak_acceleration")
+        assert shown(browser)["outcomes"].startswith("Mine hits the wall at 2.00 m/s")
+        assert "mine.toml" in browser.find_element(CSS, "h1").text
+        until(lambda: browser.execute_script(state)["curve"], "the sweep")
+        before = browser.execute_script(state)
+        [point] = before["points"]
+        assert (point["x"], point["label"]) == (110, "Mine")
+        curve = before["curve"]["measures"]["impact_peak_acceleration"]["mine"]
+        near = min(range(len(curve)), key=lambda k: abs(before["curve"]["at"][k] - 110))
+        assert point["y"] == pytest.approx(curve[near], rel=0.05)
+        dot = browser.find_element(CSS, ".sweep-point").rect
+        box = browser.find_element(CSS, ".sweep .u-over").rect
+        assert dot["x"] + 5 - box["x"] == pytest.approx(box["width"] * (110 - 20) / 230, abs=2)
+
+        slide(browser, "cage_radius", 300)
+        until(lambda: "cage" in shown(browser)["query"], "a smaller cage")
+        after = browser.execute_script(state)
+        assert after["points"][0]["x"] == 89
+        assert after["curve"] == before["curve"]  # it depends on all other settings only
+        assert after["bounds"] == before["bounds"]
+        assert shown(browser)["link"].endswith(
+            "?cage_radius=89#sweep=cage_radius,impact_peak_acceleration"
+        )
+
+        browser.find_element(ID, "lock").click()
+        scale = "return window.springback.plots.bounds('Acceleration')"
+        locked = browser.execute_script(scale)
+        slide(browser, "speed", 1000)
+        until(lambda: "speed" in shown(browser)["query"], "a faster flight")
+        assert max(one["peak"] for one in shown(browser)["peaks"]) > locked[1]
+        assert browser.execute_script(scale) == locked
+
+        slide(browser, "cage_radius", 1000)
+        control = browser.find_element(CSS, "[data-name=cage_radius]")
+        until(lambda: "cages overlap" in control.text, "the reason")
+        assert "The previous flight is shown" in browser.find_element(CSS, ".alert").text
+        assert shown(browser)["settings"]["cage_radius"] == 89
+        assert (
+            "no arm of your vehicle is compliant"
+            in browser.find_element(CSS, "[data-name=stiffness]").text
+        )
+        assert [text for text in errors(browser) if "503" not in text] == []

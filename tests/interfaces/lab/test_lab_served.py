@@ -190,8 +190,14 @@ def test_wrong_settings_are_refused_with_the_line(port: int, query: str) -> None
     ("/../../../etc/passwd", {}, 404, b"not found"),
     ("/%2e%2e/%2e%2e/etc/passwd", {}, 404, b"not found"),
     ("/scenario.toml?of=../arq", {}, 422, b"of: must be arq or quad"),
+    ("/scenario.toml?of=arq&of=quad", {}, 422, b"of: is given 2 times"),
     ("/scenario.toml?robot=quad&of=arq", {}, 422, b"of: must be quad"),
     ("/flight?of=arq", {}, 422, b"of: unknown key"),
+    ("/sweep?of=../stiffness", {}, 422, b"of: cannot be swept"),
+    ("/sweep?of=speed&of=yaw", {}, 422, b"of: is given 2 times"),
+    ("/sweep?of=speed&mode=flight", {}, 422, b"a campaign can"),
+    ("/sweep?of=speed", {"Origin": "http://evil.example"}, 403, b"may not query"),
+    ("/sweep?of=speed", {"method": "POST"}, 405, b"GET"),
 ])  # fmt: skip
 def test_hostile_requests_are_refused(
     port: int, path: str, how: dict[str, str], status: int, words: bytes

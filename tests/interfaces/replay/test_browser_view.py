@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import pytest
 
 from builders.cases import nonempty
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
+from interfaces.replay.pages import drag, key, opened, pose, until
 from springback.interfaces.replay.viewer import export_page, replay_of
 from springback.results.flight import Flight, fly
 
@@ -42,32 +43,6 @@ def page(flights: list[Flight], tmp_path_factory: pytest.TempPathFactory) -> Pat
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     with browser(tmp_path_factory.mktemp("profile")) as found:
         yield found
-
-
-def pose(driver: Any) -> dict[str, Any]:
-    found: dict[str, Any] = driver.execute_script("return window.springback.pose()")
-    return found
-
-
-def until(true: Callable[[], bool], seconds: float = 20.0) -> None:
-    """Wait for what must come; how long it takes is the machine's affair."""
-    end = time.monotonic() + seconds
-    while not true():
-        assert time.monotonic() < end
-        time.sleep(0.05)
-
-
-def opened(driver: Any, page: Path, fragment: str = "") -> None:
-    driver.get("about:blank")
-    requests(driver)
-    driver.get(f"{page.as_uri()}{fragment}")
-    until(lambda: driver.execute_script("return !!window.springback"))
-
-
-def key(driver: Any, text: str) -> None:
-    from selenium.webdriver.common.by import By
-
-    driver.find_element(By.TAG_NAME, "body").send_keys(text)
 
 
 def test_play_moves_the_robots_and_asks_nobody_for_anything(driver: Any, page: Path) -> None:
@@ -192,20 +167,6 @@ def test_it_fits_on_a_phone(driver: Any, page: Path) -> None:
     assert widths
     assert max(widths) <= 390
     assert complaints(driver) == []
-
-
-def drag(driver: Any, element: Any, start: tuple[float, float], end: tuple[float, float]) -> None:
-    """Press, move and let go, in shares of an element's width and height."""
-    from selenium.webdriver.common.action_chains import ActionChains
-
-    width, height = element.size["width"], element.size["height"]
-    (a, b), (c, d) = start, end
-    chain = ActionChains(driver, duration=50)
-    chain.move_to_element_with_offset(element, (a - 0.5) * width, (b - 0.5) * height)
-    chain.click_and_hold()
-    for _ in range(2):
-        chain.move_by_offset((c - a) * 0.5 * width, (d - b) * 0.5 * height)
-    chain.release().perform()
 
 
 #: Of every plot: the time line, whether it is hidden, its place and that of its time [px].

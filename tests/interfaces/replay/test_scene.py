@@ -32,7 +32,7 @@ from springback.interfaces.replay.instants import (
     departure,
     drawn_instants,
 )
-from springback.interfaces.replay.scene import Scene, plain, read_result, scene_of
+from springback.interfaces.replay.scene import Scene, load, plain, scene_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.kernels.vectors import Vec
 from springback.results.flight import Flight, fly
@@ -279,7 +279,7 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
     assert flight.contacts
     assert flight.own == tuple(own)
     write_flight(flight, tmp_path, figures=False)
-    known, saved = scene_of(flight), scene_of(read_result(tmp_path))
+    known, saved = scene_of(flight), scene_of(load(tmp_path))
     assert known.notes == ()
     assert np.abs(known.force).max() > 10.0
     # Its law is code of the user's, which no file keeps; its surface is drawn all the same.
@@ -291,7 +291,7 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
         away = np.linalg.norm(ball.vertices - [2.9, 0.0, 1.0], axis=1)
         assert away == pytest.approx(np.full(len(away), 0.2), abs=1e-4)
     assert len(saved.obstacles[0].triangles) > 50
-    again = read_result(tmp_path).summary()  # what was read back says the same again
+    again = load(tmp_path).summary()  # what was read back says the same again
     assert again["own_obstacles"] == flight.summary()["own_obstacles"]
 
 
@@ -344,7 +344,7 @@ def folder(recovery: Flight, tmp_path: Path) -> Path:
 
 def test_what_was_written_is_read_back(recovery: Flight, folder: Path) -> None:
     """Scenario, outcome and measures equal, every column to the bit, and the same scene."""
-    read = read_result(folder)
+    read = load(folder)
     assert read.scenario == recovery.scenario
     assert (read.outcome, read.measures) == (recovery.outcome, recovery.measures)
     assert read.units == recovery.units
@@ -428,7 +428,7 @@ HOSTILE = {
 def test_what_is_no_result_is_refused_in_one_line(folder: Path, spoil, word: str) -> None:
     spoil(folder)
     with pytest.raises(InputError) as caught:
-        read_result(folder)
+        load(folder)
     assert len(caught.value.problems) == 1
     assert "\n" not in caught.value.problems[0]
     assert word in caught.value.problems[0]
@@ -436,7 +436,7 @@ def test_what_is_no_result_is_refused_in_one_line(folder: Path, spoil, word: str
 
 def test_no_folder_and_a_file_are_told_apart(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such folder"):
-        read_result(tmp_path / "nothing")
+        load(tmp_path / "nothing")
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="is a file"):
-        read_result(tmp_path / "file")
+        load(tmp_path / "file")

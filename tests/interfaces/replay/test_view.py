@@ -29,7 +29,7 @@ from springback.interfaces.reports.flight_files import write_flight
 from springback.interfaces.web.page import in_script, page_of, part
 from springback.interfaces.web.server import bound, is_welcome
 from springback.results.flight import Flight, fly
-from springback.results.saved import read_result
+from springback.results.saved import load
 
 ROOT = Path(__file__).parents[3]
 TABLES = {
@@ -169,6 +169,12 @@ def test_flights_of_one_robot_go_by_their_folders(flight: Flight) -> None:
     ]
     assert labels_of([flight, flight], ["a/out", "b/out"]) == ["ARQ (a/out)", "ARQ (b/out)"]
     assert labels_of([flight, flight], ["out", "out"]) == ["ARQ 1", "ARQ 2"]
+    far = ["/runs/a/mon/out", "/runs/b/mon/out", "/runs/b/tue/out"]
+    assert labels_of([flight] * 3, far) == [
+        "ARQ (a/mon/out)",
+        "ARQ (b/mon/out)",
+        "ARQ (b/tue/out)",
+    ]
 
 
 def test_the_command_labels_flights_by_the_folders_it_was_given(
@@ -184,7 +190,7 @@ def test_the_command_labels_flights_by_the_folders_it_was_given(
     assert labels == ["ARQ (plain)", "ARQ (softer)"]
 
 
-def test_the_second_of_two_flights_says_in_what_it_differs(flight: Flight) -> None:
+def test_other_flights_say_in_what_they_differ_from_the_first(flight: Flight) -> None:
     """The settings that were overridden, in SI, with the value of the first flight."""
     arms = flight.scenario.vehicle.arms.model_copy(update={"stiffness": "2 N/mm"})
     vehicle = flight.scenario.vehicle.model_copy(update={"arms": arms})
@@ -192,9 +198,10 @@ def test_the_second_of_two_flights_says_in_what_it_differs(flight: Flight) -> No
     said = "vehicle.arms.stiffness (2000 instead of 5000)"
     assert difference(flight, softer) == said
     assert difference(flight, flight) == ""
-    first, second = scenes_of([flight, softer], ["plain", "softer"])
+    first, *others = scenes_of([flight, softer, flight, softer], ["plain", "a", "b", "c"])
     assert not any("differs" in note for note in first.notes)
-    assert second.notes[-1] == f"differs from ARQ (plain) in {said}"
+    notes = [scene.notes[-1:] for scene in others]
+    assert notes == [(f"differs from ARQ (plain) in {said}",), (), notes[0]]
 
 
 def test_a_scenario_is_flown_with_its_twin(tmp_path: Path, folder: Path) -> None:
@@ -206,11 +213,11 @@ def test_a_scenario_is_flown_with_its_twin(tmp_path: Path, folder: Path) -> None
     )
     arq, quad = flights_of([path], twin=True)
     assert (arq.scenario.vehicle.name, quad.scenario.vehicle.name) == ("arq", "quad")
-    assert arq.measures == read_result(folder).measures
+    assert arq.measures == load(folder).measures
     with pytest.raises(InputError, match="--twin"):
         flights_of([folder], twin=True)
-    with pytest.raises(InputError, match="one or 2"):
-        flights_of([folder] * 3)
+    with pytest.raises(InputError, match="one to 8"):
+        flights_of([folder] * 9)
 
 
 # -- errors ---------------------------------------------------------------------------------------

@@ -305,8 +305,9 @@ def scatter_dimensions(deviations: Scatter, scenario: Scenario) -> list[Dimensio
     for name, unit, deviation in (
         ("position", "m", deviations.position), ("velocity", "m/s", deviations.velocity)
     ):  # fmt: skip
+        key = "offset" if name == "position" else name  # references do not follow it
         for k, axis in enumerate("xyz"):
-            rows.append((f"{name}_{axis}", unit, deviation, "start", addition((name, k))))
+            rows.append((f"{name}_{axis}", unit, deviation, "start", addition((key, k))))
     rows.append(("heading", "rad", deviations.heading, "start", addition(("yaw",))))
     walls = (deviations.wall_distance, deviations.wall_yaw)
     moves = [

@@ -40,9 +40,10 @@ from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
 from springback.problems import dotted_path, problem_paths
 from springback.results.sealed_json import digest_of
+from springback.scenario.code_files import code_digests, code_names
 from springback.scenario.presets import vehicle_table
 from springback.scenario.scenario import Scenario, merge, preset, scenario_from
-from springback.scenario.user_code import code_digests, code_names
+from springback.scenario.trust import check_trusted
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES
 from springback.simulation.noise import Purpose
@@ -103,8 +104,10 @@ class Design:
     @functools.cached_property
     def code(self) -> dict[str, str]:
         """SHA-256 of the user's own files that the scenarios name, by path; runs the files."""
-        words = [word for base in self.bases for word in code_names(base)]
-        return code_digests(dict.fromkeys(words))
+        words = list(dict.fromkeys(word for base in self.bases for word in code_names(base)))
+        for word in words:
+            check_trusted(word, "scenario")
+        return code_digests(words)
 
     def condition(self, text: str) -> str:
         """Condition in words as SQL.

@@ -13,10 +13,10 @@ from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, mo
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
+from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import apply_overrides, place_of, read_scenario
 from springback.scenario.presets import is_vehicle_file, vehicle_file, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
-from springback.scenario.user_code import with_absolute_names
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
 from springback.vehicle.library import VEHICLES

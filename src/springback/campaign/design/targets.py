@@ -187,7 +187,8 @@ def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
     start, control, error = scenario.start, scenario.control, scenario.model_error
     changes = {
         "start": {
-            "position": list(start.position), "velocity": list(start.velocity), "yaw": start.yaw,
+            "position": list(start.position), "offset": list(start.offset),
+            "velocity": list(start.velocity), "yaw": start.yaw,
         },
         "control": {name: getattr(control, name) for name in GAINS},
         "model_error": {"mass": error.mass, "inertia": error.inertia},

@@ -13,9 +13,13 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.extras import needs
+from springback.files import atomic_file
 from springback.interfaces.animation.timing import timing
+from springback.interfaces.output.python_wording import python_words
 from springback.interfaces.output.robots import BLUE, GREEN, ORANGE, RED
+from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import Scene
+from springback.results.flight import Flight
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Frames = Sequence[Any]
@@ -29,6 +33,8 @@ FASTEST = 50.0
 """Frames per second; browsers slow a GIF down above this."""
 COLOURS, SAMPLED = 64, 12
 """Chosen: colours of a GIF, and number of frames from which its palette is computed."""
+SLOWEST = 1000.0
+"""Largest slow-motion factor (chosen)."""
 HOLD = 1.0
 """Chosen: how long the last frame is held [s]."""
 INKS = (BLUE, RED, GREEN, ORANGE)
@@ -36,6 +42,37 @@ INKS = (BLUE, RED, GREEN, ORANGE)
 QUALITY = 80
 """Chosen: quality of WebP; MP4 uses the constant rate factor `CRF`."""
 CRF = "20"
+
+
+def save_film(
+    flight: Flight, path: str | Path, *others: Flight, force: bool = False, **options: Any
+) -> Path:
+    """Write a film from Python: `springback.Flight.animate`.
+
+    Args:
+        flight: With its trajectory.
+        path: Of the film.
+        others: At most one.
+        force: Replace an existing file.
+        **options: As for `write_film`.
+    """
+    path = Path(path)
+    with python_words():
+        if len(others) > 1:
+            raise InputError(f"a film shows one flight or two (got {1 + len(others)})")
+        check(path, force=force, **options)
+        replace_film(scenes_of([flight, *others]), path, **options)
+    return path
+
+
+def replace_film(scenes: Sequence[Scene], path: Path, **options: Any) -> int:
+    """Write a film as by `write_film`, completely or not at all, and its folder if need be."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_file(path, suffix=path.suffix) as draft:
+            return write_film(scenes, draft, **options)
+    except OSError as error:
+        raise InputError(f"--out {path}: cannot be written ({error.strerror})") from None
 
 
 def write_film(
@@ -67,7 +104,7 @@ def write_film(
     Raises:
         InputError: If there is nothing to show, the suffix is unknown, or an extra is missing.
     """
-    check(path, size, fps)
+    check(path, slow=slow, begin=begin, end=end, fps=fps, size=size, force=True)
     from springback.interfaces.animation.frame import Frame
 
     when = timing(scenes, slow=slow, begin=begin, end=end, fps=fps)
@@ -80,17 +117,40 @@ def write_film(
     return count
 
 
-def check(path: Path, size: tuple[int, int] | None, fps: float) -> None:
-    """Check the options of a film before anything is drawn.
+def check(
+    path: Path,
+    *,
+    slow: float = 20.0,
+    begin: float | None = None,
+    end: float | None = None,
+    fps: float = 25.0,
+    size: tuple[int, int] | None = None,
+    force: bool = False,
+) -> None:
+    """Check the options of a film before anything is drawn; arguments as for `write_film`.
 
     Args:
         path: Of the film.
+        slow: From 1 to 1000.
+        begin: Before the end.
+        end: After the beginning.
+        fps: At most `FASTEST`.
         size: Width and height [px].
-        fps: Frames a second.
+        force: Replace an existing file.
 
     Raises:
-        InputError: If an option is invalid, or an extra is not installed.
+        InputError: If an option is invalid, the file exists, or an extra is not installed.
     """
+    for name, value in {"--from": begin, "--to": end, "--fps": fps, "--slow": slow}.items():
+        if value is not None and not abs(value) < 1e9:
+            raise InputError(f"{name} {value:g}: must be a finite number")
+    if not 1.0 <= slow <= SLOWEST:
+        raise InputError(f"--slow {slow:g}: must be from 1 to {SLOWEST:g}")
+    if begin is not None and end is not None and begin >= end:
+        raise InputError(f"--from {begin:g} s must be before --to {end:g} s")
+    if path.exists() and (path.is_dir() or not force):
+        ending = "is a folder" if path.is_dir() else "already exists; give another, or --force"
+        raise InputError(f"--out {path}: {ending}")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(f"--out {path}: must end in {', '.join(SUFFIXES)}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -43,40 +44,27 @@ def animate(
     """
     if len(results) not in (1, 2):
         raise InputError(f"RESULT: give one folder, or two to show side by side ({len(results)})")
-    for name, value in {"--from": begin, "--to": end, "--fps": fps, "--slow": slow}.items():
-        if value is not None and not abs(value) < 1e9:
-            raise InputError(f"{name} {value:g}: must be a finite number")
-    if begin is not None and end is not None and begin >= end:
-        raise InputError(f"--from {begin:g} s must be before --to {end:g} s")
     out = output.out
     assert out is not None  # it is required
-    if out.exists() and (out.is_dir() or not output.force):
-        ending = "is a folder" if out.is_dir() else "already exists; give another, or --force"
-        raise InputError(f"--out {out}: {ending}")
-    wanted = _size(size)
-    from springback.interfaces.animation.film import check, write_film
+    from springback.interfaces.animation.film import check, replace_film
     from springback.interfaces.replay.labels import scenes_of
-    from springback.results.saved import read_result
+    from springback.results.saved import load
 
-    check(out, wanted, fps)
+    options: dict[str, Any] = {
+        "slow": slow,
+        "begin": begin,
+        "end": end,
+        "fps": fps,
+        "size": _size(size),
+    }
+    check(out, force=output.force, **options)
     with output.spinner("reading"):
-        scenes = scenes_of([read_result(folder) for folder in results], results)
+        scenes = scenes_of([load(folder) for folder in results], results)
     for scene in scenes:
         for doubt in scene.notes:
             output.note(f"{scene.label}: {doubt}")
-    from springback.files import atomic_file
-
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with (
-            atomic_file(out, suffix=out.suffix) as draft,
-            output.progress_bar("drawing") as show,
-        ):
-            count = write_film(
-                scenes, draft, slow=slow, begin=begin, end=end, fps=fps, size=wanted, progress=show
-            )
-    except OSError as error:
-        raise InputError(f"--out {out}: cannot be written ({error.strerror})") from None
+    with output.progress_bar("drawing") as show:
+        count = replace_film(scenes, out, progress=show, **options)
     output.note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB")
 
 

@@ -16,14 +16,16 @@ import click
 from springback.errors import InputError, warn_in_one_line
 from springback.interfaces.cli.animate import animate
 from springback.interfaces.cli.campaign import campaign, query, refly, summary
+from springback.interfaces.cli.check import check
 from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
-from springback.interfaces.cli.examples import examples
-from springback.interfaces.cli.fly import check, fly
+from springback.interfaces.cli.examples import examples, new
+from springback.interfaces.cli.fly import fly
 from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study
+from springback.interfaces.cli.trust import trust
 from springback.interfaces.cli.view import view
 from springback.interfaces.output import interrupts
 from springback.version import __version__
@@ -40,8 +42,8 @@ def cli() -> None:
 
 
 for command in (
-    fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, animate, lab,
-    map_command, study, view,
+    fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new, animate,
+    lab, map_command, study, trust, view,
 ):  # fmt: skip
     cli.add_command(command)
 

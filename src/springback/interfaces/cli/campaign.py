@@ -20,6 +20,7 @@ from springback.interfaces.cli.common import (
     output_options,
     say,
 )
+from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
 
@@ -32,8 +33,10 @@ BETWEEN_LINES = 10.0
 
 
 @click.command()
-@click.argument("plan", type=PATH, required=False)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("plan", type=ScenarioPath(), required=False)
+@click.argument(
+    "overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting(plan=True)
+)
 @click.option("--resume", is_flag=True, help="Continue the campaign in the folder.")
 @click.option("--dry-run", is_flag=True, help="Fly a few, and estimate time and disk space of all.")
 @click.option("--workers", type=int, help="Number of processes; by default that of the cores.")
@@ -121,7 +124,6 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.store import stored_plan
-    from springback.scenario.user_code import code_names
 
     if plan is not None:
         read, source = read_plan(plan, overrides)
@@ -129,13 +131,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
         check_conditions(design, source)
         return design
     assert out is not None
-    design = lay_out(stored_plan(out), tried=False)
-    if names := [name for base in design.bases for name in code_names(base)]:
-        raise InputError(
-            f"--out {out}: its plan runs code, {', '.join(dict.fromkeys(names))}; to continue, "
-            "give the PLAN, too"
-        )
-    return design
+    return lay_out(stored_plan(out), tried=False)
 
 
 def _finished(flown: Any, output: Output) -> None:
@@ -270,9 +266,8 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 @click.command()
 @click.argument("folder", type=PATH)
 @click.argument("row", type=int)
-@click.option("--trust", is_flag=True, help="Run the code that its scenario names, if any.")
 @output_options("Folder for summary.json, trajectory.parquet, figures.", required=False)
-def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
+def refly(folder: Path, row: int, output: Output) -> None:
     """Repeat flight ROW of the campaign in FOLDER alone, with its whole trajectory.
 
     Every number is compared with the row, bit for bit; the exit code is 1 if any differs.
@@ -284,7 +279,7 @@ def refly(folder: Path, row: int, trust: bool, output: Output) -> None:
     from springback.campaign.access import Campaign
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
 
-    known = Campaign(folder, trust=trust)
+    known = Campaign(folder)
     with output.spinner(FIRST):
         again = known.refly(row)
     if output.out is not None:

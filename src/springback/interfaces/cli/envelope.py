@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from springback.interfaces.cli.common import Output, output_options
+from springback.interfaces.cli.completion import complete_vehicle
 
 
 @click.command(name="map")
@@ -13,6 +14,7 @@ from springback.interfaces.cli.common import Output, output_options
 @click.option(
     "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
     help="Vehicle preset, or file with a vehicle; may be repeated.",
+    shell_complete=complete_vehicle,
 )  # fmt: skip
 @click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")

@@ -1,17 +1,42 @@
-"""The command ``springback examples``."""
+"""The commands ``springback examples`` and ``springback new``."""
 
 from __future__ import annotations
 
+import keyword
+import re
+import shlex
 import shutil
+import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import click
 
-from springback.interfaces.cli.common import Output, output_options
+from springback.interfaces.cli.common import (
+    PATH,
+    Output,
+    Terminal,
+    output_options,
+    terminal_options,
+)
 
 #: The package, and possible folders of the examples: in the package, or in a checkout.
 PACKAGE = Path(__file__).parents[2]
 PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
+
+
+def examples_folder() -> Path:
+    """Folder of the examples.
+
+    Raises:
+        InputError: If the installation lacks them.
+    """
+    from springback.errors import InputError
+
+    source = next((place for place in PLACES if place.is_dir()), None)
+    if source is None:
+        raise InputError(f"the examples are missing from this installation, in {PLACES[0]}")
+    return source
 
 
 @click.command()
@@ -23,13 +48,136 @@ def examples(output: Output) -> None:
     springback examples
     springback fly examples/collision.toml --out collision
     """
-    from springback.errors import InputError
-
-    source = next((place for place in PLACES if place.is_dir()), None)
-    if source is None:
-        raise InputError(f"the examples are missing from this installation, in {PLACES[0]}")
-    files = sorted(path for path in source.iterdir() if path.suffix in (".toml", ".py"))
+    files = sorted(path for path in examples_folder().iterdir() if path.suffix in (".toml", ".py"))
     with output.folder() as folder:
         for path in files:
             shutil.copy(path, folder)
     output.note_written(files)
+
+
+# -- files of one's own ---------------------------------------------------------------------------
+
+
+class TemplateFiles(NamedTuple):
+    """Files that ``springback new`` writes for one kind of thing."""
+
+    files: dict[str, str]
+    """Suffix of the written file's name, after its stem, and the example that it comes from."""
+    next: tuple[str, ...]
+    """Commands to type next, with ``{stem}`` of the file's path."""
+
+
+TEMPLATES = {
+    "vehicle": TemplateFiles(
+        {".toml": "own_vehicle.toml"},
+        (
+            "springback check {stem}.toml",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "springback view {stem}-flight",
+        ),
+    ),
+    "pilot": TemplateFiles(
+        {".py": "own_pilot.py", ".toml": "own_pilot.toml"},
+        (
+            "springback check {stem}.py:hover",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "python {stem}.py",
+        ),
+    ),
+    "obstacle": TemplateFiles(
+        {".py": "own_obstacle.py", ".toml": "own_obstacle.toml"},
+        (
+            "springback check {stem}.py:POLE",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "python {stem}.py",
+        ),
+    ),
+    "campaign": TemplateFiles(
+        {".toml": "own_campaign.toml", "_vehicle.toml": "own_vehicle.toml"},
+        (
+            "springback check {stem}.toml",
+            "springback campaign {stem}.toml --dry-run",
+            "springback campaign {stem}.toml --out {stem}-results",
+            "springback summary {stem}-results --out {stem}-page",
+        ),
+    ),
+}
+"""What ``springback new`` knows, by kind."""
+
+
+@click.command()
+@click.argument("kind", type=click.Choice(list(TEMPLATES)))
+@click.argument("name", required=False)
+@click.option("--compiled", is_flag=True, help="A pilot that is compiled.")
+@click.option("--out", type=PATH, metavar="FILE", help="File to write; by default NAME, here.")
+@terminal_options("force", "quiet")
+def new(
+    kind: str, name: str | None, compiled: bool, out: Path | None, force: bool, terminal: Terminal
+) -> None:
+    """Write a commented file that works at once, to start from: a vehicle, a pilot, ...
+
+    \b
+    vehicle   a scenario with a [vehicle] of four compliant arms: each number with unit and range,
+              and where to get it
+    pilot     a pilot in plain Python, or --compiled, and a scenario for it
+    obstacle  a shape in Python, and a scenario that flies into it
+    campaign  a plan, here a design study, and a scenario with a vehicle for it
+
+    \b
+    springback new vehicle hexa
+    springback new pilot hover --compiled
+    """
+    from springback.errors import InputError
+    from springback.files import write_atomically
+
+    template = TEMPLATES[kind]
+    if compiled and kind != "pilot":
+        raise InputError(f"--compiled belongs to a pilot, not to a {kind}")
+    if name is not None and out is not None:
+        raise InputError(f"NAME {name} and --out {out}: give only one")
+    suffix = next(iter(template.files))
+    path = out or Path(f"{(name or f'own_{kind}').removesuffix(suffix)}{suffix}")
+    if path.suffix != suffix:
+        raise InputError(f"--out {path}: must end in {suffix}")
+    _check_name(path.stem, "--out" if out else "NAME", is_module=suffix == ".py")
+    written = {
+        path.with_name(path.stem + end): _renamed(source, kind, path.stem, compiled)
+        for end, source in template.files.items()
+    }
+    there = [str(one) for one in written if one.exists() or one.is_symlink()]
+    if there and not force:
+        raise InputError(f"{there[0]}: already exists; give another name, or --force")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        for one, text in written.items():
+            write_atomically(one, text)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written ({error.strerror})") from None
+    stem = shlex.quote(str(path.with_suffix("")))
+    terminal.print(
+        {"files": [str(one) for one in written]}, f"written: {', '.join(map(str, written))}"
+    )
+    terminal.note("next:\n" + "\n".join(f"  {line.format(stem=stem)}" for line in template.next))
+
+
+def _renamed(example: str, kind: str, name: str, compiled: bool) -> str:
+    """Text of an example under another name."""
+    source = "own_pilot_compiled.py" if compiled and example == "own_pilot.py" else example
+    text = (examples_folder() / source).read_text(encoding="utf-8")
+    beside = f"{name}_vehicle" if kind == "campaign" else name
+    text = text.replace("own_vehicle", beside).replace('"own vehicle"', f'"{beside}"')
+    return re.sub(rf"own_{kind}(_compiled)?|(?<=\")own {kind}(?=\")", name, text)
+
+
+def _check_name(name: str, word: str, *, is_module: bool) -> None:
+    """Reject a name that is hard to type or, of a module, that hides one of Python's."""
+    from springback.errors import InputError
+
+    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_-]*", name):
+        raise InputError(
+            f"{word} {name!r}: must be letters, digits, - and _, and not begin with a digit"
+        )
+    if is_module and not name.isidentifier():
+        raise InputError(f"{word} {name!r}: must be a Python name, without -")
+    if is_module and (keyword.iskeyword(name) or name in {*sys.stdlib_module_names, "springback"}):
+        raise InputError(f"{word} {name!r}: is a name of Python's own, or springback; give another")

@@ -1,4 +1,4 @@
-"""The commands ``springback fly`` and ``springback check``."""
+"""The command ``springback fly``."""
 
 from __future__ import annotations
 
@@ -10,22 +10,15 @@ from pathlib import Path
 import click
 
 from springback.errors import FlightWarning
-from springback.interfaces.cli.common import (
-    FIRST,
-    PATH,
-    Output,
-    Terminal,
-    output_options,
-    say,
-    terminal_options,
-)
+from springback.interfaces.cli.common import FIRST, Output, output_options, say
+from springback.interfaces.cli.completion import ScenarioPath, complete_code, complete_setting
 
 
 @click.command()
-@click.argument("scenario", type=PATH)
-@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.argument("scenario", type=ScenarioPath())
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting())
 @click.option(
-    "--pilot", metavar="FILE.py:NAME",
+    "--pilot", metavar="FILE.py:NAME", shell_complete=complete_code,
     help="Fly with a pilot of your own: a function, or a CompiledPilot, which is compiled.",
 )  # fmt: skip
 @output_options("Folder for summary.json, trajectory.parquet, figures.")
@@ -60,28 +53,4 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     for sentence in flight.remarks.values():
         say(f"warning: {sentence}")
     if not flight.is_finite:
-        sys.exit(1)
-
-
-@click.command()
-@click.argument("pilot", metavar="FILE.py:NAME")
-@click.argument("scenario", type=PATH, required=False)
-@terminal_options("as_json", "quiet")
-def check(pilot: str, scenario: Path | None, terminal: Terminal) -> None:
-    """Test a pilot of your own for properties that every pilot should have.
-
-    At rest at the start of the SCENARIO (by default quad at [0, 0, 1] m) it must hover.
-
-    \b
-    springback check my_pilot.py:hover
-    """
-    from springback.studies.pilot_check import check_pilot
-
-    with terminal.progress_bar("testing the pilot") as show:
-        findings = check_pilot(pilot, scenario, progress=show)
-    lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
-    terminal.print([f._asdict() for f in findings], "\n".join(lines))
-    failed = sum(not f.passed for f in findings)
-    terminal.note(f"{len(findings) - failed} of {len(findings)} passed")
-    if failed:
         sys.exit(1)

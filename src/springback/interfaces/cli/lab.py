@@ -2,22 +2,34 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
+
+from springback.interfaces.cli.common import PATH
 
 
 @click.command()
+@click.argument("scenario", type=PATH, required=False)
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to serve on.")
 @click.option("--port", type=int, default=0, help="Port to serve on; by default any free one.")
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
-def lab(host: str, port: int, no_browser: bool) -> None:
-    """Open the impact lab: a page with sliders for springs, surfaces and speeds.
+def lab(
+    scenario: Path | None, overrides: tuple[str, ...], host: str, port: int, no_browser: bool
+) -> None:
+    """Open the impact lab: a page with sliders for vehicles, springs, surfaces and speeds.
 
     Every change flies the collision and redraws it: animation, acceleration, arms, energy,
     outcome. The address contains the settings; the scenario can be downloaded. It is served to
     this machine only, unless --host is given, and writes no files.
 
+    With a SCENARIO it opens with your vehicle, walls and start, any value overridden.
+
     \b
     springback lab
+    springback lab my.toml
+    springback lab my.toml vehicle.arms.length="0.3 m"
     springback lab --port 8080 --no-browser     # remotely: ssh -L 8080:localhost:8080
     """
     from springback.extras import needs
@@ -26,9 +38,15 @@ def lab(host: str, port: int, no_browser: bool) -> None:
         needs(module, "web")
     from springback.interfaces.lab.app import lab_app
     from springback.interfaces.lab.queue import RequestQueue
+    from springback.interfaces.lab.settings import LabSettings
+    from springback.interfaces.lab.user_scenario import read_user_scenario
+    from springback.interfaces.lab.user_settings import user_settings
     from springback.interfaces.web.server import serve
 
-    queue = RequestQueue()
-    app = lab_app(queue)
+    table, queue = LabSettings, RequestQueue()
+    if scenario is not None:
+        table = user_settings(read_user_scenario(scenario, overrides))
+        queue = RequestQueue(prepared=(table(),))
+    app = lab_app(queue, table)
     queue.start()
     serve(app, host=host, port=port, what="impact lab", browser=not no_browser)

@@ -8,10 +8,11 @@ from typing import Any
 import click
 
 from springback.interfaces.cli.common import Terminal, as_lines, say, terminal_options
+from springback.interfaces.cli.completion import complete_preset
 
 
 @click.command()
-@click.argument("preset", required=False)
+@click.argument("preset", required=False, shell_complete=complete_preset())
 @terminal_options("as_json")
 def show(preset: str | None, terminal: Terminal) -> None:
     """Show a vehicle, surface or estimator PRESET, each number with its source; or all presets."""

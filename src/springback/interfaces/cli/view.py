@@ -17,7 +17,7 @@ MOST_DIGITS = 18
 
 
 @click.command()
-@click.argument("results", nargs=-1, required=True, metavar="RESULT [RESULT2]", type=PATH)
+@click.argument("results", nargs=-1, required=True, metavar="RESULT...", type=PATH)
 @click.option("--twin", is_flag=True, help="Also fly the rigid or compliant twin of a SCENARIO.")
 @click.option(
     "--export", metavar="FILE.html", type=PATH,
@@ -32,9 +32,6 @@ MOST_DIGITS = 18
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")
-@click.option(
-    "--trust", is_flag=True, help="Run the code that a campaign's scenario names, if any."
-)
 @terminal_options("quiet")
 def view(
     results: tuple[Path, ...],
@@ -44,10 +41,9 @@ def view(
     host: str,
     no_browser: bool,
     force: bool,
-    trust: bool,
     terminal: Terminal,
 ) -> None:
-    """Replay a flight, or two side by side, in the browser.
+    """Replay one flight, or up to eight at a time, in the browser.
 
     RESULT is a folder that springback fly wrote, a SCENARIO.toml, which is flown, or the folder of
     a campaign and the number of a row, which is flown again.
@@ -55,7 +51,7 @@ def view(
     \b
     springback view results
     springback view campaign 1711
-    springback view arq quad
+    springback view arq quad softer
     springback view examples/collision.toml --twin --export collision.html
     """
     from springback.extras import needs
@@ -65,7 +61,7 @@ def view(
         needs("uvicorn", "web")
         needs("starlette", "web")
     with terminal.spinner(f"reading and {FIRST}"):
-        page = replay_of(*_flights(results, twin, trust, terminal))
+        page = replay_of(*_flights(results, twin, terminal))
     if export is not None:
         export_page(page, export, force=force)
         size = len(page.text) / 1e6
@@ -77,7 +73,7 @@ def view(
 
 
 def _flights(
-    results: Sequence[Path], twin: bool, trust: bool, terminal: Terminal
+    results: Sequence[Path], twin: bool, terminal: Terminal
 ) -> tuple[list[Any], list[str | Path]]:
     """Flights of results, and of rows of campaigns; and where each is from."""
     from springback.campaign.access import Campaign
@@ -90,7 +86,7 @@ def _flights(
         raise InputError("--twin: needs a single SCENARIO.toml; a campaign flies both robots")
     count = sum(len(rows) or 1 for _, rows in asked)
     if count > MOST:
-        raise InputError(f"RESULT: give one flight or {MOST} (got {count})")
+        raise InputError(f"RESULT: give one to {MOST} (got {count})")
     flights: list[Any] = []
     origins: list[str | Path] = []
     for path, rows in asked:
@@ -98,7 +94,7 @@ def _flights(
             flights += flights_of([path])
             origins.append(path)
         for row in rows:
-            flights.append(_flown_again(Campaign(path, trust=trust), row, terminal))
+            flights.append(_flown_again(Campaign(path), row, terminal))
             origins.append(f"row {row} of {path.absolute().name}")
     return flights, origins
 

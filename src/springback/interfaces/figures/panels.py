@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import AREA, Chart
 from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
@@ -44,8 +43,12 @@ class Panel(NamedTuple):
 
 
 def stacked_panels(
-    panels: Sequence[Panel], time: str, shades: Iterable[tuple[float, float]], height: float = 1.4
-) -> Figure:
+    panels: Sequence[Panel],
+    time: str,
+    shades: Iterable[tuple[float, float]],
+    height: float = 1.4,
+    size: tuple[float, float] | None = None,
+) -> StyledFigure:
     """Panels over a common time axis.
 
     Args:
@@ -53,8 +56,9 @@ def stacked_panels(
         time: Label of the time axis.
         shades: Shaded intervals, in the unit of that axis.
         height: Height of a panel [in].
+        size: Width and height of the figure instead [in].
     """
-    figure = StyledFigure(figsize=(WIDTH, 0.45 + height * len(panels)))
+    figure = StyledFigure(figsize=size or (WIDTH, 0.45 + height * len(panels)))
     axes = list(figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0])
     charts = [Chart(ax, time, panel.label) for ax, panel in zip(axes, panels, strict=True)]
     for start, end in shades:
@@ -62,7 +66,7 @@ def stacked_panels(
         for ax in axes[1:]:
             ax.axvspan(start, end, **AREA)
     if axes[0].patches:
-        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes, fontsize=9)
+        axes[0].text(0.0, 1.03, "contact shaded", transform=axes[0].transAxes)
     for chart, panel in zip(charts, panels, strict=True):
         _draw(chart, panel)
     begin = min(float(curve.t[0]) for panel in panels for curve in panel.curves)

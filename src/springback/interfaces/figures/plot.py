@@ -1,9 +1,13 @@
-"""The figure of a flight in the Python interface."""
+"""Figures in the Python interface."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.distribution import distribution
+from springback.campaign.analysis.marginals import SUCCESS, field_map, marginal
 from springback.errors import InputError
 from springback.extras import needs
 from springback.results.flight import Flight
@@ -12,18 +16,59 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def plot(flight: Flight) -> Figure:
-    """Figure of position, velocity, acceleration, arms and forces over time.
+#: Size of a figure of one panel [in].
+ALONE = (4.8, 3.4)
+
+
+def plot(
+    flight: Flight,
+    columns: str | Sequence[str | Sequence[str]] | None = None,
+    *,
+    width: float | str = "one column",
+    height: float | str | None = None,
+    window: tuple[float, float] | None = None,
+) -> Figure:
+    """Figure of a flight over time.
 
     Args:
         flight: With a trajectory.
+        columns: Columns to draw, as for `springback.Flight.plot`; by default position, velocity,
+            acceleration, arms and forces, in a figure of one size.
+        width: As there.
+        height: As there.
+        window: As there.
 
     Raises:
-        InputError: If matplotlib is not installed, or the flight has no trajectory.
+        InputError: If matplotlib is not installed, the flight has no trajectory, or an argument is
+            invalid.
     """
-    if not flight.columns:
-        raise InputError("this flight has no trajectory: fly it with trajectory=True")
+    flight.need_trajectory()
     needs("matplotlib", "plot")
-    from springback.interfaces.figures.flight import flight_figure
+    if columns is None:
+        from springback.interfaces.figures.flight import flight_figure
 
-    return flight_figure(flight)
+        return flight_figure(flight)
+    from springback.interfaces.figures.columns import columns_figure
+
+    return columns_figure(flight, columns, width=width, height=height, window=window)
+
+
+def plot_campaign(
+    campaign: Campaign, measure: str = "success", by: str | tuple[str, str] | None = None
+) -> Figure:
+    """Figure of a measure over a campaign: `springback.Campaign.plot`."""
+    needs("matplotlib", "plot")
+    from springback.interfaces.figures.campaign import field_map_figure, marginals_figure
+    from springback.interfaces.figures.measures import distribution_figure
+
+    if by is None:
+        if measure == SUCCESS:
+            raise InputError("by: name the field, or two, over which success is drawn")
+        return distribution_figure(distribution(campaign, measure))
+    if isinstance(by, str):
+        figure = marginals_figure([marginal(campaign, by, measure=measure)])
+        figure.set_size_inches(*ALONE)  # its panel is small, as one of many
+        return figure
+    if len(by) != 2:
+        raise InputError(f"by: must be the name of a field, or two (got {len(by)})")
+    return field_map_figure(field_map(campaign, *by, measure=measure))

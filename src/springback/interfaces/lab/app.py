@@ -24,6 +24,7 @@ from springback.interfaces.lab.settings import (
     controls,
     settings_from,
 )
+from springback.interfaces.lab.sweeps import Sweep, sweep_choices, sweep_of
 from springback.interfaces.web.page import Page, page_of
 from springback.interfaces.web.server import App, Receive, Scope, Send
 
@@ -32,22 +33,38 @@ from springback.interfaces.web.server import App, Receive, Scope, Send
 PAGE_HEADER, LONGEST_PAGE = "x-lab-page", 40
 
 
-def lab_app(queue: RequestQueue) -> App:
+def lab_app(queue: RequestQueue, table: type[LabSettings] = LabSettings) -> App:
     """Application to be served by `springback.interfaces.web.server.serve`.
 
     Args:
         queue: Queue that answers; `RequestQueue.start` may be called before or after.
+        table: Table of settings; for a user's scenario, that of
+            `springback.interfaces.lab.user_settings.user_settings`.
     """
 
     async def flight(request: Request) -> Response:
-        settings = _settings(request)
-        body = await queue.ask(settings, request.headers.get(PAGE_HEADER, "")[:LONGEST_PAGE])
+        return await answered(request, _settings(request, table))
+
+    async def sweep(request: Request) -> Response:
+        settings = _settings(request, table, beside=("of",))
+        return await answered(request, sweep_of(settings, _of(request)), "/sweep")
+
+    async def answered(request: Request, what: LabSettings | Sweep, of: str = "") -> Response:
+        asker = request.headers.get(PAGE_HEADER, "")[:LONGEST_PAGE]
+        body = await queue.ask(what, asker and asker + of)
         return Response(body, media_type="application/json")
 
+    async def start(request: Request) -> Response:
+        return _page(table)
+
+    async def scenario(request: Request) -> Response:
+        return _scenario(request, table)
+
     routes = [
-        Route("/", _page),
+        Route("/", start),
         Route("/flight", flight),
-        Route("/scenario.toml", _scenario),
+        Route("/sweep", sweep),
+        Route("/scenario.toml", scenario),
     ]
     refusals: dict[Any, Any] = {
         InputError: _invalid, NotReady: _not_ready, Superseded: _overtaken, Busy: _busy,
@@ -90,36 +107,53 @@ def _error(status: int, *lines: str, **more: Any) -> Response:
     return JSONResponse({"errors": lines, **more}, status)
 
 
-def _settings(request: Request, *, beside: tuple[str, ...] = ()) -> LabSettings:
+def _settings(
+    request: Request, table: type[LabSettings], *, beside: tuple[str, ...] = ()
+) -> LabSettings:
     """Settings of a query; the parameters ``beside`` are not settings."""
     pairs = parse_qsl(request.url.query, keep_blank_values=True, errors="replace")
-    return settings_from(pair for pair in pairs if pair[0] not in beside)
+    return settings_from((pair for pair in pairs if pair[0] not in beside), table)
 
 
-async def _scenario(request: Request) -> Response:
+def _of(request: Request) -> str:
+    """The parameter ``of``; empty if it is not given."""
+    asked = request.query_params.getlist("of")
+    if len(asked) > 1:
+        raise InputError(f"of: is given {len(asked)} times; give it once")
+    return asked[0] if asked else ""
+
+
+def _scenario(request: Request, table: type[LabSettings]) -> Response:
     """Scenario file of one robot, as a download."""
-    settings, asked = _settings(request, beside=("of",)), request.query_params.getlist("of")
-    robot = asked[0] if asked else robots_of(settings)[0]
-    if len(asked) > 1 or robot not in robots_of(settings):
+    settings = _settings(request, table, beside=("of",))
+    robot = _of(request) or robots_of(settings)[0]
+    if robot not in robots_of(settings):
         known = " or ".join(robots_of(settings))
-        raise InputError(f"of: must be {known} (got {_short(','.join(asked))!r})")
+        raise InputError(f"of: must be {known} (got {_short(robot)!r})")
     lab_scenario(settings, robot)  # a scenario that cannot be flown is not offered
     name = file_name(settings, robot)
     heads = {"content-disposition": f'attachment; filename="{name}"'}
     return Response(lab_toml(settings, robot), media_type="application/toml", headers=heads)
 
 
-async def _page(request: Request) -> Response:
+def _page(table: type[LabSettings]) -> Response:
     """The page; it reads its settings from its own address."""
-    ready = page()
+    ready = page(table)
     heads = {"content-security-policy": f"{ready.policy}; frame-ancestors 'none'"}
     return Response(ready.text, media_type="text/html", headers=heads)
 
 
 @functools.cache
-def page() -> Page:
+def page(table: type[LabSettings] = LabSettings) -> Page:
     """Page generated from the table of settings."""
-    return page_of("springback: impact lab", "lab", {"controls": controls()}, asks=True)
+    user = table.user
+    data = {
+        "controls": controls(table),
+        "sweeps": sweep_choices(table),
+        "file": None if user is None else user.name,
+    }
+    title = "springback: impact lab" if user is None else f"{user.name}: impact lab"
+    return page_of(title, "lab", data, asks=True)
 
 
 # -- refusals -------------------------------------------------------------------------------------
@@ -134,7 +168,12 @@ async def _not_ready(request: Request, error: Exception) -> Response:
     assert isinstance(error, NotReady)
     line = f"compiling for {error.kind.words}: {error.waited:.0f} s so far"
     return JSONResponse(
-        {"errors": [line], "preparing": {"what": error.kind.words, "waited": error.waited}},
+        {
+            "errors": [line],
+            "preparing": {
+                "what": error.kind.words, "waited": error.waited, "about": error.kind.about,
+            },
+        },
         503, {"retry-after": "1"},
     )  # fmt: skip
 

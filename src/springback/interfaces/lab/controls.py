@@ -45,6 +45,9 @@ class SliderControl(Unit):
     when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Settings under which it has an effect; otherwise the page hides it."""
     logarithmic: bool = False
+    path: str = ""
+    """Field of a scenario that it sets, where problems with it are reported."""
+    whole: bool = False
 
     def read(self, value: Any) -> float:
         """Number in the unit of the page, within its range."""
@@ -55,7 +58,24 @@ class SliderControl(Unit):
             # slider's own unit is not rounded.
             if unit not in ("", self.unit):
                 value = float(f"{value:.{DIGITS}g}")
-        return super().read(value)
+        number = super().read(value)
+        if self.whole and number != round(number):
+            raise problem(f"must be a whole number (got {number:g})")
+        return number
+
+
+@dataclass(frozen=True)
+class NoControl(Unit):
+    """A number that cannot be set, as the user's file gives several, with the reason."""
+
+    label: str = ""
+    explains: str = ""
+    group: str = ""
+    when: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def read(self, value: Any) -> float:
+        """Refuse any value."""
+        raise problem(f"cannot be set: {self.explains}")
 
 
 @dataclass(frozen=True)

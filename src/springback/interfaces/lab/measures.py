@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from springback.interfaces.lab.settings import DEFAULTS, LabSettings, digits
-from springback.interfaces.output.robots import robot_label
+from springback.interfaces.lab.scenarios import is_piloted
+from springback.interfaces.lab.settings import (
+    DEFAULTS,
+    VEHICLE_SETTINGS,
+    LabSettings,
+    digits,
+    is_default,
+)
+from springback.interfaces.lab.vehicles import robot_name
 from springback.paper.printed import (
     RECOVERY_PITCH,
     SUCCESS,
@@ -32,6 +40,11 @@ class Measure(NamedTuple):
     unit: str
     factor: float = 1.0  # from SI to the unit
     printed: str = ""  # field of the printed numbers
+
+    def read(self, measures: Mapping[str, float | None]) -> float | None:
+        """Value in the unit of the page; None if it is undefined."""
+        value = measures.get(self.name)
+        return None if value is None else self.factor * value
 
 
 #: Measures of an impact, and of a flight with recovery.
@@ -62,8 +75,8 @@ FLIGHT = (
 def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict[str, Any]]:
     """Measures by name, unit and robot, with the paper's printed values."""
     rows = []
-    for one in FLIGHT if settings.mode == "flight" else IMPACT:
-        values = {robot: _scale(f.measures.get(one.name), one) for robot, f in flights.items()}
+    for one in FLIGHT if is_piloted(settings) else IMPACT:
+        values = {robot: one.read(f.measures) for robot, f in flights.items()}
         if all(value is None for value in values.values()):
             continue
         printed = {robot: _printed(settings, robot, one) for robot in flights}
@@ -82,15 +95,11 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
     return rows
 
 
-def _scale(value: float | None, one: Measure) -> float | None:
-    return None if value is None else one.factor * value
-
-
 def _printed(settings: LabSettings, robot: str, one: Measure) -> str:
     """Number of Table III as shown: simulated, and in brackets the tested one where printed."""
     if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
         return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
-    row: PrintedImpact | None = TABLE_III.get((robot, settings.surface))
+    row: PrintedImpact | None = TABLE_III.get((robot, settings.surface))  # none of the file's
     if row is None or not one.printed or settings.mode != "impact":
         return ""
     tested = getattr(row, f"{one.printed}_test", None)
@@ -103,18 +112,17 @@ def printed_for(settings: LabSettings) -> dict[str, Any]:
     if settings.mode == "flight":
         return {
             "words": "Paper, section Impact Resilience: trials recovered; pitch of a recovery.",
-            "same": _is_default(settings, "yaw", "surface", "recovery", *_ARMS),
+            "same": _is_papers(settings, "yaw", "surface", "recovery"),
         }
     words = f"Paper, Table III: simulation (test), slider, {digits(DEFAULTS.speed)} m/s, straight."
-    same = _is_default(settings, "guide", "speed", "pitch", "yaw", *_ARMS)
-    return {"words": words if settings.surface != "own" else "", "same": same}
+    same = _is_papers(settings, "guide", "speed", "pitch", "yaw")
+    return {"words": words if settings.surface in ("wall", "mat") else "", "same": same}
 
 
-_ARMS = ("stiffness", "damping", "arm_mass")
-
-
-def _is_default(settings: LabSettings, *names: str) -> bool:
-    return all(getattr(settings, name) == getattr(DEFAULTS, name) for name in names)
+def _is_papers(settings: LabSettings, *names: str) -> bool:
+    """True if some settings are the paper's, and ARQ and Quad are."""
+    ours = settings.user is not None or is_default(settings, *VEHICLE_SETTINGS)
+    return ours and all(getattr(settings, name) == getattr(DEFAULTS, name) for name in names)
 
 
 def printed_success(settings: LabSettings, robot: str) -> str:
@@ -129,19 +137,20 @@ def printed_success(settings: LabSettings, robot: str) -> str:
 
 
 def went_well(settings: LabSettings, flight: Flight) -> bool:
-    """True if the robot left the wall as it should: recovered, if it has a pilot."""
+    """True if the robot left the wall as it should: recovered, if it has a pilot of the lab."""
     if settings.mode == "flight":
         return flight.outcome is Outcome.RECOVERED
+    if is_piloted(settings):
+        return flight.success
     return flight.outcome is Outcome.SEPARATED
 
 
 def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     """Summary of a flight in a sentence."""
-    name, m = robot_label(robot), flight.measures
+    name, m = robot_name(settings, robot), flight.measures
     if m["touch_speed"] is None:
         return f"{name} touches nothing."
-    what = "mat" if settings.surface == "mat" else "wall"
-    words = f"{name} hits the {what} at {m['touch_speed']:.2f} m/s"
+    words = f"{name} hits the {_target(settings)} at {m['touch_speed']:.2f} m/s"
     again, lasted = m["restitution_at_separation"], m["contact_time"]
     if again is not None and lasted is not None:
         left = again * m["touch_speed"]
@@ -151,10 +160,20 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     return f"{words}; {_ending(settings, flight)}."
 
 
+def _target(settings: LabSettings) -> str:
+    """Word for what is hit."""
+    user = settings.user
+    if user is not None and user.target is not None and settings.surface in ("file", "own"):
+        return user.target.type
+    if user is not None and settings.mode == "file":
+        return "wall" if user.target is not None else "obstacle"
+    return "mat" if settings.surface == "mat" else "wall"
+
+
 def _ending(settings: LabSettings, flight: Flight) -> str:
     """End of the sentence: the outcome."""
     m, out = flight.measures, flight.outcome
-    if settings.mode == "flight" and out is Outcome.RECOVERED:
+    if is_piloted(settings) and out is Outcome.RECOVERED:
         rest, lost = m["recovery_time"] or 0.0, m["height_loss"] or 0.0
         return f"recovers, at rest after {rest:.2f} s, {1e3 * lost:.0f} mm lower"
     if out is Outcome.SEPARATED:

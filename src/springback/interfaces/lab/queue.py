@@ -20,11 +20,22 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
+from springback.errors import InputError
 from springback.interfaces.lab.responses import answer
-from springback.interfaces.lab.settings import DEFAULTS, LabSettings
+from springback.interfaces.lab.scenarios import is_piloted, lab_scenario, robots_of
+from springback.interfaces.lab.settings import DEFAULTS, LabSettings, is_default
+from springback.interfaces.lab.sweeps import Sweep, sweep_answer
 
 #: Most requests that may wait, and most pages that are remembered (chosen).
 MOST_WAITING, MOST_PAGES = 100, 1000
+
+
+Request = LabSettings | Sweep
+#: Duration of a compilation as the page states it [s], without a pilot and with one (measured, on
+#: two to four processors that have other work too).
+ABOUT, ABOUT_PILOTED = 30, 90
+_COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+           "eleven", "twelve")  # fmt: skip
 
 
 class Kind(NamedTuple):
@@ -32,32 +43,62 @@ class Kind(NamedTuple):
 
     mode: str
     guide: str
-    mat: bool
+    surface: str
     pilot: str
+    arms: int = 4
+    robots: tuple[str, ...] = ()  # of a user's lab, whose robots differ in more than numbers
 
     @property
     def words(self) -> str:
         """Description on the page."""
-        where = "a mat" if self.mat else "a wall"
+        where = "a mat" if self.surface == "mat" else "a wall"
+        what = f"impacts on {where}, {'on the slider' if self.guide == 'slider' else 'free'}"
         if self.mode == "flight":
-            return f"flights into {where}, recovery {self.pilot}"
-        return f"impacts on {where}, {'on the slider' if self.guide == 'slider' else 'free'}"
+            what = f"flights into {where}, recovery {self.pilot}"
+        elif self.mode == "file":
+            what = f"your scenario{', with its pilot' if self.pilot else ''}"
+        if self.robots or self.arms != DEFAULTS.arm_count:
+            what += f", {_COUNTS[self.arms] if self.arms < len(_COUNTS) else self.arms} arms"
+        return what
+
+    @property
+    def about(self) -> int:
+        """Duration of its compilation [s], roughly."""
+        return ABOUT_PILOTED if self.pilot else ABOUT
 
 
-def kind_of(settings: LabSettings) -> Kind:
-    """Kind of flight of some settings; all recoveries along a quintic are one kind."""
-    flies, way = settings.mode == "flight", settings.recovery
+def kind_of(request: Request) -> Kind:
+    """Kind of flight of a request; all recoveries along a quintic are one kind."""
+    settings = _settings_of(request)
+    way = settings.recovery
     if way in ("pre-impact", "post-impact", "set-point"):
         way = "by a quintic"
-    guide = "" if flies else settings.guide
-    return Kind(settings.mode, guide, settings.surface == "mat", way if flies else "")
+    pilot = way if settings.mode == "flight" else "its own" if is_piloted(settings) else ""
+    surface = "mat" if settings.surface == "mat" else "wall"
+    guide = settings.guide if settings.mode == "impact" else ""
+    kind = Kind(settings.mode, guide, surface, pilot, round(settings.arm_count))
+    if settings.user is None:
+        return kind
+    return kind._replace(surface=settings.surface, robots=robots_of(settings))
 
 
-def example_of(settings: LabSettings) -> LabSettings:
-    """Settings of the same kind with default numbers, which can always be flown."""
+def _settings_of(request: Request) -> LabSettings:
+    return request.settings if isinstance(request, Sweep) else request
+
+
+def example_of(request: Request) -> LabSettings:
+    """Settings of the same kind that can be flown: default numbers, where those can be."""
+    settings = _settings_of(request)
+    if _is_checked_first(settings):
+        return settings
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
     return DEFAULTS.with_checked(**{"robot": "arq", "surface": surface, **words})
+
+
+def _is_checked_first(settings: LabSettings) -> bool:
+    """True if default numbers need not be flyable: of a user's scenario, or other arms."""
+    return settings.user is not None or not is_default(settings, "arm_count")
 
 
 def _default_with(**words: str) -> LabSettings:
@@ -88,20 +129,25 @@ class Busy(Exception):
     """Too many requests are waiting."""
 
 
+def respond(request: Request) -> dict[str, Any]:
+    """Answer to a request."""
+    return sweep_answer(request) if isinstance(request, Sweep) else answer(request)
+
+
 class RequestQueue:
     """Queue that compiles kinds of flights and answers requests with JSON."""
 
     def __init__(
         self,
-        give: Callable[[LabSettings], dict[str, Any]] = answer,
+        give: Callable[[Any], dict[str, Any]] = respond,
         *,
         threads: int | None = None,
-        prepared: tuple[LabSettings, ...] = AT_START,
+        prepared: tuple[Request, ...] = AT_START,
     ) -> None:
         """Create the queue; compilation begins with `start`.
 
         Args:
-            give: Function from settings to their answer.
+            give: Function from a request to its answer.
             threads: Number of flying threads; by default the number of processors, from 2 to 8.
             prepared: One example of each kind to compile from the start.
         """
@@ -132,6 +178,8 @@ class RequestQueue:
                 self._since.setdefault(kind, time.monotonic())
             try:
                 self._give(example)
+            except InputError:  # checked before, yet a request of this kind will report it
+                pass
             except Exception:  # a request of this kind will raise it again, and report it
                 traceback.print_exc()
             with self._change:
@@ -139,12 +187,12 @@ class RequestQueue:
                 self._ready.add(kind)
                 self._change.notify_all()
 
-    def wait(self, settings: LabSettings, patience: float) -> bool:
+    def wait(self, settings: Request, patience: float) -> bool:
         """Wait at most ``patience`` [s] for the kind of some settings; True if it is ready."""
         with self._change:
             return self._change.wait_for(lambda: kind_of(settings) in self._ready, patience)
 
-    def _check_ready(self, settings: LabSettings) -> None:
+    def _check_ready(self, settings: Request) -> None:
         """Raise `NotReady`, and compile the kind next, if it is not ready."""
         kind = kind_of(settings)
         with self._change:
@@ -157,11 +205,16 @@ class RequestQueue:
             self._change.notify_all()
         raise NotReady(kind, time.monotonic() - since)
 
-    async def ask(self, settings: LabSettings, page: str = "") -> bytes:
+    def is_ready(self, request: Request) -> bool:
+        """True if the kernels of a request are compiled."""
+        with self._change:
+            return kind_of(request) in self._ready
+
+    async def ask(self, settings: Request, page: str = "") -> bytes:
         """Answer to some settings, as JSON.
 
         Args:
-            settings: Validated settings.
+            settings: Validated settings, or a sweep of one of them.
             page: Identifier of the requesting page; empty if it has none.
 
         Raises:
@@ -170,6 +223,10 @@ class RequestQueue:
             Superseded: If a newer request of the same page arrives first.
             Busy: If too many requests are waiting.
         """
+        loop = asyncio.get_running_loop()
+        numbers = _settings_of(settings)
+        if _is_checked_first(numbers) and not self.is_ready(settings):
+            await loop.run_in_executor(self._pool, _check, numbers)
         self._check_ready(settings)
         if self._waiting >= MOST_WAITING:
             raise Busy
@@ -181,13 +238,18 @@ class RequestQueue:
                 self._newest.popitem(last=False)
         self._waiting += 1
         try:
-            loop = asyncio.get_running_loop()
             return await loop.run_in_executor(self._pool, self._turn, settings, page, ticket)
         finally:
             self._waiting -= 1
 
-    def _turn(self, settings: LabSettings, page: str, ticket: int) -> bytes:
+    def _turn(self, settings: Request, page: str, ticket: int) -> bytes:
         """Answer a request, unless a newer one of its page has arrived."""
         if page and self._newest.get(page, ticket) > ticket:
             raise Superseded
         return json.dumps(self._give(settings), allow_nan=False).encode()
+
+
+def _check(settings: LabSettings) -> None:
+    """Refuse what cannot be flown before anything is compiled for it."""
+    for robot in robots_of(settings):
+        lab_scenario(settings, robot)

@@ -11,9 +11,14 @@ from typing import Any
 import numpy as np
 
 from springback.interfaces.lab.measures import measure_rows, printed_for, sentence, went_well
-from springback.interfaces.lab.scenarios import file_name, lab_scenario, robots_of
+from springback.interfaces.lab.scenarios import (
+    file_name,
+    is_piloted,
+    lab_scenario,
+    robots_of,
+)
 from springback.interfaces.lab.settings import LabSettings, query_of
-from springback.interfaces.output.robots import robot_label
+from springback.interfaces.lab.vehicles import robot_name
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, Series, plain, scene_of
 from springback.results.energy_history import ledger
@@ -63,6 +68,7 @@ def answer(settings: LabSettings) -> dict[str, Any]:
         "query": query_of(settings),
         "settings": settings.model_dump(),
         "flights": scenes,
+        "is_piloted": is_piloted(settings),
         "measures": measure_rows(settings, flights),
         "printed_for": printed_for(settings),
         "took": {
@@ -75,12 +81,13 @@ def answer(settings: LabSettings) -> dict[str, Any]:
 def _flight_response(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
     """A flight as its scene, with the curves of the lab in place of the scene's own."""
     coarse = coarse_flight(flight)
-    scene = scene_of(coarse, label=robot_label(robot))
+    label = robot_name(settings, robot)
+    scene = scene_of(coarse, label=label)
     books = ledger(flight)
     series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
     return {
         "robot": robot,
-        "label": robot_label(robot),
+        "label": label,
         "outcome": flight.outcome.word,
         "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),

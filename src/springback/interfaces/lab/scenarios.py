@@ -13,15 +13,22 @@ import numpy as np
 import tomli_w
 
 from springback.contact.cage import ArmTip, Ring, support
-from springback.interfaces.lab.settings import DEFAULTS, LabSettings, digits, query_of
-from springback.interfaces.output.robots import robot_label
+from springback.contact.parameters import Ground, Mat, Wall
+from springback.interfaces.lab.settings import (
+    VEHICLE_SETTINGS,
+    LabSettings,
+    digits,
+    is_default,
+    query_of,
+)
+from springback.interfaces.lab.user_scenario import UserScenario
+from springback.interfaces.lab.vehicles import is_balanced, robot_name, vehicle_of, vehicle_table_of
 from springback.kernels.vectors import Vec
 from springback.paper.slider import MAT_THICKNESS
-from springback.scenario.files import checked_scenario
-from springback.scenario.model import RING_ROUNDING
-from springback.scenario.scenario import Scenario
+from springback.scenario.model import RING_ROUNDING, true_vehicle
+from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.tables import ModelError, Payload
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
-from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
 
 #: Time before and after first touch of an impact [s] (chosen: contacts last up to 0.1 s).
@@ -36,8 +43,19 @@ Table = dict[str, Any]
 
 
 def robots_of(settings: LabSettings) -> tuple[str, ...]:
-    """Names of the robots to fly."""
-    return ("arq", "quad") if settings.robot == "both" else (settings.robot,)
+    """Names of the robots to fly: ``arq``, ``quad``; ``mine``, the file's ``file`` and ``twin``."""
+    if settings.robot == "both":
+        return "arq", "quad"
+    beside = getattr(settings, "beside", "none")
+    return (settings.robot, beside) if beside not in ("none", settings.robot) else (settings.robot,)
+
+
+def is_piloted(settings: LabSettings) -> bool:
+    """True if a pilot flies these settings."""
+    user = settings.user
+    return settings.mode == "flight" or (
+        settings.mode == "file" and user is not None and user.is_piloted
+    )
 
 
 def lab_tables(settings: LabSettings, robot: str) -> Table:
@@ -45,8 +63,11 @@ def lab_tables(settings: LabSettings, robot: str) -> Table:
 
     Args:
         settings: Settings of the lab.
-        robot: ``arq`` or ``quad``.
+        robot: One of `robots_of`.
     """
+    user = settings.user
+    if settings.mode == "file" and user is not None:
+        return _as_in_file(settings, robot, user)
     return _flight(settings, robot) if settings.mode == "flight" else _impact(settings, robot)
 
 
@@ -69,10 +90,58 @@ def lab_scenario(settings: LabSettings, robot: str) -> Scenario:
     """Scenario read back from `lab_toml`.
 
     Raises:
-        InputError: If it cannot be flown; one line for each problem.
+        InputError: If it cannot be flown; one line for each problem, with its field.
     """
-    text = lab_toml(settings, robot)
-    return checked_scenario(tomllib.loads(text), file_name(settings, robot), text, ())
+    return scenario_from(tomllib.loads(lab_toml(settings, robot)))
+
+
+# -- as in the file -------------------------------------------------------------------------------
+
+
+def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
+    """The user's scenario, with the changes of the page; unchanged, to its last number."""
+    given = user.tables | {"vehicle": vehicle_table_of(s, robot, slides=False)}
+    if user.run_up is not None:
+        given["reference"] = user.tables["reference"] | _changed(
+            s, speed=f"{digits(s.speed)} m/s", pitch=f"{digits(s.pitch)} deg"
+        )
+    elif not user.is_piloted:
+        given["start"] = user.tables.get("start", {}) | _start(s, user)
+    if not is_default(s, "surface", *_SURFACE) and user.surface is not None:
+        world = user.tables["world"]
+        faces = [_faced(s, entry, slides=False) for entry in world["obstacles"]]
+        given["world"] = world | {"obstacles": faces}
+    if not (is_default(s, "speed", "pitch", "yaw", "surface", *_SURFACE, *VEHICLE_SETTINGS)
+            and robot in ("mine", "file")):  # fmt: skip
+        given["name"] = f"{robot_name(s, robot)}, {user.scenario.name}, changed"[:200]
+    return given
+
+
+_SURFACE = ("contact_stiffness", "dissipation", "friction")
+
+
+def _changed(s: LabSettings, **values: str) -> Table:
+    return {name: text for name, text in values.items() if not is_default(s, name)}
+
+
+def _start(s: LabSettings, user: UserScenario) -> Table:
+    """Changed values of the start."""
+    start, found = user.scenario.start, _changed(s, pitch=f"{digits(s.pitch)} deg")
+    more: Table = {}
+    if not is_default(s, "speed") and user.speed:
+        share = s.speed / math.hypot(*start.velocity)
+        more["velocity"] = [share * v for v in start.velocity]
+    if not is_default(s, "yaw"):
+        yaw = math.degrees(start.yaw) + s.yaw - user.yaw
+        more["yaw"] = f"{digits(math.remainder(yaw, 360.0))} deg"
+    return found | more
+
+
+def _faced(s: LabSettings, entry: Table, slides: bool) -> Table:
+    """An obstacle of the file with the chosen surface in front; ground is left as it is."""
+    if entry.get("type") not in ("wall", "mat"):
+        return entry
+    return entry | {"surface": _surface(s, slides)}
 
 
 # -- impact ---------------------------------------------------------------------------------------
@@ -82,29 +151,57 @@ def _impact(s: LabSettings, robot: str) -> Table:
     """The collision alone, with its start computed backwards from first touch.
 
     Before it no moment acts on the robot, and its rotors, of equal thrust, accelerate it uniformly:
-    it hits the wall at the requested speed, and level.
+    it hits the wall at the requested speed, and level.  A robot that equal thrusts would turn falls
+    freely, with its rotors off.
     """
     slides = s.guide == "slider"
-    vehicle, pitch, yaw = VEHICLES[f"{robot}-slider" if slides else robot].vehicle, s.pitch, s.yaw
-    thrust = np.zeros(3) if slides else GRAVITY * (_upward(pitch, yaw) - np.array([0.0, 0.0, 1.0]))
-    touch = np.array([WALL_DISTANCE - _reach(vehicle, pitch, yaw, slides), 0.0, HEIGHT])
-    velocity = np.array([s.speed, 0.0, 0.0])
-    start = touch - velocity * BEFORE + 0.5 * thrust * BEFORE**2
+    table = vehicle_table_of(s, robot, slides)
+    vehicle, pitch, yaw = vehicle_of(table), s.pitch, s.yaw
     given: Table = {
         "name": _name(s, robot),
-        "vehicle": _vehicle(s, robot, vehicle.name),
-        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)]},
-        "start": {
-            "position": [float(x) for x in start],
-            "velocity": [float(x) for x in velocity - thrust * BEFORE],
-            "pitch": f"{digits(pitch)} deg",
-            "yaw": f"{digits(yaw)} deg",
-        },
-        "simulation": {"duration": BEFORE + AFTER},
+        "vehicle": table,
+        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)], **_gravity(s)},
+        **_physics(s, robot, slides),
     }
-    if slides:
-        return given | {"model": {"contact_point": "paper", "slider": [1.0, 0.0, 0.0]}}
-    return given | {"thrust": "hover"}
+    gravity, hovers = given["world"].get("gravity", GRAVITY), is_balanced(vehicle)
+    lift = _lift(given, vehicle) if hovers else 0.0
+    pull = np.zeros(3) if slides else gravity * (lift * _upward(pitch, yaw) - np.array([0, 0, 1.0]))
+    paper = given.get("model", {}).get("contact_point") == "paper"
+    touch = np.array([WALL_DISTANCE - _reach(vehicle, pitch, yaw, paper), 0.0, HEIGHT])
+    velocity = np.array([s.speed, 0.0, 0.0])
+    start = touch - velocity * BEFORE + 0.5 * pull * BEFORE**2
+    given["start"] = {
+        "position": [float(x) for x in start],
+        "velocity": [float(x) for x in velocity - pull * BEFORE],
+        "pitch": f"{digits(pitch)} deg",
+        "yaw": f"{digits(yaw)} deg",
+    }
+    return given if slides or not hovers else given | {"thrust": "hover"}
+
+
+def _gravity(s: LabSettings) -> Table:
+    """The file's gravity, where it is another."""
+    g = GRAVITY if s.user is None else s.user.scenario.world.gravity
+    return {} if g == GRAVITY else {"gravity": g}
+
+
+def _physics(s: LabSettings, robot: str, slides: bool) -> Table:
+    """Models and steps of an impact: the user's for the user's robot, else ours."""
+    user, model = s.user, {"slider": [1.0, 0.0, 0.0]} if slides else {}
+    if user is None or robot not in ("mine", "file", "twin"):
+        found: Table = {"simulation": {"duration": BEFORE + AFTER}}
+        return found | ({"model": {"contact_point": "paper", **model}} if slides else {})
+    own: Table = {key: user.tables[key] for key in ("payload", "model_error") if key in user.tables}
+    theirs = {k: v for k, v in user.tables.get("model", {}).items() if k != "slider"}
+    steps = {"duration": BEFORE + AFTER}
+    own["simulation"] = user.tables.get("simulation", {}) | steps
+    return own | ({"model": theirs | model} if theirs | model else {})
+
+
+def _lift(given: Table, vehicle: Vehicle) -> float:
+    """Thrust over true weight at the hover thrust of the nominal vehicle."""
+    error = ModelError(**given.get("model_error", {}))
+    return vehicle.mass / true_vehicle(vehicle, error, Payload(**given.get("payload", {}))).mass
 
 
 def _inward(pitch: float, yaw: float) -> Vec:
@@ -120,18 +217,20 @@ def _upward(pitch: float, yaw: float) -> np.ndarray[Any, np.dtype[np.float64]]:
     return np.array([math.cos(psi) * tilt, math.sin(psi) * tilt, math.cos(theta)])
 
 
-def _reach(vehicle: Vehicle, pitch: float, yaw: float, slides: bool) -> float:
+def _reach(vehicle: Vehicle, pitch: float, yaw: float, paper: bool) -> float:
     """Distance from the main body to the wall at first touch [m].
 
-    On the slider by the paper's contact point, eq. (13); else by the ring, whose rounding makes it
+    By the paper's contact point, eq. (13), if ``paper``; else by the ring, whose rounding makes it
     touch a few µm before its foremost point would.
     """
-    n, model = _inward(pitch, yaw), ArmTip(0.0) if slides else Ring(RING_ROUNDING)
+    n, model = _inward(pitch, yaw), ArmTip(0.0) if paper else Ring(RING_ROUNDING)
     ends = []
     for j, angle in enumerate(vehicle.arms.directions):
         arm = Vec(math.cos(angle), math.sin(angle), 0.0)
         at = support(model, n, arm, vehicle.arms.at("cage_radius", j))
         ends.append(n @ (arm * vehicle.arms.at("length", j) + at.point) - at.inset)
+    if vehicle.hull is not None:
+        ends.append(n @ Vec(*vehicle.hull.offset) + vehicle.hull.radius)
     return float(max(ends))
 
 
@@ -151,8 +250,8 @@ def _flight(s: LabSettings, robot: str) -> Table:
     given = run_up_scenario(robot, s.pitch, s.speed)
     given |= {
         "name": _name(s, robot),
-        "vehicle": _vehicle(s, robot, robot),
-        "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}]},
+        "vehicle": vehicle_table_of(s, robot, slides=False),
+        "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}], **_gravity(s)},
         "simulation": {"duration": DURATION},
     }
     if s.recovery == "none":
@@ -164,27 +263,17 @@ def _flight(s: LabSettings, robot: str) -> Table:
 
 
 def _name(s: LabSettings, robot: str) -> str:
-    where = {"wall": "wall", "mat": "mat", "own": "own surface"}[s.surface]
+    where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": "wall of the file"}
     slides = ", slider" if s.mode == "impact" and s.guide == "slider" else ""
-    return f"{robot_label(robot)}, {digits(s.speed)} m/s, {digits(s.pitch)} deg, {where}{slides}"
-
-
-def _vehicle(s: LabSettings, robot: str, preset: str) -> Any:
-    """The preset with its changes; Quad's arms have no springs to change."""
-    arms = {}
-    for name, unit, key in (
-        ("stiffness", "N/mm", "stiffness"), ("damping", "N s/m", "damping"),
-        ("arm_mass", "g", "mass"),
-    ):  # fmt: skip
-        value = getattr(s, name)
-        if robot == "arq" and value != getattr(DEFAULTS, name):
-            arms[key] = f"{digits(value)} {unit}"
-    return {"preset": preset, "arms": arms} if arms else preset
+    what = f"{digits(s.speed)} m/s, {digits(s.pitch)} deg, {where[s.surface]}{slides}"
+    return f"{robot_name(s, robot)}, {what}"
 
 
 def _obstacle(s: LabSettings, face: float, slides: bool) -> Table:
     """Wall or mat whose face is at a distance [m]."""
     more: Table = {"friction_axes": "vertical"} if slides else {}
+    if s.surface in ("file", "own") and s.user is not None and s.user.target is not None:
+        return _obstacle_of_file(s, face, s.user.target, slides)
     if s.surface == "mat":
         mat, wall = ({"preset": name, **more} if more else name for name in ("mat", "wall"))
         distance = face + MAT_THICKNESS
@@ -192,10 +281,32 @@ def _obstacle(s: LabSettings, face: float, slides: bool) -> Table:
             "type": "mat", "distance": distance, "thickness": MAT_THICKNESS, "surface": mat,
             "backing": wall,
         }  # fmt: skip
-    surface: Any = {"preset": "wall", **more} if more else "wall"
+    return {"type": "wall", "distance": face, "surface": _surface(s, slides)}
+
+
+def _obstacle_of_file(
+    s: LabSettings, face: float, target: Wall | Mat | Ground, slides: bool
+) -> Table:
+    """The user's wall or mat, across the X axis, with its surface or the page's."""
+    surface: Any = target.surface.model_dump(exclude_none=True)
     if s.surface == "own":
-        surface = {
-            "stiffness": 1e3 * s.contact_stiffness, "shared_by": 2, "friction": s.friction,
+        surface = _surface(s, slides)
+    if not isinstance(target, Mat):
+        return {"type": "wall", "distance": face, "surface": surface}
+    return {
+        "type": "mat", "distance": face + target.thickness, "thickness": target.thickness,
+        "surface": surface, "backing": target.backing.model_dump(exclude_none=True),
+    }  # fmt: skip
+
+
+def _surface(s: LabSettings, slides: bool) -> Any:
+    """Surface of the face, as a raw table; on the slider with the paper's friction."""
+    more: Table = {"friction_axes": "vertical"} if slides else {}
+    if s.surface == "own":
+        shared = s.user.surface.shared_by if s.user is not None and s.user.surface else 2
+        return {
+            "stiffness": 1e3 * s.contact_stiffness, "shared_by": shared, "friction": s.friction,
             "dissipation": s.dissipation, **more,
         }  # fmt: skip
-    return {"type": "wall", "distance": face, "surface": surface}
+    name = "mat" if s.surface == "mat" else "wall"
+    return {"preset": name, **more} if more else name

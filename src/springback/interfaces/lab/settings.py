@@ -7,7 +7,8 @@ paper's values marked beside it, which come from the modules that define them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any
+from dataclasses import replace
+from typing import Annotated, Any, ClassVar
 from urllib.parse import quote
 
 from pydantic import ValidationError
@@ -16,10 +17,13 @@ from springback.contact.library import SURFACES
 from springback.errors import InputError
 from springback.interfaces.lab.controls import (
     ChoiceControl,
+    NoControl,
     SliderControl,
     SliderMark,
     excerpt,
 )
+from springback.interfaces.lab.user_scenario import UserScenario
+from springback.interfaces.lab.vehicle_controls import VEHICLE_FIELDS, control_for, first_angle
 from springback.interfaces.output.robots import ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
 from springback.problems import problem_paths
@@ -37,13 +41,11 @@ WAYS = fields_of(Answering)["way"].words
 
 
 _WALL, _MAT = SURFACES["wall"], SURFACES["mat"]
-_ARMS: dict[str, Any] = ARQ.vehicle.arms.model_dump()  # the same for all four
-_STIFFNESS, _DAMPING = 1e-3 * _ARMS["stiffness"], _ARMS["damping"]  # [N/mm], [N s/m]
-_ARM_MASS = round(1e3 * _ARMS["mass"], 9)  # [g]
 _IMPACT: When = {"mode": ("impact",)}
 _FLIGHT: When = {"mode": ("flight",)}
 _OWN: When = {"surface": ("own",)}
 _COMPLIANT: When = {"robot": ("both", "arq")}
+_TWINS: When = {"robot": ("both", "arq", "quad")}
 _TESTED = sorted({speed for _, speed in CONDITIONS})
 _SPEEDS = (
     SliderMark(SLIDER_SPEED, "paper: slider tests, section IV-A"),
@@ -112,8 +114,68 @@ Recoveries = Annotated[
 ]
 
 
+Inertias = Annotated[
+    str,
+    ChoiceControl(
+        "Body inertia",
+        {"keep": "Kept", "scale": "With mass"},
+        "At another body mass. Kept: as it is. With mass: in proportion, for a body of the same "
+        "shape, I = m k². The share of arms with a mass always follows.",
+        "Body",
+    ),
+]
+
+
+def _of_arq(name: str, words: str, when: When, **changed: Any) -> tuple[SliderControl, float]:
+    """Slider of a number of ARQ, and its default."""
+    control, value = control_for(name, ARQ.vehicle, words)
+    assert isinstance(control, SliderControl)
+    return replace(control, when=when, **changed), value
+
+
+_PAPER = {
+    "body_mass": _of_arq(
+        "body_mass", "paper: ARQ in flight, Table I", _TWINS,
+        explains="Of ARQ's main body, without arms. Quad's, and that with the slider's bar, change "
+        "by as much.",
+    ),
+    "length": _of_arq("length", "paper: Table I", _TWINS),
+    "cage_radius": _of_arq("cage_radius", "paper: section II", _TWINS),
+    "arm_mass": _of_arq(
+        "arm_mass", "paper: Table II, 0.2 kg for four", _COMPLIANT, group="Springs of ARQ"
+    ),
+    "stiffness": _of_arq("stiffness", "paper: Table II", _COMPLIANT, group="Springs of ARQ"),
+    "damping": _of_arq("damping", "paper: Table II", _COMPLIANT, group="Springs of ARQ"),
+    "stroke": _of_arq(
+        "stroke", "chosen; the paper prints none", _COMPLIANT, group="Springs of ARQ",
+        explains="Largest compression of an arm, where its end stop acts. On the slider there are "
+        "no stops, as in the paper.",
+    ),
+    "stop_stiffness": _of_arq(
+        "stop_stiffness", "chosen; the paper has no end stops", _COMPLIANT, group="Springs of ARQ"
+    ),
+    "stop_dissipation": _of_arq(
+        "stop_dissipation", "chosen; the paper has no end stops", _COMPLIANT,
+        group="Springs of ARQ",
+    ),
+}  # fmt: skip
+ARM_COUNT = SliderControl(
+    "", label="Number of arms", least=2.0, most=12.0, step=1.0, group="Arms", when=_TWINS,
+    marks=(SliderMark(float(ARQ.vehicle.arm_count), "paper"),), path="vehicle.arms.directions",
+    whole=True, explains="Evenly spaced. Each new number is compiled once.",
+)  # fmt: skip
+ARM_ANGLE = SliderControl(
+    "deg", label="Angle of the first arm", least=-180.0, most=180.0, step=1.0, group="Arms",
+    when=_TWINS, marks=(SliderMark(first_angle(ARQ.vehicle), "paper: section III"),),
+    path="vehicle.arms.directions", explains="From body x towards body y; the others follow.",
+)  # fmt: skip
+
+
 class LabSettings(Settings):
     """Settings of the impact lab, in the units of its page."""
+
+    user: ClassVar[UserScenario | None] = None
+    """The user's own scenario, if the lab opened with one."""
 
     mode: Modes = "impact"
     robot: Robots = "both"
@@ -158,49 +220,55 @@ class LabSettings(Settings):
         "and arms at 45 deg cannot compress; turn the robot by 10 deg and they can. On the slider "
         "it acts along the vertical only, as in the paper.",
     )] = _WALL.friction  # fmt: skip
-    stiffness: Annotated[float, SliderControl(
-        "N/mm", label="Arm stiffness k_l", least=0.5, most=50.0, step=0.1, group="Arms of ARQ",
-        marks=(SliderMark(_STIFFNESS, "paper: Table II"),), when=_COMPLIANT, logarithmic=True,
-        explains="Of each arm's spring.",
-    )] = _STIFFNESS  # fmt: skip
-    damping: Annotated[float, SliderControl(
-        "N s/m", label="Arm damping b_l", least=0.0, most=300.0, step=1.0, group="Arms of ARQ",
-        marks=(SliderMark(_DAMPING, "paper: Table II"),), when=_COMPLIANT,
-        explains="Of each arm.",
-    )] = _DAMPING  # fmt: skip
-    arm_mass: Annotated[float, SliderControl(
-        "g", label="Arm mass m_a", least=10.0, most=200.0, step=1.0, group="Arms of ARQ",
-        marks=(SliderMark(_ARM_MASS, "paper: Table II, 0.2 kg for four"),), when=_COMPLIANT,
-        explains="Of each arm; the main body keeps its own.",
-    )] = _ARM_MASS  # fmt: skip
+    stiffness: Annotated[float, _PAPER["stiffness"][0]] = _PAPER["stiffness"][1]
+    damping: Annotated[float, _PAPER["damping"][0]] = _PAPER["damping"][1]
+    arm_mass: Annotated[float, _PAPER["arm_mass"][0]] = _PAPER["arm_mass"][1]
+    stroke: Annotated[float, _PAPER["stroke"][0]] = _PAPER["stroke"][1]
+    stop_stiffness: Annotated[float, _PAPER["stop_stiffness"][0]] = _PAPER["stop_stiffness"][1]
+    stop_dissipation: Annotated[float, _PAPER["stop_dissipation"][0]] = _PAPER["stop_dissipation"][
+        1
+    ]
+    arm_count: Annotated[float, ARM_COUNT] = float(ARQ.vehicle.arm_count)
+    arm_angle: Annotated[float, ARM_ANGLE] = first_angle(ARQ.vehicle)
+    length: Annotated[float, _PAPER["length"][0]] = _PAPER["length"][1]
+    cage_radius: Annotated[float, _PAPER["cage_radius"][0]] = _PAPER["cage_radius"][1]
+    body_mass: Annotated[float, _PAPER["body_mass"][0]] = _PAPER["body_mass"][1]
+    inertia: Inertias = "keep"
 
 
+#: Settings that change the vehicle.
+VEHICLE_SETTINGS = ("arm_count", "arm_angle", "inertia", *VEHICLE_FIELDS)
 FIELDS = fields_of(LabSettings)
 DEFAULTS = LabSettings()
 
 
-def control_of(name: str) -> SliderControl | ChoiceControl:
+Control = SliderControl | NoControl | ChoiceControl
+
+
+def control_of(name: str, table: type[LabSettings] = LabSettings) -> Control:
     """Control of a setting."""
-    control: SliderControl | ChoiceControl = FIELDS[name].metadata[0]
+    control: Control = fields_of(table)[name].metadata[0]
     return control
 
 
-def controls() -> list[dict[str, Any]]:
+def controls(table: type[LabSettings] = LabSettings) -> list[dict[str, Any]]:
     """Description of every setting for the page, as plain data."""
+    kinds = {SliderControl: "slider", NoControl: "fixed", ChoiceControl: "choice"}
     found = []
-    for name, field in FIELDS.items():
-        control = control_of(name)
-        kind = "slider" if isinstance(control, SliderControl) else "choice"
-        data = {"name": name, "kind": kind, "default": field.default} | vars(control)
+    for name, field in fields_of(table).items():
+        control = control_of(name, table)
+        data = {"name": name, "kind": kinds[type(control)], "default": field.default}
+        data |= {key: value for key, value in vars(control).items() if key != "above"}
         data["when"] = dict(control.when)
         if isinstance(control, SliderControl):
-            del data["above"]
             data["marks"] = [mark._asdict() for mark in control.marks]
         found.append(data)
     return found
 
 
-def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
+def settings_from(
+    pairs: Iterable[tuple[str, str]], table: type[LabSettings] = LabSettings
+) -> LabSettings:
     """Validated settings from the pairs of a query.
 
     Raises:
@@ -212,16 +280,17 @@ def settings_from(pairs: Iterable[tuple[str, str]]) -> LabSettings:
             raise InputError(f"{excerpt(name)}: is given twice; give it once")
         given[excerpt(name)] = value
     try:
-        return LabSettings.model_validate(given)
+        return table.model_validate(given)
     except ValidationError as error:
-        raise InputError(*(_line(path, what) for path, what in problem_paths(error))) from None
+        lines = (_line(table, path, what) for path, what in problem_paths(error))
+        raise InputError(*lines) from None
 
 
-def _line(path: tuple[str | int, ...], what: str) -> str:
+def _line(table: type[LabSettings], path: tuple[str | int, ...], what: str) -> str:
     """A problem with its field and, for a slider, the whole range."""
     name = str(path[0]) if path else ""
     line = f"{name}: {what}" if name else what
-    if name in FIELDS and isinstance(how := control_of(name), SliderControl):
+    if name in fields_of(table) and isinstance(how := control_of(name, table), SliderControl):
         return f"{line}; {digits(how.least)} to {digits(how.most)} {how.unit}".rstrip()
     return line
 
@@ -231,12 +300,18 @@ def digits(number: float) -> str:
     return repr(number).removesuffix(".0")
 
 
+def is_default(settings: LabSettings, *names: str) -> bool:
+    """True if some settings are those with which the page opens."""
+    fields = fields_of(type(settings))
+    return all(getattr(settings, name) == fields[name].default for name in names)
+
+
 def query_of(settings: LabSettings) -> str:
     """Canonical query: settings that differ from the defaults, in the order of the table."""
     words = []
-    for name in FIELDS:
-        value = getattr(settings, name)
-        if value != getattr(DEFAULTS, name):
+    for name in fields_of(type(settings)):
+        if not is_default(settings, name):
+            value = getattr(settings, name)
             text = digits(value) if isinstance(value, float) else value
             words.append(f"{name}={quote(text, safe='')}")
     return "&".join(words)

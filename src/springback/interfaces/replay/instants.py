@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.simulation.playback import NO_FORCE
+from springback.results.events import intervals, parts_of, touching
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -31,35 +31,6 @@ NEAR = 5e-3
 MOST_NEAR = 2000
 #: Largest number of steps replaced by one line, a power of 2.
 GROUP = 64
-
-
-def parts_of(columns: Mapping[str, Array]) -> list[str]:
-    """Suffixes of the columns of forces: one for each cage, and one for a main body with a hull."""
-    return [name[2:] for name in columns if name.startswith("fn")]
-
-
-def touching(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """True for instants with a contact."""
-    felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
-    return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
-
-
-def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
-    """First and last index of every contact; contacts closer than ``apart`` are merged.
-
-    Args:
-        t: Instants [s].
-        felt: True for instants with a contact.
-        apart: Shortest time between two contacts [s].
-    """
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], np.asarray(felt, dtype=int), [0]])))
-    found: list[tuple[int, int]] = []
-    for first, last in zip(edges[0::2].tolist(), (edges[1::2] - 1).tolist(), strict=True):
-        if found and t[first] - t[found[-1][1]] < apart:
-            found[-1] = (found[-1][0], last)
-        else:
-            found.append((first, last))
-    return found
 
 
 def _curves(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:

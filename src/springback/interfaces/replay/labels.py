@@ -18,6 +18,8 @@ MOST_NAMED = 4
 def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[str]:
     """Labels that distinguish flights: robots, else scenarios, else folders, else numbers.
 
+    Folders of the same name are given with as many folders above them as distinguish them.
+
     Args:
         flights: Flights shown side by side.
         origins: Folder or file that each was read from, if any.
@@ -28,24 +30,27 @@ def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
         if len(set(names)) == len(names):
             return names
     if len(origins) == len(flights):
-        for read in ([Path(origin).name for origin in origins], [str(o) for o in origins]):
-            if len(set(read)) == len(read) and all(read):
+        paths = [Path(origin).absolute().parts for origin in origins]
+        for depth in range(1, max(map(len, paths)) + 1):
+            read = ["/".join(parts[-depth:]) for parts in paths]
+            if len(set(read)) == len(read):
                 return [f"{robot} ({name})" for robot, name in zip(robots, read, strict=True)]
     return [f"{name} {k}" for k, name in enumerate(robots, start=1)]
 
 
 def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[Scene]:
-    """Scenes of flights to show side by side; the second has a remark on differing settings.
+    """Scenes of flights to show side by side; each has a remark on settings unlike the first's.
 
     Args:
-        flights: One or two.
+        flights: One or several.
         origins: Folder or file that each was read from, if any.
     """
     labels = labels_of(flights, origins)
     scenes = [scene_of(f, label=label) for f, label in zip(flights, labels, strict=True)]
-    if len(scenes) == 2 and (said := difference(*flights)):
-        note = f"differs from {labels[0]} in {said}"
-        scenes[1] = replace(scenes[1], notes=(*scenes[1].notes, note))
+    for k, flight in enumerate(flights[1:], start=1):
+        if said := difference(flights[0], flight):
+            note = f"differs from {labels[0]} in {said}"
+            scenes[k] = replace(scenes[k], notes=(*scenes[k].notes, note))
     return scenes
 
 

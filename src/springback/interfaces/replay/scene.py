@@ -26,11 +26,11 @@ from springback.contact.parameters import Own
 from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
-from springback.interfaces.replay.events import Event, events_of, impacts_of
 from springback.interfaces.replay.geometry import Drawable, drawables
-from springback.interfaces.replay.instants import departure, drawn_instants, parts_of
+from springback.interfaces.replay.instants import departure, drawn_instants
+from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
-from springback.results.saved import read_result as read_result
+from springback.results.saved import load as load
 from springback.scenario.tables import UserShape
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
@@ -166,7 +166,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         force=loads.force,
         point=np.nan_to_num(loads.point, nan=0.0),
         series=_series(flight, model, loads, thrust, places),
-        events=events_of(flight),
+        events=_time_line(flight),
         impacts=impacts_of(flight),
         measures=dict(flight.measures),
         units={name: known[name] for name in flight.measures if name in known},
@@ -187,6 +187,19 @@ def arm_shapes(airframe: Airframe) -> tuple[ArmShape, ...]:
             spin=1 if arm.torque_ratio > 0.0 else -1,
         )
         for arm in airframe.arms
+    )
+
+
+#: Events of single parts, too many for a time line.
+_OF_PARTS = ("contact", "release", "stop", "stop_release", "settled")
+
+
+def _time_line(flight: Flight) -> tuple[Event, ...]:
+    """Events that are drawn, failures marked as trouble."""
+    return tuple(
+        event._replace(kind="trouble") if event.kind in ("bottomed", "ground") else event
+        for event in flight.events
+        if event.kind not in _OF_PARTS
     )
 
 

@@ -1,4 +1,4 @@
-"""Replay of one flight or two, as a served page or a file."""
+"""Replay of one flight or several, as a served page or a file."""
 
 from __future__ import annotations
 
@@ -6,17 +6,21 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from springback.errors import InputError
+from springback.extras import needs
 from springback.files import write_atomically
+from springback.interfaces.output.python_wording import python_words
 from springback.interfaces.replay.labels import scenes_of
-from springback.interfaces.replay.scene import Scene, plain
+from springback.interfaces.replay.scene import plain
+from springback.interfaces.replay.signals import plain_signals
 from springback.interfaces.web.page import Page, page_of
-from springback.interfaces.web.server import App
+from springback.interfaces.web.server import App, serve
 from springback.results.flight import Flight, fly
-from springback.results.saved import read_result
+from springback.results.hooks import NotebookPage, in_notebook
+from springback.results.saved import load
 from springback.scenario.files import read_scenario
 
-#: Most flights on one page.
-MOST = 2
+#: Most flights on one page (chosen: as many as there are colours that can be distinguished).
+MOST = 8
 TWINS = {"arq": "quad", "quad": "arq", "arq-slider": "quad-slider", "quad-slider": "arq-slider"}
 
 
@@ -28,18 +32,19 @@ def flights_of(paths: Sequence[Path], *, twin: bool = False) -> list[Flight]:
         twin: Also fly the rigid twin of a compliant vehicle, or the compliant twin of a rigid one.
 
     Raises:
-        InputError: If a path is neither, or a twin is requested for a folder or two flights.
+        InputError: If a path is neither, there are too many, or a twin is requested for a folder
+            or several flights.
     """
     if not 1 <= len(paths) <= MOST:
-        raise InputError(f"RESULT: give one or {MOST} (got {len(paths)})")
+        raise InputError(f"RESULT: give one to {MOST} (got {len(paths)})")
     if twin and (len(paths) != 1 or paths[0].is_dir()):
-        raise InputError("--twin: needs a single SCENARIO.toml; for results give two folders")
+        raise InputError("--twin: needs a single SCENARIO.toml; for results give both folders")
     flights = []
     for path in paths:
         if path.suffix.lower() == ".toml" and not path.is_dir():
             flights.append(fly(read_scenario(path)))
         else:
-            flights.append(read_result(path))
+            flights.append(load(path))
     if twin:
         flights.append(fly(read_scenario(paths[0], twin_words(flights[0]))))
     return flights
@@ -62,17 +67,14 @@ def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
     """Replay page of flights.
 
     Args:
-        flights: One or two.
+        flights: One or several, each with its trajectory.
         origins: Folder or file that each was read from, if any.
     """
-    return replay_page(scenes_of(flights, origins))
-
-
-def replay_page(scenes: Sequence[Scene]) -> Page:
-    """Replay page of scenes."""
+    scenes = scenes_of(flights, origins)
     names = " and ".join(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
-    data = {"flights": [plain(scene) for scene in scenes]}
-    return page_of(f"{names} – springback", "replay", data)
+    drawn = [plain(scene) | {"signals": plain_signals(flight, scene)}
+             for scene, flight in zip(scenes, flights, strict=True)]  # fmt: skip
+    return page_of(f"{names} – springback", "replay", {"flights": drawn})
 
 
 def export_page(page: Page, path: Path, *, force: bool = False) -> None:
@@ -89,6 +91,26 @@ def export_page(page: Page, path: Path, *, force: bool = False) -> None:
         write_atomically(path, page.text)
     except OSError as error:
         raise InputError(f"--export {path}: cannot be written ({error.strerror})") from None
+
+
+def view_flights(
+    *flights: Flight,
+    export: str | Path | None = None,
+    force: bool = False,
+    browser: bool = True,
+) -> NotebookPage:
+    """Replay flights from Python: `springback.Flight.view`."""
+    with python_words():
+        if len(flights) > MOST:
+            raise InputError(f"a replay shows at most {MOST} flights (got {len(flights)})")
+        page = replay_of(flights)
+        if export is not None:
+            export_page(page, Path(export), force=force)
+        elif not in_notebook():
+            needs("uvicorn", "web")
+            needs("starlette", "web")
+            serve(replay_app(page), what="replay", browser=browser)
+    return NotebookPage(page.text)
 
 
 def replay_app(page: Page) -> App:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 
 from springback.files import write_json
-from springback.interfaces.output.folders import SUMMARY
+from springback.interfaces.output.folders import SUMMARY, output_folder
+from springback.interfaces.output.python_wording import python_words
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, with_digest
@@ -15,6 +17,19 @@ FLIGHT_FILES = (
     SUMMARY, "trajectory.parquet", "telemetry.parquet",
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
+
+
+def save_flight(
+    flight: Flight, folder: str | Path, *, force: bool = False, figures: bool = True
+) -> list[Path]:
+    """Write a flight's files to a folder, completely or not at all: `springback.Flight.save`."""
+    drawn = figures and find_spec("matplotlib") is not None
+    with (
+        python_words(),
+        output_folder(Path(folder), force=force, replaces=FLIGHT_FILES) as draft,
+    ):
+        written = write_flight(flight, draft, figures=drawn)
+    return [Path(folder) / path.name for path in written]
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:

@@ -10,8 +10,9 @@ import pytest
 import springback
 from springback.batch.scenarios import fly_scenarios
 from springback.errors import InputError
+from springback.scenario.code_files import changed_files, code_digests, read_object
 from springback.scenario.files import read_scenario
-from springback.scenario.user_code import changed_files, code_digests, read_object
+from springback.scenario.trust import trust, trusted_folders
 
 FILE = '''
 """A pilot, a wall of one's own, and a note that this file was run."""
@@ -54,7 +55,8 @@ OWN = {"type": "own", "surface": "wall"}
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
     (tmp_path / "mine.py").write_text(FILE)
     (tmp_path / "neighbour.py").write_text("SHARE = 0.7\n")
     return tmp_path
@@ -201,6 +203,35 @@ def test_a_changed_file_is_read_again(folder: Path) -> None:
     assert read_object(f"{path}:A", "a number") == 1
     path.write_text("A = 2\n")
     assert read_object(f"{path}:A", "a number") == 2
+
+
+def test_code_runs_in_trusted_folders_only(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.mktemp("config")))
+    monkeypatch.delenv("SPRINGBACK_TRUST")
+    path = _file(folder, 'pilot = "mine.py:share"')
+    wall = OWN | {"shape": f"{folder}/mine.py:WALL"}
+    for scenario in (path, {"vehicle": "arq", "start": START, "world": {"obstacles": [wall]}}):
+        with pytest.raises(
+            InputError, match=rf"not trusted; .* type once: springback trust {folder}"
+        ):
+            springback.fly(scenario)
+    assert not (folder / "ran").exists()
+    assert trust(folder.parent) == [folder.parent]
+    springback.fly(path)
+    springback.fly(_file(folder), pilot=f"{folder}/mine.py:share")
+    listed = next((tmp_path_factory.getbasetemp()).glob("config*/springback/trusted.json"))
+    assert listed.stat().st_mode & 0o777 == 0o600
+    listed.chmod(0o666)  # anyone could have written it
+    assert trusted_folders() == []
+    listed.chmod(0o600)
+    assert trust(folder.parent, ends=True) == []
+    with pytest.raises(InputError, match="not trusted"):
+        springback.fly(_file(folder, 'pilot = "mine.py:share"'))
+    springback.fly(_file(folder), pilot=f"{folder}/mine.py:share")  # named by the user himself
+    with pytest.raises(InputError, match="there is no such folder"):
+        trust(folder / "none")
 
 
 def test_a_vehicle_is_read_from_its_file(folder: Path) -> None:

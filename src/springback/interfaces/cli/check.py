@@ -1,0 +1,205 @@
+"""The command ``springback check``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+from pydantic import ValidationError
+
+from springback.interfaces.cli.common import Terminal, say, terminal_options
+from springback.interfaces.cli.completion import complete_checked, complete_setting
+
+if TYPE_CHECKING:
+    from springback.campaign.design.dimensions import Dimension
+    from springback.scenario.scenario import Scenario
+    from springback.studies.pilot_check import Finding
+
+
+@click.command()
+@click.argument("file", metavar="FILE.toml|FILE.py:NAME", shell_complete=complete_checked)
+@click.argument(
+    "more", nargs=-1, metavar="[SCENARIO] [KEY=VALUE]...", shell_complete=complete_setting()
+)
+@terminal_options("as_json", "quiet")
+def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
+    """Check a scenario, a plan, a pilot or an obstacle of your own, before it is flown for long.
+
+    A scenario or a plan is refused for all that a flight would refuse it for. Numbers that follow
+    from it are printed: mass, share of the thrust in hover, natural frequency and damping ratio of
+    the arms, the speed that uses up their stroke, gaps between cages; and warnings.
+
+    A pilot is tested for properties that every pilot should have: at rest at the start of the
+    SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
+
+    The distance and the normal of an obstacle are sampled from the start of the SCENARIO (by
+    default [0, 0, 1] m) and from all sides: a distance that is overstated, that does not grow by
+    1 m a metre or is no number, a normal that is not 1 long or not the gradient. NAME is a shape,
+    or its type with KEY=VALUE for its fields.
+
+    \b
+    springback check scenario.toml vehicle.arms.stiffness="2 N/mm"
+    springback check plan.toml
+    springback check my_pilot.py:hover
+    springback check my_obstacle.py:Pole x=2.75 y=0 radius=0.05
+    """
+    from springback.scenario.source_text import source_text, toml_tables
+
+    if Path(file).suffix != ".toml":
+        _check_code(file, more, terminal)
+        return
+    tables = toml_tables(source_text(Path(file)), file)
+    if "scenario" in tables or "method" in tables:
+        _check_plan(Path(file), more, terminal)
+    else:
+        _check_scenario(Path(file), more, terminal)
+
+
+# -- scenarios and plans --------------------------------------------------------------------------
+
+
+def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
+    from springback.scenario.build import user_parts
+    from springback.scenario.files import read_scenario
+
+    scenario = read_scenario(path, overrides)
+    user_parts(scenario)  # code of the user's own that cannot be used is refused
+    numbers, warnings = _findings(scenario)
+    data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
+    terminal.print(data, "\n".join(_lines(numbers)))
+    _conclude(f"{path} can be flown", warnings, terminal)
+
+
+def _findings(scenario: Scenario) -> tuple[list[dict[str, Any]], list[str]]:
+    """Derived numbers of a scenario, and its warnings."""
+    from springback.studies.scenario_check import check_warnings, derived_numbers
+
+    return [number._asdict() for number in derived_numbers(scenario)], check_warnings(scenario)
+
+
+def _lines(numbers: list[dict[str, Any]]) -> list[str]:
+    width = max(len(number["name"]) for number in numbers)
+    values = [f"{number['value']:.4g} {number['unit']}".strip() for number in numbers]
+    return [
+        f"{number['name']:<{width}}  {value:<16}  {number['about']}".rstrip()
+        for number, value in zip(numbers, values, strict=True)
+    ]
+
+
+def _conclude(sentence: str, warnings: list[str], terminal: Terminal) -> None:
+    for warning in warnings:
+        say(f"warning: {warning}")
+    terminal.note(sentence)
+
+
+def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
+    from springback.campaign.access import check_conditions
+    from springback.campaign.design.layout import lay_out
+    from springback.campaign.design.plan import read_plan
+    from springback.scenario.scenario import scenario_from
+
+    with terminal.spinner("reading the plan"):
+        plan, source = read_plan(path, overrides)
+        design = lay_out(plan, source)
+        check_conditions(design, source)
+    fields = [
+        {"column": one.column, "unit": one.unit, "values": _law_text(one), "scatter": one.scatter}
+        for one in design.dimensions
+    ]
+    counts = {"flights": design.flights, "samples": design.samples, "repeats": plan.repeats}
+    data: dict[str, Any] = {"kind": "plan", **counts, "success": design.success, "fields": fields}
+    text = [f"{name:<8}  {count}" for name, count in counts.items()]
+    text += [f"success   {design.success}", ""]
+    text += [f"{one['column']:<24}  {one['values']} {one['unit']}".rstrip() for one in fields]
+    warnings = list[str]()
+    for robot, base in zip(design.robots, design.bases, strict=True):
+        numbers, found = _findings(scenario_from(base))
+        data.setdefault("robots", {})[robot] = {"derived": numbers, "warnings": found}
+        text += ["", f"{robot}, without what varies:", *_lines(numbers)]
+        warnings += [f"{robot}: {warning}" for warning in found]
+    terminal.print(data, "\n".join(text))
+    _conclude(f"{path} can be flown", warnings, terminal)
+
+
+def _law_text(one: Dimension) -> str:
+    """Values of a dimension in words."""
+    from springback.campaign.design.distributions import (
+        LevelSet,
+        NormalDistribution,
+        NormalFactor,
+        UniformDistribution,
+    )
+
+    law, factor = one.law, " times its own" if one.factor else ""
+    if isinstance(law, LevelSet):
+        shown = [f"{v:.6g}" if isinstance(v, float) else str(v) for v in law.values]
+        few = shown if len(shown) <= 8 else [*shown[:3], "...", *shown[-2:]]
+        return f"{', '.join(few)} ({len(shown)} values)"
+    if isinstance(law, UniformDistribution):
+        spacing = " (logarithmic)" if law.logarithmic else ""
+        return f"{law.first:.6g} to {law.last:.6g}{factor}{spacing}"
+    if isinstance(law, NormalDistribution):
+        added = " added to its own" if one.own or one.scatter else ""
+        return f"normal, mean {law.mean:.6g}, deviation {law.deviation:.6g}{added}"
+    assert isinstance(law, NormalFactor)
+    return f"normal, deviation {law.deviation:.6g}, times its own"
+
+
+# -- code of the user's own -----------------------------------------------------------------------
+
+
+def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
+    """Check a pilot or a shape, and exit with 1 if a property fails."""
+    from springback.errors import InputError
+    from springback.scenario.avionics import CompiledPilot
+    from springback.scenario.code_files import read_object
+    from springback.studies.pilot_check import check_pilot
+
+    scenarios = [Path(word) for word in more if "=" not in word]
+    if len(scenarios) > 1:
+        raise InputError(f"{str(scenarios[1])!r}: it is checked with one scenario")
+    thing = read_object(name, "a pilot or a shape")
+    is_type = isinstance(thing, type) and issubclass(thing, tuple)
+    if is_type or (isinstance(thing, tuple) and not isinstance(thing, CompiledPilot)):
+        findings = _shape_findings(name, more, scenarios, terminal)
+    elif len(more) > len(scenarios):
+        raise InputError("a pilot is checked without KEY=VALUE; change its scenario")
+    else:
+        with terminal.progress_bar("testing the pilot") as show:
+            findings = check_pilot(name, *scenarios, progress=show)
+    lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
+    terminal.print([f._asdict() for f in findings], "\n".join(lines))
+    failed = sum(not f.passed for f in findings)
+    terminal.note(f"{len(findings) - failed} of {len(findings)} passed")
+    if failed:
+        sys.exit(1)
+
+
+def _shape_findings(
+    name: str, more: Sequence[str], scenarios: Sequence[Path], terminal: Terminal
+) -> list[Finding]:
+    """Findings on a shape, or on a type of shape with its parameters."""
+    from springback.contact.library import WALL
+    from springback.errors import InputError
+    from springback.kernels.vectors import Vec
+    from springback.scenario.files import apply_overrides, read_scenario
+    from springback.scenario.tables import Start, UserShape, WorldSettings
+    from springback.scenario.user_obstacles import own_obstacles
+    from springback.studies.shape_check import check_shape
+
+    given = apply_overrides({}, [word for word in more if "=" in word])
+    entry = {"type": "own", "shape": name, "parameters": given, "surface": WALL}
+    try:
+        world = WorldSettings(obstacles=(UserShape.model_validate(entry),))
+        [(shape, _)] = own_obstacles(world)
+    except ValidationError as error:
+        raise InputError(*UserShape.in_words(error)) from None
+    except InputError as error:
+        lines = (line.removeprefix("world.obstacles[0].") for line in error.problems)
+        raise InputError(*lines) from None
+    start = read_scenario(scenarios[0]).start if scenarios else Start()
+    with terminal.progress_bar("testing the shape") as show:
+        return check_shape(shape, Vec(*start.position), progress=show)

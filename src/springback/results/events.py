@@ -1,0 +1,216 @@
+"""Events of a flight."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.recovery.state_machine import CRUISE, HOVER, LOOK, PHASES, RECOVER, RETURN, STAGES
+from springback.results.result import FlightResult
+from springback.simulation.playback import NO_FORCE
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Beginnings of the phases of a recovery: a short label for the time line, and a sentence.
+_PHASE_EVENTS = {
+    LOOK: ("detected", "the collision is detected: {trigger}"),
+    STAGES: ("stages", "the recovery in stages begins"),
+    RECOVER: ("way back", "the collision is characterised, the way back begins"),
+    RETURN: ("return", "at rest at p_r, the way home begins"),
+    HOVER: ("home", "home again"),
+    CRUISE: ("run-up", "the next run-up begins"),
+}
+_TRIGGERS = {"hall": "an arm is compressed", "acceleration": "lateral acceleration",
+             "wrench": "an external force"}  # fmt: skip
+#: Impacts beyond this number are not labelled (chosen: as many as a time line can show).
+MOST = 12
+
+
+#: A step lands within a nanometre of a touch: forces below this are not yet contact [N] (chosen).
+AT_TOUCH = 1e-6
+
+
+class Event(NamedTuple):
+    """An event of a flight.
+
+    Kinds of the whole vehicle, one after the other in every impact: ``touch``, ``peak`` and
+    ``separation``; ``bottomed`` and ``ground`` once; ``alarm`` and ``phase`` of a recovery;
+    ``settled``, when the arms are locked again; ``end``.  Kinds of one part, a cage or the hull:
+    ``contact`` and ``release``, and ``stop`` and ``stop_release`` of an arm.
+    """
+
+    t: float
+    """Instant [s]; that of a part is exact to one step of the integration."""
+    kind: str
+    label: str
+    """One or two words."""
+    text: str
+    """A sentence without a full stop."""
+    arm: int | None = None
+    """Number of the arm, from 1, if it is an event of one."""
+    value: float | None = None
+    """Speed [m/s] of a touch, of a contact that of the main body; duration [s] of a separation or
+    release; acceleration [m/s²] of a peak; compression [m] of a stop.
+    """
+
+
+def parts_of(columns: Mapping[str, Array]) -> list[str]:
+    """Suffixes of the columns of forces: one for each cage, and one for a main body with a hull."""
+    return [name[2:] for name in columns if name.startswith("fn")]
+
+
+def touching(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """True for instants with a contact."""
+    felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
+    return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
+
+
+def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
+    """First and last index of every contact; contacts closer than ``apart`` are merged.
+
+    Args:
+        t: Instants [s].
+        felt: True for instants with a contact.
+        apart: Shortest time between two contacts [s].
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], np.asarray(felt, dtype=int), [0]])))
+    found: list[tuple[int, int]] = []
+    for first, last in zip(edges[0::2].tolist(), (edges[1::2] - 1).tolist(), strict=True):
+        if found and t[first] - t[found[-1][1]] < apart:
+            found[-1] = (found[-1][0], last)
+        else:
+            found.append((first, last))
+    return found
+
+
+def impacts_of(flight: FlightResult) -> tuple[tuple[float, float], ...]:
+    """First touch and last separation of every impact [s]."""
+    t = flight.columns["t"]
+    found = intervals(t, touching(flight.columns), flight.scenario.simulation.dwell)
+    ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
+    if ends:  # the measures have the exact instants of the first, columns only the steps
+        begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
+        whole = end is not None and found[0][1] < len(t) - 1
+        ends[0] = (begin or ends[0][0], end if end is not None and whole else ends[0][1])
+    return tuple(ends)
+
+
+def events_of(flight: FlightResult) -> tuple[Event, ...]:
+    """Events in order of time."""
+    t = flight.columns["t"]
+    found = [*_contacts(flight), *_failures(flight), *_phases(flight), *_settling(flight)]
+    found += _parts(flight)
+    found.append(Event(float(t[-1]), "end", "end", flight.message))
+    return tuple(sorted(found, key=lambda event: event.t))
+
+
+def _contacts(flight: FlightResult) -> list[Event]:
+    c = flight.columns
+    felt = touching(flight.columns)
+    found: list[Event] = []
+    impacts = impacts_of(flight)
+    for number, (begin, end) in enumerate(impacts[:MOST], start=1):
+        which = "" if len(impacts) == 1 else f" {number}"
+        speed = float(np.sqrt(sum(np.interp(begin, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
+        sentence = f"first touch, at {speed:.2f} m/s"
+        found.append(Event(begin, "touch", f"touch{which}", sentence, value=speed))
+        if end < c["t"][-1] or not felt[-1]:
+            sentence = f"separates after {1e3 * (end - begin):.1f} ms"
+            found.append(Event(end, "separation", f"off{which}", sentence, value=end - begin))
+    hardest, peak = flight.measures.get("peak_acceleration_time"), flight.peak_acceleration
+    if impacts and hardest is not None and peak is not None:
+        sentence = f"peak acceleration, {peak:.0f} m/s²"
+        found.append(Event(hardest, "peak", "peak", sentence, value=peak))
+    return found
+
+
+def _failures(flight: FlightResult) -> list[Event]:
+    named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
+             "ground_time": ("ground", "a cage touches the ground")}  # fmt: skip
+    found = []
+    for name, (label, text) in named.items():
+        when = flight.measures.get(name)
+        if when is not None:
+            found.append(Event(when, label, label, text))
+    return found
+
+
+def _settling(flight: FlightResult) -> Iterator[Event]:
+    """Instants at which the arms have settled and are locked again, after an impact."""
+    moves = [values != 0.0 for name, values in flight.columns.items() if name.startswith("dl")]
+    moving = np.logical_or.reduce(moves)
+    t = flight.t
+    for k in np.flatnonzero(moving[:-1] & ~moving[1:]).tolist():
+        yield Event(float(t[k + 1]), "settled", "settled", "the arms have settled and are locked")
+
+
+def _parts(flight: FlightResult) -> Iterator[Event]:
+    """Contacts of each cage and of the hull, and end stops of each arm."""
+    c = flight.columns
+    speed = np.sqrt(sum(c[f"v{axis}"] ** 2 for axis in "xyz"))
+    for part in parts_of(c):
+        arm = int(part) if part.isdigit() else None
+        name = f"cage {part}" if arm else "the main body"
+        felt = c[f"fn{part}"] + c[f"ff{part}"] > AT_TOUCH
+        for first, last, begin, end in _spans(flight, felt):
+            peak = float(np.max(c[f"fn{part}"][first : last + 1]))
+            sentence = f"{name} touches, up to {peak:.0f} N"
+            yield Event(begin, "contact", f"{name} on", sentence, arm, float(speed[first]))
+            sentence = f"{name} separates after {1e3 * (end - begin):.1f} ms"
+            yield Event(end, "release", f"{name} off", sentence, arm, end - begin)
+    for j, shortest in enumerate(_shortest(flight), start=1):
+        length = c[f"l{j}"]
+        for first, last, begin, end in _spans(flight, length < shortest):
+            most = float(length[0] - np.min(length[first : last + 1]))
+            sentence = f"arm {j} reaches its end stop, compressed by up to {1e3 * most:.1f} mm"
+            yield Event(begin, "stop", f"stop {j}", sentence, j, most)
+            sentence = f"arm {j} leaves its end stop after {1e3 * (end - begin):.1f} ms"
+            yield Event(end, "stop_release", f"stop {j} off", sentence, j, end - begin)
+
+
+def _spans(flight: FlightResult, holds: Any) -> Iterator[tuple[int, int, float, float]]:
+    """First and last index of every span of instants, and its beginning and end [s].
+
+    Steps land on touches, separations and stops, where a force or depth is still zero: the instants
+    before and after the span.  A law whose force jumps at the touch begins one step later.
+    """
+    t = flight.t
+    for first, last in intervals(t, holds):
+        yield first, last, float(t[max(first - 1, 0)]), float(t[min(last + 1, len(t) - 1)])
+
+
+def _shortest(flight: FlightResult) -> list[float]:
+    """Length of each sliding arm at its inner end stop [m]; −1 for a locked one."""
+    arms = flight.scenario.flight_model().airframe.arms
+    return [arm.shortest if arm.compliance * arm.stop_stiffness > 0.0 else -1.0 for arm in arms]
+
+
+def _phases(flight: FlightResult) -> list[Event]:
+    """Changes of the pilot's phase."""
+    telemetry = flight.telemetry
+    if "phase" not in telemetry:
+        return []
+    t, phase = telemetry["t"], telemetry["phase"]
+    found = []
+    for k in np.flatnonzero(np.diff(phase)).tolist()[: 6 * MOST]:
+        now = float(phase[k + 1])
+        if not 0.0 <= now < len(PHASES):
+            continue
+        label, text = _PHASE_EVENTS[now]
+        kind = "alarm" if now == LOOK else "phase"
+        when = float(t[k + 1])
+        found.append(Event(when, kind, label, text.format(trigger=_trigger(telemetry, k + 1))))
+    return found
+
+
+def _trigger(telemetry: dict[str, Array], k: int) -> str:
+    """Cause of the alarm at a tick, in words."""
+    raised = [
+        words
+        for name, words in _TRIGGERS.items()
+        if f"alarms_{name}" in telemetry
+        and telemetry[f"alarms_{name}"][k] > telemetry[f"alarms_{name}"][max(k - 2, 0)]
+    ]
+    return " and ".join(raised) or "a trigger"

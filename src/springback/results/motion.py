@@ -1,0 +1,296 @@
+"""Motion of the main body between and at the recorded instants: any time base, any point.
+
+Contacts and distances are evaluated again at the recorded states by the kernels of the flight.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation, Slerp
+
+from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
+from springback.contact.hull import hull_contact
+from springback.contact.obstacles import Obstacle, obstacle_in_body_frame
+from springback.contact.parameters import Own, faces
+from springback.dynamics.solution import Slider
+from springback.errors import InputError
+from springback.kernels.compiler import executor, kernel, user_executor
+from springback.kernels.layout import Buffer, TreeLayout, read, write
+from springback.kernels.trees import leaves, tree_map, tree_sum
+from springback.kernels.vectors import Vec
+from springback.results.result import FlightResult
+from springback.scenario.avionics import propulsion_of
+from springback.scenario.tables import UserShape
+from springback.simulation.flight import own_types, sources, still_state
+from springback.simulation.playback import Instant
+from springback.simulation.record import Model
+from springback.vehicle.rotors import lag_over
+from springback.vehicle.state import Arm, Sphere, arm_pose
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+Places = np.ndarray[Any, np.dtype[np.intp]]
+
+#: Instants closer together than this are one [s].
+ROUNDING = 1e-9
+ATTITUDE = ("qw", "qx", "qy", "qz")
+
+
+# -- any time base --------------------------------------------------------------------------------
+
+
+def columns_at(
+    flight: FlightResult, step: float | None = None, times: Any = None
+) -> dict[str, Array]:
+    """Trajectory and telemetry at given instants; see `springback.Flight.resample`."""
+    flight.need_trajectory()
+    t = flight.t
+    if (step is None) == (times is None):
+        raise InputError("give either step, the spacing of the instants in s, or times")
+    if step is not None:
+        span = float(t[-1] - t[0])
+        if not span * 1e-7 <= step <= span:
+            raise InputError(f"step: must be from {span * 1e-7:.3g} s to {span:.6g} s (got {step})")
+        times = t[0] + step * np.arange(int(span / step * (1.0 + 1e-12)) + 1)
+    at = np.asarray(times, dtype=np.float64)
+    if at.ndim != 1 or not len(at) or not (at >= t[0]).all() or not (at <= t[-1] + 1e-12).all():
+        raise InputError(f"times: must be instants from {t[0]:.6g} s to {t[-1]:.6g} s, in a row")
+    at = np.minimum(at, t[-1])
+    found = {name: np.interp(at, t, values) for name, values in flight.columns.items()}
+    found |= dict(zip(ATTITUDE, _attitudes(flight, at), strict=True)) | {"t": at}
+    if flight.telemetry:
+        tick = _ticks(flight, at)
+        found |= {n: values[tick] for n, values in flight.telemetry.items() if n != "t"}
+    return found
+
+
+def _attitudes(flight: FlightResult, at: Array) -> Array:
+    """Quaternions wxyz by spherical interpolation, shape (4, instants), signs as recorded."""
+    recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
+    found = Slerp(flight.t, Rotation.from_quat(recorded, scalar_first=True))(at)
+    return np.asarray(found.as_quat(scalar_first=True).T)
+
+
+# -- contacts again -------------------------------------------------------------------------------
+
+
+class PartContact(NamedTuple):
+    """A cage or the hull: its moment and distances."""
+
+    moment: Vec  # of its contact forces about the main body, body axes [N m]
+    gaps: tuple[float, ...]  # to each obstacle [m]
+
+
+@kernel
+def _on_cage(
+    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
+) -> CageContact:
+    return cage_contact(obstacle, contact_point, radius, arm, body)
+
+
+@kernel
+def _on_hull(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> CageContact:
+    return hull_contact(obstacle, 1.0, hull, body)
+
+
+@kernel
+def _moment(contact: CageContact) -> Vec:
+    return contact.touch.moment
+
+
+@kernel
+def _gap(contact: CageContact) -> float:
+    return contact.gap
+
+
+@kernel
+def _arm_contact(
+    arm: Arm,
+    length: float,
+    rate: float,
+    obstacles: tuple[Obstacle, ...],
+    contact_point: Any,
+    body: BodyMotion,
+) -> PartContact:
+    pose = arm_pose(arm, length, rate, body.velocity)
+    found = tree_map(_on_cage, (obstacles,), (contact_point, arm.cage_radius, pose, body))
+    return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
+
+
+@kernel
+def _hull_contact(hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion) -> PartContact:
+    found = tree_map(_on_hull, (obstacles,), (hull, body))
+    return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
+
+
+@kernel
+def _contacts(at: Instant) -> tuple[PartContact, ...]:
+    state = at.state
+    body = body_motion(state, 0.0)
+    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, body.r))
+    arms = tree_map(
+        _arm_contact,
+        (at.airframe.arms, state.arm_length, state.arm_rate),
+        (obstacles, at.contact_point, body),
+    )
+    found: tuple[PartContact, ...] = arms + tree_map(
+        _hull_contact, (at.airframe.hull,), (obstacles, body)
+    )
+    return found
+
+
+@executor(nogil=True)
+def _all_contacts(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
+    """Write `PartContact` of each part for each instant; rows of the buffers hold the leaves."""
+    for i in range(instants.shape[0]):
+        write(_contacts(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
+
+
+class ContactHistory(NamedTuple):
+    """Moments and distances over time."""
+
+    moment: Array  # of all contacts about the main body, body axes [N m], shape (instants, 3)
+    gaps: Array  # of cages, then the hull, to each obstacle [m], shape (instants, parts, obstacles)
+
+
+def contact_history(model: Model, flight: FlightResult) -> ContactHistory:
+    """Contacts at the instants of the trajectory."""
+    arms = len(model.airframe.arms)
+    names = [*"xyz", *ATTITUDE, *(f"{kind}{a}" for kind in "vw" for a in "xyz")]
+    names += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
+    states = np.stack([flight.columns[name] for name in names], axis=1)
+    like = Instant(model.airframe, model.world, model.contact_point, still_state((0.0,) * arms))
+    constants = np.array(leaves(like)[: -states.shape[1]])
+    instants = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
+    parts, obstacles = arms + len(model.airframe.hull), len(model.world.obstacles)
+    out = np.zeros((len(states), parts * (3 + obstacles)))
+    own = own_types(like)
+    plain = getattr(_all_contacts, "py_func", _all_contacts)
+    run = user_executor(plain, sources(own), nogil=True) if own else _all_contacts
+    run(TreeLayout(like), np.ascontiguousarray(instants), out)
+    each = out.reshape(len(out), parts, 3 + obstacles)
+    return ContactHistory(each[:, :, :3].sum(axis=1), each[:, :, 3:])
+
+
+# -- any point ------------------------------------------------------------------------------------
+
+
+def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Array:
+    """Angular acceleration of the main body, body axes [rad/s²], shape (instants, 3).
+
+    Exact: from the moments of contacts and rotors and the recorded acceleration of the main body
+    by the second of the six equations of `springback.dynamics.motion`.
+
+    Args:
+        flight: With its trajectory.
+        own: The user's own obstacles, for a flight read from a file.
+
+    Raises:
+        InputError: If the trajectory was not recorded, or the user's own obstacles are unknown.
+    """
+    model, c = _model(flight, own), flight.columns
+    if isinstance(model.guide, Slider):
+        return np.zeros((len(flight.t), 3))
+    omega, felt = _vectors(flight, "w"), _in_body_frame(flight)
+    moment = contact_history(model, flight).moment.copy()
+    inertia = np.broadcast_to(np.array(model.airframe.inertia), (len(omega), 3, 3)).copy()
+    rate, carried = np.zeros_like(inertia), np.zeros_like(omega)
+    for j, (arm, thrust) in enumerate(
+        zip(model.airframe.arms, _thrusts(flight, model), strict=True), start=1
+    ):
+        e, length = np.array([arm.cosine, arm.sine, 0.0]), c[f"l{j}"]
+        across = np.eye(3) - np.outer(e, e)
+        inertia += (arm.mass * length**2)[:, None, None] * across
+        rate += (2.0 * arm.mass * length * c[f"dl{j}"])[:, None, None] * across
+        carried += (arm.mass * length)[:, None] * e
+        moment += thrust[:, None] * np.stack(
+            [length * arm.sine, -length * arm.cosine, np.full_like(length, arm.torque_ratio)], 1
+        )
+    momentum = np.einsum("tij,tj->ti", inertia, omega)
+    rest = moment - np.cross(omega, momentum) - np.einsum("tij,tj->ti", rate, omega)
+    rest -= np.cross(carried, felt)
+    return np.linalg.solve(inertia, rest[:, :, None])[:, :, 0]
+
+
+def specific_force_at(flight: FlightResult, at: Any, own: tuple[Own, ...] = ()) -> Array:
+    """Specific force at a point of the main body; see `springback.Flight.specific_force`."""
+    r = np.asarray(at, dtype=np.float64)
+    if r.shape != (3,) or not np.isfinite(r).all():
+        raise InputError(f"at: must be three numbers, x, y, z in m along the body axes (got {at})")
+    flight.need_trajectory()
+    felt = _in_body_frame(flight)
+    if not r.any():
+        return felt
+    omega = _vectors(flight, "w")
+    turning = np.cross(omega, np.cross(omega, r))
+    return np.asarray(felt + np.cross(angular_acceleration(flight, own), r) + turning)
+
+
+def _model(flight: FlightResult, own: tuple[Own, ...]) -> Model:
+    flight.need_trajectory()
+    own = own or flight.own
+    if flight.own_surfaces and not own:
+        raise InputError(
+            "the flight was read from a folder, which holds no laws of obstacles of your own: "
+            "give them as own"
+        )
+    return flight.scenario.flight_model(own)
+
+
+def _vectors(flight: FlightResult, stem: str) -> Array:
+    return np.stack([flight.columns[f"{stem}{axis}"] for axis in "xyz"], axis=1)
+
+
+def _in_body_frame(flight: FlightResult) -> Array:
+    """Specific force of the main body, Rᵀ(v̇ + g e_Z), shape (instants, 3) [m/s²]."""
+    felt = _vectors(flight, "a") + np.array([0.0, 0.0, flight.scenario.world.gravity])
+    recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
+    return np.asarray(Rotation.from_quat(recorded, scalar_first=True).apply(felt, inverse=True))
+
+
+def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
+    """Thrust of each rotor in the equations of motion [N], each of shape (instants,).
+
+    With a pilot it is the mean over a tick, which follows from the thrusts at its ends.
+    """
+    telemetry = flight.telemetry
+    if "thrust1" not in telemetry:
+        return [np.full(len(flight.t), thrust) for thrust in model.thrust]
+    rotors = propulsion_of(flight.scenario, model.airframe)
+    lag = lag_over(rotors.time_constant, 1.0 / flight.scenario.clock)
+    tick = _ticks(flight, flight.t)
+    found = []
+    for j in range(1, len(model.thrust) + 1):
+        begin = telemetry[f"thrust{j}"]
+        end = np.append(begin[1:], begin[-1])
+        found.append((begin + (end - begin) * ((1.0 - lag.mean) / (1.0 - lag.end)))[tick])
+    return found
+
+
+def _ticks(flight: FlightResult, at: Array) -> Places:
+    """Number of the last tick before or at each instant; a step ends at it to within rounding."""
+    rows = np.searchsorted(flight.telemetry["t"], at + ROUNDING, "right") - 1
+    return np.clip(rows, 0, None)
+
+
+# -- distances ------------------------------------------------------------------------------------
+
+
+def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...] = ()) -> Array:
+    """Distances of cages and hull from the obstacles; see `springback.Flight.gap`."""
+    model = _model(flight, own)
+    entries = [x for x in flight.scenario.world.obstacles if not isinstance(x, UserShape)]
+    counts = [*(len(faces(entry)) for entry in entries), *(1 for _ in own or flight.own)]
+    if not counts:
+        raise InputError("the world of this flight has no obstacles")
+    ends = np.cumsum([0, *counts])  # a second contact of a ring, listed after these, is no nearer
+    if obstacle is None:
+        first, last = 0, int(ends[-1])
+    elif 0 <= obstacle < len(counts):
+        first, last = ends[obstacle : obstacle + 2].tolist()
+    else:
+        raise InputError(f"obstacle: must be from 0 to {len(counts) - 1} (got {obstacle})")
+    found: Array = contact_history(model, flight).gaps[:, :, first:last].min(axis=2)
+    return found

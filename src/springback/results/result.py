@@ -1,0 +1,213 @@
+"""Result of a flight: its scenario, outcome, measures and columns."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.parameters import Own
+from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
+from springback.results.measures import FlightMeasures
+from springback.results.meshes import Mesh, surfaces_of
+from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.scenario.scenario import Scenario
+from springback.simulation.measures import FAILURES, MEASURES, Outcome
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+#: Measures that are printed, those of a recovery last.
+_PRINCIPAL = (
+    "touch_speed", "restitution_at_separation", "impact_peak_acceleration", "contact_time",
+    "travel", "impact_arm_stroke", "contacts", "peak_acceleration",
+    "detection_delay", "recovery_time", "height_loss", "nose_up", "nose_down", "runs",
+    "recovered_runs",
+)  # fmt: skip
+
+
+class MeasureLine(NamedTuple):
+    """A measure to read."""
+
+    name: str
+    value: float | None
+    unit: str
+    meaning: str
+
+    @property
+    def text(self) -> str:
+        """Value with unit, angles in degrees."""
+        if self.value is None:
+            return "-"
+        degrees = self.unit == "rad"  # for reading; the measure is in rad
+        value, unit = (math.degrees(self.value), "deg") if degrees else (self.value, self.unit)
+        return f"{value:.5g} {unit.replace('^2', '²')}".rstrip()
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FlightResult(FlightMeasures):
+    """Numbers of a flight.  Every measure is an attribute as well: ``flight.touch_speed``."""
+
+    scenario: Scenario
+    outcome: Outcome
+    measures: dict[str, float | None]
+    """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
+    columns: dict[str, Array]
+    """Trajectory by column, each of shape (instants,); empty if it was not recorded."""
+    units: dict[str, str]
+    """Unit of each column, including telemetry."""
+    telemetry: dict[str, Array] = field(default_factory=dict)
+    """Measured, estimated, desired and commanded values at every tick; empty without a pilot."""
+    work: dict[str, Array] = field(default_factory=dict)
+    """Work done so far [J], by kind, and 1 during contact, each of shape (instants,), for
+    `springback.results.energy_history`.  Files do not contain it.
+    """
+    own: tuple[Own, ...] = ()
+    """The user's own obstacles; empty for a flight that was read back."""
+    own_surfaces: tuple[Mesh, ...] = ()
+    """Surfaces of those obstacles for drawing, in a flight that was read back."""
+
+    if not TYPE_CHECKING:  # for mypy a misspelt measure is an error
+
+        def __getattr__(self, name: str) -> float | None:
+            measures: dict[str, float | None] = self.__dict__.get("measures", {})
+            if name in measures:
+                return measures[name]
+            raise AttributeError(f"a flight has no {name!r}; measures: {', '.join(measures)}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.measures})
+
+    @property
+    def success(self) -> bool:
+        """Success as in campaigns: recovered, if required; else neither ground nor stop was hit.
+
+        A simulation that diverged is not a success either.
+        """
+        if "runs" in self.measures:
+            return self.outcome is Outcome.RECOVERED
+        return self.outcome not in FAILURES
+
+    @property
+    def is_finite(self) -> bool:
+        """True if the simulation stayed finite."""
+        return self.outcome is not Outcome.NOT_FINITE
+
+    @property
+    def remarks(self) -> dict[type[FlightWarning], str]:
+        """Warnings about the flight, a sentence each, by their kind."""
+        found: dict[type[FlightWarning], str] = {}
+        if self.measures.get("ledger_open"):
+            left = self.measures["ledger_residual"]  # None if it is not finite
+            share = "more than all" if left is None else f"{left:.1e}"
+            found[LedgerWarning] = (
+                f"the energy ledger leaves {share} of the energy: the "
+                "numbers cannot be trusted; try smaller steps (simulation.impact_step)"
+            )
+        commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
+        lowest = np.min(commands, axis=0, initial=0.0)
+        below = np.flatnonzero(lowest < 0.0)
+        propulsion = self.scenario.vehicle.propulsion
+        if len(below) and propulsion is not None:
+            found[CommandWarning] = (
+                f"the pilot commands less than 0 N at {len(below)} of {len(lowest)} ticks, first "
+                f"at {self.telemetry['t'][below[0]]:.4g} s ({lowest[below[0]]:.3g} N): rotors do "
+                f"not turn backwards and give their minimum, {propulsion.min_thrust:g} N"
+            )
+        return found
+
+    @property
+    def message(self) -> str:
+        """The outcome in a sentence."""
+        return self.outcome.value
+
+    @property
+    def t(self) -> Array:
+        """Instants of the trajectory [s], shape (instants,)."""
+        return self.columns["t"]
+
+    def readable_measures(self, *, all_of_them: bool = False) -> list[MeasureLine]:
+        """The principal measures for reading, angles in degrees, or all."""
+        known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
+        names = [name for name in (known if all_of_them else _PRINCIPAL) if name in known]
+        return [MeasureLine(name, self.measures[name], *known[name]) for name in names]
+
+    def __repr__(self) -> str:
+        lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
+        shown = self.readable_measures()
+        width = max(len(line.name) for line in shown)
+        return "\n".join([*lines, *(f"  {line.name:<{width}} {line.text}" for line in shown)])
+
+    def need_trajectory(self) -> None:
+        """Raise an InputError if the trajectory was not recorded."""
+        if not self.columns:
+            raise InputError("this flight has no trajectory: fly it with trajectory=True")
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Trajectory as a pandas DataFrame, one row per instant; units in ``attrs``.
+
+        Raises:
+            InputError: If pandas is not installed, or the trajectory was not recorded.
+        """
+        self.need_trajectory()
+        from springback.extras import needs
+
+        pd = needs("pandas", "dataframe")
+        frame: pandas.DataFrame = pd.DataFrame(self.columns)
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Trajectory as an xarray Dataset over ``t``; units and measures in ``attrs``.
+
+        Raises:
+            InputError: If xarray is not installed, or the trajectory was not recorded.
+        """
+        self.need_trajectory()
+        from springback.extras import needs
+
+        xr = needs("xarray", "xarray")
+        data = {
+            name: ("t", values, {"units": self.units[name]})
+            for name, values in self.columns.items()
+            if name != "t"
+        }
+        known = {name: value for name, value in self.measures.items() if value is not None}
+        dataset: xarray.Dataset = xr.Dataset(
+            data,
+            coords={"t": ("t", self.t, {"units": "s"})},
+            attrs={"name": self.scenario.name, "outcome": self.outcome.word, **known},
+        )
+        return dataset
+
+    def summary(self) -> dict[str, Any]:
+        """The result as plain data: outcome, measures, units, scenario, versions."""
+        from springback.version import __version__
+
+        known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
+        return {
+            "springback": __version__,
+            "name": self.scenario.name,
+            "outcome": self.outcome.word,
+            "message": self.message,
+            "measures": self.measures,
+            "units": {name: unit for name, (unit, _) in known.items()},
+            "scenario": self.scenario.model_dump(mode="json"),
+            **self._own_obstacles(),
+        }
+
+    def _own_obstacles(self) -> dict[str, Any]:
+        """Surfaces of the user's own obstacles near the flight, if any."""
+        found = self.own_surfaces
+        if self.own and self.columns:
+            place = np.stack([self.columns[axis] for axis in "xyz"], axis=1)
+            pressed = [c > 0.0 for name, c in self.columns.items() if name.startswith("fn")]
+            touching = np.any(pressed, axis=0)
+            found = surfaces_of(self.own, place[touching] if touching.any() else place)
+        return {"own_obstacles": [one.as_dict() for one in found]} if found else {}

@@ -1,0 +1,254 @@
+"""Check of a scenario before it is flown: numbers derived from it, and what to look out for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from springback.contact.parameters import PlaneSettings
+from springback.control.reference_parameters import RunUpSettings
+from springback.frames import attitude_from_euler
+from springback.kernels.vectors import Quat, Vec, rotation
+from springback.scenario.avionics import scenario_warnings
+from springback.scenario.fields import degrees
+from springback.scenario.scenario import Scenario
+from springback.vehicle.endurance import hover_time
+from springback.vehicle.parameters import Arms, Vehicle
+
+#: Share of the thrust in hover above which little is left to manoeuvre (chosen).
+MOST_HOVER = 0.7
+#: Share of a wall's force along an arm below which its spring hardly works (chosen).
+LEAST_ALONG = 0.5
+#: Distance between a wall and the one that a run-up is planned to, which is worth a warning
+#: (chosen: five standard deviations of the trials' walls) [m].
+WALL_OFFSET = 0.1
+
+
+class ScenarioQuantity(NamedTuple):
+    """A number that follows from a scenario."""
+
+    name: str
+    value: float
+    """SI."""
+    unit: str
+    about: str
+
+
+class WallApproach(NamedTuple):
+    """Approach of a vehicle to the first wall or mat of its scenario."""
+
+    speed: float
+    """Into the wall [m/s]."""
+    arm: int
+    """Index of the arm whose cage is foremost."""
+    angle: float
+    """Between that arm and the direction into the wall [rad]."""
+    along: float
+    """Share of the wall's normal force that presses the arm, if its cage slides inwards."""
+
+
+def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
+    """Numbers that follow from a scenario's vehicle, and from its approach to a wall."""
+    vehicle, found = scenario.vehicle, [*_masses(scenario)]
+    for group in _alike(vehicle.arms):
+        found += _of_arms(vehicle, group)
+    found += _gaps(vehicle.arms)
+    if (approach := approach_to_wall(scenario)) is not None:
+        found.append(ScenarioQuantity(
+            "speed into the wall", approach.speed, "m/s", "of the main body, at the start or as "
+            "planned by a run-up",
+        ))  # fmt: skip
+        found.append(ScenarioQuantity(
+            "force along the foremost arm", approach.along, "",
+            "share of the wall's normal force, cos θ − μ sin θ; "
+            f"arm {approach.arm + 1} at θ = {degrees(approach.angle):.3g} deg to the normal",
+        ))  # fmt: skip
+    return found
+
+
+def check_warnings(scenario: Scenario) -> list[str]:
+    """Warnings for a scenario, one sentence each: those of a flight, and more."""
+    own = scenario.pilot is not None
+    return [*scenario_warnings(scenario, own=own), *_vehicle_warnings(scenario)]
+
+
+# -- numbers --------------------------------------------------------------------------------------
+
+
+def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
+    vehicle = scenario.vehicle
+    yield ScenarioQuantity("mass", vehicle.mass, "kg", "body and arms")
+    for axis, moment in zip("xyz", vehicle.inertia().diagonal(), strict=True):
+        about = "about the body's centre, arms at their free length"
+        yield ScenarioQuantity(f"inertia about {axis}", float(moment), "kg m^2", about)
+    propulsion = vehicle.propulsion
+    if propulsion is None:
+        return
+    yield ScenarioQuantity(
+        "hover thrust share", hover_share(scenario), "", "of the rotors' maximum"
+    )
+    if None not in (propulsion.figure_of_merit, propulsion.disk_radius, propulsion.battery_energy):
+        yield ScenarioQuantity("hover time", hover_time(vehicle), "s", "with the full battery")
+
+
+def hover_share(scenario: Scenario) -> float:
+    """Share of the rotors' maximum thrust that carries the true weight; 0 without propulsion."""
+    vehicle = scenario.vehicle
+    if vehicle.propulsion is None:
+        return 0.0
+    weight = scenario.true_vehicle().mass * scenario.world.gravity
+    return float(weight / (vehicle.arm_count * vehicle.propulsion.max_thrust))
+
+
+def _alike(arms: Arms) -> list[list[int]]:
+    """Indices of compliant arms, those with the same numbers together."""
+    groups: dict[tuple[float, ...], list[int]] = {}
+    for j in range(len(arms.directions)):
+        if arms.at("compliant", j):
+            names = ("mass", "stiffness", "damping", "stroke")
+            groups.setdefault(tuple(arms.at(name, j) for name in names), []).append(j)
+    return list(groups.values())
+
+
+def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
+    arms, j = vehicle.arms, group[0]
+    of = (
+        "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
+    )
+    m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
+    free = "on its spring, the body held"
+    yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
+    yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
+    if arms.end_stops:
+        about = "estimate: the body on this one spring, its cage held by the wall ahead"
+        yield ScenarioQuantity(
+            f"speed that uses up the stroke{of}", stop_speed(vehicle, j), "m/s", about
+        )
+
+
+def stop_speed(vehicle: Vehicle, arm: int) -> float:
+    """Estimated speed at which an arm that is straight ahead reaches its stop [m/s].
+
+    The wall holds the cage, and the rest of the vehicle runs on against the spring and damper of
+    this arm alone: x″ + 2 ζ ω x′ + ω² x = 0, x(0) = 0, x′(0) = v.  Its largest x is proportional
+    to v: v/ω times exp(−ζ arccos ζ/√(1 − ζ²)), and the same with hyperbolic functions for ζ > 1.
+    Flights with full contact, bisected over the speed, agree to 7 %.
+
+    Args:
+        vehicle: With a compliant arm.
+        arm: Index of the arm.
+    """
+    arms = vehicle.arms
+    rest = vehicle.mass - arms.at("mass", arm)
+    omega = math.sqrt(arms.at("stiffness", arm) / rest)
+    zeta = arms.at("damping", arm) / (2.0 * omega * rest)
+    if abs(zeta - 1.0) < 1e-6:
+        decay = 1.0
+    elif zeta < 1.0:
+        decay = zeta * math.acos(zeta) / math.sqrt(1.0 - zeta**2)
+    else:
+        decay = zeta * math.acosh(zeta) / math.sqrt(zeta**2 - 1.0)
+    return float(arms.at("stroke", arm) * omega * math.exp(decay))
+
+
+def _gaps(arms: Arms) -> Iterator[ScenarioQuantity]:
+    """Smallest gap between two cages: arms free, and pressed in together."""
+    pairs = [(i, j) for j in range(len(arms.directions)) for i in range(j)]
+    if not pairs:
+        return
+    free = min(_gap(arms, i, j, 0.0) for i, j in pairs)
+    yield ScenarioQuantity(
+        "gap between cages", free, "m", "the smallest, arms at their free length"
+    )
+    soft = [pair for pair in pairs if all(arms.at("compliant", k) for k in pair)]
+    touching = [share for i, j in soft if (share := _touching_share(arms, i, j)) is not None]
+    if touching:
+        about = "share of it, two neighbouring arms pressed in together"
+        yield ScenarioQuantity("stroke until cages touch", min(touching), "", about)
+
+
+def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
+    """Gap between two cages [m], both arms pressed in by a share of their stroke."""
+    ends = []
+    for k in (i, j):
+        length, angle = arms.at("length", k), arms.directions[k]
+        if arms.at("compliant", k):
+            length -= pressed * arms.at("stroke", k)
+        ends.append(length * np.array([math.cos(angle), math.sin(angle)]))
+    apart = float(np.linalg.norm(ends[0] - ends[1]))
+    return apart - float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+
+
+def _touching_share(arms: Arms, i: int, j: int) -> float | None:
+    """Share of the stroke at which two cages touch, both arms pressed in; None if they do not."""
+    if _gap(arms, i, j, 1.0) >= 0.0:
+        return None
+    low, high = 0.0, 1.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _gap(arms, i, j, middle) >= 0.0 else (low, middle)
+    return high
+
+
+# -- the approach ---------------------------------------------------------------------------------
+
+
+def approach_to_wall(scenario: Scenario) -> WallApproach | None:
+    """Approach to the first wall or mat at the attitude of the start; None if there is none."""
+    wall = _first_wall(scenario)
+    if wall is None:
+        return None
+    start, arms, reference = scenario.start, scenario.vehicle.arms, scenario.reference
+    into = wall.plane().normal * -1.0
+    speed = Vec(*start.velocity) @ into
+    pitch = start.pitch
+    if isinstance(reference, RunUpSettings):
+        speed, pitch = reference.speed, reference.pitch
+    attitude = rotation(Quat(*attitude_from_euler(start.roll, pitch, start.yaw)))
+    ahead = into @ attitude  # in body axes
+    angles = [math.atan2(ahead.y, ahead.x) - direction for direction in arms.directions]
+    reaches = [arms.at("length", j) * math.cos(angle) for j, angle in enumerate(angles)]
+    first = max(range(len(reaches)), key=lambda j: reaches[j] + arms.at("cage_radius", j))
+    angle = abs(math.remainder(angles[first], math.tau))
+    friction = wall.surface.friction if wall.surface.friction_axes == "both" else 0.0
+    along = math.cos(angle) - friction * math.sin(angle)
+    return WallApproach(float(speed), first, angle, along)
+
+
+def _first_wall(scenario: Scenario) -> PlaneSettings | None:
+    walls = (one for one in scenario.world.obstacles if isinstance(one, PlaneSettings))
+    return next(walls, None)
+
+
+def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
+    """Sentences on numbers that can be flown and are seldom meant."""
+    vehicle, share = scenario.vehicle, hover_share(scenario)
+    if share > MOST_HOVER:
+        yield f"hover takes {100.0 * share:.3g} % of the maximum thrust: little is left to steer"
+    wall, reference = _first_wall(scenario), scenario.reference
+    if wall is not None and isinstance(reference, RunUpSettings):
+        face = wall.plane()
+        off = Vec(reference.wall_distance, *reference.start[1:]) @ face.normal - face.offset
+        if abs(off) > WALL_OFFSET:
+            yield (
+                f"reference.wall_distance is {reference.wall_distance:g} m, and the wall is "
+                f"{abs(off):.3g} m {'behind' if off > 0.0 else 'before'} that: the run-up's speed "
+                "and pitch are those planned at wall_distance"
+            )
+    approach = approach_to_wall(scenario)
+    if approach is None or not vehicle.arms.at("compliant", approach.arm) or approach.speed <= 0.0:
+        return
+    if approach.along < LEAST_ALONG:
+        yield (
+            f"arm {approach.arm + 1} meets the wall at {degrees(approach.angle):.3g} deg, and "
+            f"with its friction {100.0 * max(approach.along, 0.0):.2g} % of the force presses the "
+            "arm: it hardly slides; yaw it to have one cage straight ahead"
+        )
+    elif vehicle.arms.end_stops and approach.speed > (most := stop_speed(vehicle, approach.arm)):
+        yield (
+            f"at {approach.speed:g} m/s the stroke of arm {approach.arm + 1} is used up, by an "
+            f"estimate from {most:.3g} m/s on"
+        )

@@ -1,0 +1,93 @@
+"""`springback check` of scenarios and plans."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from springback.errors import InputError
+from springback.interfaces.cli.app import cli
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+
+def check(*words: str) -> Result:
+    done = CliRunner().invoke(cli, ["check", *words], standalone_mode=False)
+    if done.exception:
+        raise done.exception
+    return done
+
+
+def test_a_scenario_shows_numbers_and_warnings() -> None:
+    done = check(str(EXAMPLES / "own_vehicle.toml"), "start.yaw=0")
+    assert "natural frequency" in done.stdout
+    assert "43.59 Hz" in done.stdout
+    assert "warning: arm 1 meets the wall at 45 deg" in done.stderr
+    assert "can be flown" in done.stderr
+
+
+def test_a_plan_shows_its_flights_and_the_numbers_of_each_robot() -> None:
+    done = check(str(EXAMPLES / "campaign.toml"), "--json", "--quiet")
+    data = json.loads(done.stdout)
+    assert (data["kind"], data["flights"], data["samples"]) == ("plan", 2048, 1024)
+    columns = {one["column"]: one["values"] for one in data["fields"]}
+    assert columns["speed"] == "1 to 3.5"
+    assert columns["surface"] == "wall, mat (2 values)"
+    assert columns["stiffness_factor"] == "0.5 to 2 times its own"
+    assert data["robots"].keys() == {"arq", "quad"}
+    masses = [data["robots"][robot]["derived"][0]["value"] for robot in ("arq", "quad")]
+    assert masses == pytest.approx([1.404, 1.214])
+
+
+def test_what_flying_would_refuse_is_refused(tmp_path: Path) -> None:
+    for name in ("own_campaign.toml", "own_vehicle.toml"):
+        shutil.copy(EXAMPLES / name, tmp_path)
+    with pytest.raises(InputError, match=r"start\.pitch"):
+        check(str(tmp_path / "own_vehicle.toml"), "start.pitch=400 deg")
+    with pytest.raises(InputError, match="sucess"):
+        check(str(tmp_path / "own_campaign.toml"), "success=sucess > 1")
+    with pytest.raises(InputError, match="there is no such file"):
+        check("none.py:hover")
+
+
+@pytest.mark.parametrize("name", ["POLE", "Pole"])
+def test_an_obstacle_is_checked_by_name_or_by_its_type(name: str) -> None:
+    words = ["x=2.75", "y=0", "radius=0.05"] if name == "Pole" else []
+    done = check(f"{EXAMPLES / 'own_obstacle.py'}:{name}", *words, str(EXAMPLES / "arq_wall.toml"))
+    assert "pass  outward_normal" in done.stdout
+    assert "3 of 3 passed" in done.stderr
+
+
+def test_a_wrong_obstacle_fails_with_its_reason(tmp_path: Path) -> None:
+    text = (EXAMPLES / "own_obstacle.py").read_text()
+    path = tmp_path / "own_obstacle.py"
+    path.write_text(text.replace("return Vec(dx * inverse", "return Vec(-dx * inverse"))
+    done = CliRunner().invoke(cli, ["check", f"{path}:POLE", "--json"])
+    assert done.exit_code == 1
+    found = {one["name"]: one["passed"] for one in json.loads(done.stdout)}
+    assert found == {"has a surface": True, "signed_distance": True, "outward_normal": False}
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["Pole", "x=2"], "does not take them"),
+        (["Pole", "x=2", "y=[1, 2]", "radius=1"], "y"),
+        (["POLE", "x=2"], "takes none"),
+        (["main", "x=2"], "without KEY=VALUE"),
+        (["nothing"], "has no 'nothing'"),
+        (["POLE", "a.toml", "b.toml"], "one scenario"),
+    ],
+)
+def test_code_that_cannot_be_checked_is_one_line(words: list[str], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        check(f"{EXAMPLES / 'own_obstacle.py'}:{words[0]}", *words[1:])
+
+
+def test_a_scenario_whose_code_cannot_be_used_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "s.toml"
+    path.write_text((EXAMPLES / "own_obstacle.toml").read_text())
+    with pytest.raises(InputError, match="there is no such file"):
+        check(str(path))

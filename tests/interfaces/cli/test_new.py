@@ -1,0 +1,148 @@
+"""`springback new`: what it writes works at once, and nothing is overwritten."""
+
+import re
+import shlex
+import tomllib
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner
+
+import springback
+from springback.campaign.design.layout import lay_out
+from springback.campaign.design.plan import read_plan
+from springback.contact.obstacles import signed_distance
+from springback.errors import InputError
+from springback.interfaces.cli.app import cli
+from springback.interfaces.cli.examples import TEMPLATES
+from springback.scenario.avionics import CompiledPilot
+from springback.scenario.build import user_parts
+from springback.scenario.fields import fields_of
+from springback.scenario.user_obstacles import check_own_obstacles
+from springback.scenario.user_pilots import read_pilot
+from springback.vehicle.parameters import Vehicle
+
+
+@pytest.fixture(autouse=True)
+def in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def new(*words: str) -> str:
+    """Remarks of the command."""
+    done = CliRunner().invoke(cli, ["new", *words], standalone_mode=False)
+    if done.exception:
+        raise done.exception
+    return done.stderr
+
+
+def test_a_vehicle_flies_into_its_wall_with_one_spring_at_work() -> None:
+    new("vehicle", "hexa")
+    flight = springback.fly("hexa.toml")
+    assert flight.outcome is springback.Outcome.SEPARATED
+    assert flight.scenario.vehicle.name == "hexa"
+    assert 0.01 < flight.impact_arm_stroke < 0.03
+    assert springback.fly("hexa.toml", "start.yaw=0").impact_arm_stroke < 0.006
+
+
+def test_a_vehicle_file_has_every_number_that_a_vehicle_has() -> None:
+    new("vehicle", "hexa")
+    given = tomllib.loads(Path("hexa.toml").read_text())["vehicle"]
+    for name, field in fields_of(Vehicle).items():
+        assert name in given
+        for table in field.tables:
+            assert given[name].keys() == fields_of(table).keys()
+
+
+def test_a_vehicle_file_with_its_lines_for_a_pilot_is_a_run_up_with_recovery() -> None:
+    new("vehicle", "hexa")
+    lines = Path("hexa.toml").read_text()
+    lines = re.sub(r"^thrust.*\n", "", lines, flags=re.M)
+    head, tail = lines.split("[start]\n")
+    piloted = "\n".join(re.findall(r"^#~ (.*)", tail, re.M))
+    Path("piloted.toml").write_text(f"{head}\n{piloted}\n")
+    scenario = springback.read_scenario("piloted.toml")
+    assert scenario.reference.type == "run-up"
+    assert scenario.recovery is not None
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_a_pilot_is_one_and_its_scenario_can_be_flown_by_it(compiled: bool) -> None:
+    new("pilot", "mine", *(["--compiled"] if compiled else []))
+    pilot = read_pilot("mine.py:hover")
+    assert isinstance(pilot, CompiledPilot) is compiled
+    scenario = springback.read_scenario("mine.toml")
+    assert scenario.simulation.duration == 3.0
+    assert scenario.pilot == f"{Path.cwd() / 'mine.py'}:hover"
+    assert scenario.build().built_avionics is not None
+    assert "own_pilot" not in Path("mine.py").read_text()
+
+
+def test_an_obstacle_is_a_distance_with_its_gradient() -> None:
+    new("obstacle", "tree")
+    names: dict[str, object] = {"__name__": "tree"}
+    exec(compile(Path("tree.py").read_text(), "tree.py", "exec"), names)
+    check_own_obstacles([(names["POLE"], springback.WALL)], springback.Vec(2.2, 0.0, 1.0))
+    assert signed_distance(names["POLE"], springback.Vec(2.75, 0.0, 7.0)) == -0.05
+    [(pole, _)] = user_parts(springback.read_scenario("tree.toml")).obstacles
+    assert pole == names["POLE"]
+
+
+def test_a_campaign_is_laid_out_with_the_scenario_beside_it() -> None:
+    new("campaign", "study")
+    design = lay_out(*read_plan("study.toml"))
+    assert design.flights == 512
+    assert design.robots == ("study_vehicle",)
+    assert design.units.keys() >= {"stiffness", "damping"}
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_the_next_commands_exist_with_their_options(kind: str) -> None:
+    said = new(kind, "mine")
+    lines = re.findall(r"^  (\w+) (.*)", said, re.M)
+    assert len(lines) == len(TEMPLATES[kind].next)
+    context = click.Context(cli, info_name="springback")
+    for program, rest in lines:
+        words = shlex.split(rest)
+        if program == "python":
+            assert Path(words[0]).is_file()
+            continue
+        name, command, words = cli.resolve_command(context, words)
+        command.make_context(name, words, parent=context)
+
+
+def test_nothing_is_overwritten_but_by_force() -> None:
+    Path("study_vehicle.toml").write_text("mine")
+    with pytest.raises(InputError, match=r"study_vehicle\.toml: already exists"):
+        new("campaign", "study")
+    assert not Path("study.toml").exists()
+    assert Path("study_vehicle.toml").read_text() == "mine"
+    new("campaign", "study", "--force")
+    assert "stiffness" in Path("study_vehicle.toml").read_text()
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["pilot", "math"], "Python's own"),
+        (["pilot", "class"], "Python's own"),
+        (["obstacle", "a-b"], "without -"),
+        (["vehicle", "a b"], "must be letters"),
+        (["vehicle", "7"], "must be letters"),
+        (["vehicle", "x.y"], "must be letters"),
+        (["vehicle", "--out", "x.py"], "must end in .toml"),
+        (["vehicle", "x", "--out", "y.toml"], "only one"),
+        (["vehicle", "--compiled"], "belongs to a pilot"),
+    ],
+)
+def test_a_bad_name_is_refused(words: list[str], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        new(*words)
+    assert list(Path().iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_written_is_one_line() -> None:
+    Path("file").write_text("")
+    with pytest.raises(InputError, match="cannot be written"):
+        new("vehicle", "--out", "file/x.toml")

@@ -1,0 +1,109 @@
+"""Numbers that `springback check` derives from a scenario, against flights and formulas."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+import springback
+from springback.studies.scenario_check import (
+    approach_to_wall,
+    check_warnings,
+    derived_numbers,
+    hover_share,
+    stop_speed,
+)
+
+OWN = Path(__file__).parents[2] / "examples/own_vehicle.toml"
+
+
+def scenario(*overrides: str) -> springback.Scenario:
+    return springback.read_scenario(OWN, overrides)
+
+
+def number(name: str, *overrides: str) -> float:
+    [found] = [one.value for one in derived_numbers(scenario(*overrides)) if one.name == name]
+    return found
+
+
+@pytest.mark.parametrize("stiffness", ["1 N/mm", "3 N/mm"])
+@pytest.mark.parametrize("damping", ["10 N s/m", "60 N s/m"])  # ζ below and above 1
+def test_an_arm_ahead_uses_up_its_stroke_from_the_estimated_speed_on(
+    stiffness: str, damping: str
+) -> None:
+    words = [f"vehicle.arms.stiffness={stiffness}", f"vehicle.arms.damping={damping}"]
+    words.append("simulation.duration=0.15")
+    estimate = stop_speed(scenario(*words).vehicle, 0)
+    below, above = (
+        springback.fly(OWN, *words, f"start.velocity.0={share * estimate}", trajectory=False)
+        for share in (0.92, 1.08)
+    )
+    assert below.outcome is springback.Outcome.SEPARATED
+    assert above.outcome is springback.Outcome.ARM_BOTTOMED
+
+
+def test_the_estimate_is_continuous_where_damping_is_critical() -> None:
+    vehicle = scenario().vehicle
+    rest = vehicle.mass - 0.04
+    critical = 2.0 * math.sqrt(3000.0 * rest)
+    speeds = [
+        stop_speed(scenario(f"vehicle.arms.damping={critical * share}").vehicle, 0)
+        for share in (1.0 - 1e-5, 1.0, 1.0 + 1e-5)
+    ]
+    assert speeds[0] == pytest.approx(speeds[1], rel=1e-4)
+    assert speeds[2] == pytest.approx(speeds[1], rel=1e-4)
+    assert speeds[1] == pytest.approx(0.035 * math.sqrt(3000.0 / rest) * math.e, rel=1e-4)
+
+
+def test_numbers_of_the_arms_and_masses() -> None:
+    assert number("mass") == pytest.approx(0.55 + 4 * 0.04)
+    assert number("inertia about z") == pytest.approx(2.6e-3 + 4 * 0.04 * 0.16**2)
+    assert number("natural frequency") == pytest.approx(math.sqrt(3000 / 0.04) / math.tau)
+    assert number("damping ratio") == pytest.approx(60 / (2 * math.sqrt(3000 * 0.04)))
+    assert number("hover thrust share") == pytest.approx(0.71 * 9.81 / 16.8)
+    assert number("gap between cages") == pytest.approx(0.16 * math.sqrt(2.0) - 0.18)
+    share = number("stroke until cages touch")  # the ends of the arms are 2 r apart
+    assert (0.16 - share * 0.035) * math.sqrt(2.0) == pytest.approx(0.18)
+
+
+def test_a_payload_counts_for_the_thrust() -> None:
+    loaded = scenario("payload.mass=0.3")
+    assert hover_share(loaded) == pytest.approx(1.01 * 9.81 / 16.8)
+
+
+def test_arms_that_differ_have_their_own_numbers_and_rigid_ones_none() -> None:
+    words = 'vehicle.arms.stiffness=["3 N/mm", "3 N/mm", "5 N/mm", "5 N/mm"]'
+    assert number("natural frequency of arm 1, 2", words) < number(
+        "natural frequency of arm 3, 4", words
+    )
+    names = [one.name for one in derived_numbers(scenario("vehicle.arms.compliant=false"))]
+    assert not [name for name in names if "frequency" in name or "stroke" in name]
+
+
+def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
+    ahead, aside = approach_to_wall(scenario()), approach_to_wall(scenario("start.yaw=0"))
+    assert ahead is not None
+    assert aside is not None
+    assert (ahead.arm, ahead.speed) == (1, 2.0)
+    assert ahead.along == pytest.approx(1.0)
+    assert aside.along == pytest.approx(math.cos(math.pi / 4) * (1.0 - 0.4))
+
+
+@pytest.mark.parametrize(
+    ("overrides", "word"),
+    [
+        (["start.yaw=0"], "it hardly slides"),
+        (["start.velocity.0=6"], "the stroke of arm 2 is used up, by an estimate from 4.98 m/s"),
+        (["vehicle.propulsion.max_thrust=2.2"], "hover takes 79.1 %"),
+        (
+            ["reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
+             "start.velocity=[0, 0, 0]"],
+            "the wall is 0.75 m before that",
+        ),
+    ],
+)  # fmt: skip
+def test_a_warning_for_what_can_be_flown_and_is_seldom_meant(
+    overrides: list[str], word: str
+) -> None:
+    assert check_warnings(scenario()) == []
+    assert [line for line in check_warnings(scenario(*overrides)) if word in line]
