@@ -8,6 +8,7 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+import duckdb
 import numpy as np
 import pytest
 
@@ -203,3 +204,31 @@ def test_a_page_shows_measures_and_commands(tmp_path: Path) -> None:
         "marginals.csv", "map-speed-surface.csv", f"distribution-{STROKE}.csv",
         f"marginals-{STROKE}.csv", f"map-{STROKE}-speed-surface.csv",
     }  # fmt: skip
+
+
+def test_rows_that_no_flight_made_are_read_or_refused(tmp_path: Path) -> None:
+    """Parts forged so that all digests fit: none of these may raise anything else."""
+    filled(tmp_path / "c", samples=20, parts=1, size=40)
+    known = Campaign(tmp_path / "c")
+    part, new = known.folder / known.parts[0].file, tmp_path / "new.parquet"
+    own = part.read_bytes()
+    refused = set()
+    for forged in (
+        "'abc' AS impact_arm_stroke", "'inf'::DOUBLE AS impact_arm_stroke", "'other' AS robot",
+        "'tree' AS surface", "NULL::DOUBLE AS speed", "'NaN'::DOUBLE AS speed", "-5 AS success",
+        "0.0 AS stiffness_factor",
+    ):  # fmt: skip
+        part.write_bytes(own)
+        rows = f"SELECT * REPLACE ({forged}) FROM read_parquet('{part}')"
+        with duckdb.connect() as database:
+            database.execute(f"COPY ({rows}) TO '{new}' (FORMAT parquet)")
+        part.write_bytes(new.read_bytes())
+        try:
+            summary(known)
+            measure_report(known)
+            measure_report(known, STROKE)
+            failures(known)
+            field_map(known, "stiffness_factor", "surface", measure=STROKE)
+        except InputError:
+            refused.add(forged.rpartition(" ")[2])
+    assert refused == {STROKE, "robot", "success"}

@@ -204,13 +204,20 @@ class Campaign:
         return self._ask(counted, (), lambda found: int(found.fetchone()[0]))
 
     def arrays(self, sql: str, parameters: Sequence[Any] = ()) -> dict[str, Numbers]:
-        """Result of a query as arrays of floats by column; NaN for missing values."""
+        """Result of a query as arrays of floats by column; NaN for missing values.
+
+        Raises:
+            InputError: If it is not a valid SELECT, or a column holds no numbers.
+        """
         select = one_select(sql)
         found = self._ask(select, parameters, lambda found: found.fetchnumpy())
-        return {
-            name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
-            for name, values in found.items()
-        }
+        try:
+            return {
+                name: np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
+                for name, values in found.items()
+            }
+        except (TypeError, ValueError):
+            raise InputError(f"{self.folder}: a column of numbers holds something else") from None
 
     def save(self, sql: str, path: Path) -> int:
         """Write the result of a query as Parquet, completely or not at all; returns its row count.

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy  # submodules are loaded on first use
 
+from springback.errors import InputError
 from springback.studies.proportions import CONFIDENCE, wilson
 
 Values = npt.NDArray[np.float64]
@@ -28,9 +29,15 @@ class IntervalEstimate(NamedTuple):
 
 
 def share(successes: int, flights: int) -> IntervalEstimate:
-    """Share of successes, with its Wilson interval (1927)."""
+    """Share of successes, with its Wilson interval (1927).
+
+    Raises:
+        InputError: If it is not from 0 to 1, as in a folder that was tampered with.
+    """
     if not flights:
         return IntervalEstimate(None, None, None)
+    if not 0 <= successes <= flights:
+        raise InputError(f"success: must be 0 or 1 (got {successes} in {flights} flights)")
     return IntervalEstimate(successes / flights, *wilson(successes, flights))
 
 

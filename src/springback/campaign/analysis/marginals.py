@@ -81,6 +81,7 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     if not (isinstance(low, int | float) and isinstance(high, int | float) and high > low):
         low = low if isinstance(low, int | float) and math.isfinite(low) else 0.0
         high = low + 1.0
+    logarithmic = logarithmic and low * high > 0.0  # always, but in a foreign folder
     sign = -1.0 if low < 0.0 else 1.0
     function = f"ln({sign!r} * {column})" if logarithmic else column
     a, b = (float(np.log(sign * v)) if logarithmic else float(v) for v in (low, high))
@@ -196,7 +197,9 @@ def _along(
     """Non-empty cells of a robot."""
     place = "cell" if cut.labels and not cut.edges else identifier(cut.name)
     inner = f"SELECT {cut.cell} AS cell, {place} AS place, {identifier(what.name)}::DOUBLE AS value"
-    rows = f"FROM (FROM ({inner} FROM flights WHERE robot = ?) WHERE {_KNOWN})"
+    rows = (
+        f"FROM (FROM ({inner} FROM flights WHERE robot = ?) WHERE {_KNOWN} AND place IS NOT NULL)"
+    )
     if what.name == SUCCESS:
         sql = (
             f"SELECT cell, avg(place), count(value), sum(value) {rows} GROUP BY cell ORDER BY cell"
