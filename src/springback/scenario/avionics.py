@@ -54,8 +54,8 @@ from springback.vehicle.state import Airframe, State
 FIRST_GUST_NOISE = 5
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
-#: Distance between the starts of a vehicle and its run-up that is worth a warning [m] (chosen: five
-#: standard deviations of the trials' positions, and more).
+#: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
+#: five standard deviations of the trials' positions).
 APART = 0.2
 
 
@@ -473,9 +473,7 @@ def _unread(names: list[str], why: str) -> list[str]:
 def _two_starts(scenario: ScenarioTables) -> list[str]:
     """A run-up that begins far from the vehicle."""
     run_up, start = scenario.reference, scenario.start
-    if not isinstance(run_up, RunUpSettings):
-        return []
-    apart = math.dist(run_up.start, start.position)
+    apart = math.dist(run_up.start, start.position) if isinstance(run_up, RunUpSettings) else 0.0
     if apart <= APART:
         return []
     return [

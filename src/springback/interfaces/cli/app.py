@@ -16,7 +16,7 @@ import click
 from springback.errors import InputError, warn_in_one_line
 from springback.interfaces.cli.animate import animate
 from springback.interfaces.cli.campaign import campaign, query, refly, summary
-from springback.interfaces.cli.check import check
+from springback.interfaces.cli.check import check, trust
 from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples, new
@@ -25,7 +25,6 @@ from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study
-from springback.interfaces.cli.trust import trust
 from springback.interfaces.cli.view import view
 from springback.interfaces.output import interrupts
 from springback.version import __version__
