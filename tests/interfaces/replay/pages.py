@@ -9,6 +9,16 @@ from typing import Any
 
 from interfaces.browsing import requests
 
+#: ARQ flies into a wall.
+TABLES = {
+    "name": "wall",
+    "vehicle": "arq",
+    "thrust": "hover",
+    "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": "wall"}]},
+    "start": {"position": [2.3, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "pitch": 0.26},
+    "simulation": {"duration": 0.3},
+}
+
 
 def pose(driver: Any) -> dict[str, Any]:
     found: dict[str, Any] = driver.execute_script("return window.springback.pose()")

@@ -14,8 +14,7 @@ from selenium.webdriver.common.keys import Keys
 
 from builders.cases import nonempty
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
-from interfaces.replay.pages import drag, key, opened, pose, until
-from interfaces.replay.test_browser_view import TABLES
+from interfaces.replay.pages import TABLES, drag, key, opened, pose, until
 from springback.interfaces.replay.viewer import export_page, replay_of
 from springback.results.flight import Flight, fly
 

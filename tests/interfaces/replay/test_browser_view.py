@@ -12,19 +12,11 @@ import pytest
 
 from builders.cases import nonempty
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
-from interfaces.replay.pages import drag, key, opened, pose, until
+from interfaces.replay.pages import TABLES, drag, key, opened, pose, until
 from springback.interfaces.replay.viewer import export_page, replay_of
 from springback.results.flight import Flight, fly
 
 pytestmark = needs_browser
-TABLES = {
-    "name": "wall",
-    "vehicle": "arq",
-    "thrust": "hover",
-    "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": "wall"}]},
-    "start": {"position": [2.3, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "pitch": 0.26},
-    "simulation": {"duration": 0.3},
-}
 
 
 @pytest.fixture(scope="module")
