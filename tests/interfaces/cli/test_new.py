@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import springback
+from builders.cases import nonempty
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
 from springback.contact.obstacles import signed_distance
@@ -50,7 +51,7 @@ def test_a_vehicle_flies_into_its_wall_with_one_spring_at_work() -> None:
 def test_a_vehicle_file_has_every_number_that_a_vehicle_has() -> None:
     new("vehicle", "hexa")
     given = tomllib.loads(Path("hexa.toml").read_text())["vehicle"]
-    for name, field in fields_of(Vehicle).items():
+    for name, field in nonempty(fields_of(Vehicle).items()):
         assert name in given
         for table in field.tables:
             assert given[name].keys() == fields_of(table).keys()
