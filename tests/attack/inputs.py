@@ -20,7 +20,8 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Source, plan_from
 from springback.errors import InputError
 from springback.kernels.trees import leaves
-from springback.scenario.files import apply_overrides, checked_scenario
+from springback.scenario.files import checked_scenario
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import toml_tables
 

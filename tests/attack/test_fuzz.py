@@ -163,7 +163,7 @@ def test_a_manifest_that_tells_fewer_flights_than_its_part_has_rows_is_refused()
     lines = [json.loads(line) for line in campaign()[1][manifest.NAME].splitlines()]
     first = with_digest({**lines[0], "last": 1})
     text = b"\n".join(json.dumps(line).encode() for line in [first, *lines[1:]]) + b"\n"
-    with pytest.raises(InputError, match=r"has \d+ rows; ledger.jsonl says 1"):
+    with pytest.raises(InputError, match=r"has \d+ rows; manifest.jsonl says 1"):
         campaign_files(Changed([], {manifest.NAME: text}))
 
 

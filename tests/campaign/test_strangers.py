@@ -167,7 +167,7 @@ def test_a_ledger_names_only_parts(tmp_path: Path, file: str) -> None:
         lambda: Campaign(tmp_path / "d"),
         lambda: open_store(tmp_path / "d", design, resume=True).__enter__(),
     ):
-        with pytest.raises(InputError, match=r"ledger.jsonl:4: is not a line of a manifest"):
+        with pytest.raises(InputError, match=r"manifest.jsonl:4: is not a line of a manifest"):
             ask()
     assert (tmp_path / "thesis.txt").read_text() == "years of work"
 

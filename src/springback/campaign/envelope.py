@@ -25,7 +25,7 @@ from springback.errors import InputError, excerpt
 from springback.problems import dotted_path
 from springback.progress import Progress, silent
 from springback.scenario.fields import degrees
-from springback.scenario.files import apply_overrides
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import scenario_from
 from springback.studies.run_ups import run_up_scenario
 from springback.studies.trials import DURATION, HOME, Scatter

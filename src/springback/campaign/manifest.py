@@ -1,4 +1,4 @@
-"""Manifest of the parts of a campaign, ``ledger.jsonl``: one line of JSON for each."""
+"""Manifest of the parts of a campaign, ``manifest.jsonl``: one line of JSON for each."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pathlib import Path
 from springback.errors import InputError
 from springback.results.sealed_json import SEAL, file_digest, is_sealed, with_digest
 
-NAME, PARTS = "ledger.jsonl", "parts"
+NAME, PARTS = "manifest.jsonl", "parts"
 
 
 @dataclass(frozen=True)

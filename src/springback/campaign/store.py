@@ -2,7 +2,7 @@
 
 plan.json       the plan with its scenario
 campaign.json   time, host and versions at its start
-ledger.jsonl    manifest of the parts
+manifest.jsonl    manifest of the parts
 parts/          rows as Parquet
 kept/           trajectories of selected flights
 """
@@ -111,8 +111,8 @@ class Store:
                 write_rows(draft, columns, self.design)
                 digest, size = file_digest(draft), draft.stat().st_size
             refused = sum(word == "refused" for word in columns["outcome"])
-            wary = int(sum(value == 1.0 for value in columns["ledger_open"]))
-            part = manifest.Part(first, last, name, size, digest, refused, wary)
+            open_ledgers = int(sum(value == 1.0 for value in columns["ledger_open"]))
+            part = manifest.Part(first, last, name, size, digest, refused, open_ledgers)
             manifest.append(self.folder / manifest.NAME, part)
         except Exception as error:
             if not is_disk(error):
@@ -238,7 +238,7 @@ def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]
         folder.mkdir(parents=True, exist_ok=True)
         with _lock(folder):
             if begun and not resume:
-                raise InputError(_in_the_way(folder, design))
+                raise InputError(_in_the_way(folder))
             if begun:
                 _check_same(folder, design)
             else:
@@ -276,7 +276,7 @@ def _now() -> str:
     return datetime.datetime.now().astimezone().isoformat(timespec="seconds")
 
 
-def _in_the_way(folder: Path, design: Design) -> str:
+def _in_the_way(folder: Path) -> str:
     done = manifest.flight_count(manifest.read(folder / manifest.NAME))
     return (
         f"--out {folder}: contains a campaign with {done} flights; continue it with --resume, or "

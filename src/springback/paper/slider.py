@@ -28,7 +28,7 @@ from springback.paper.printed import (
 )
 from springback.progress import Progress, silent
 from springback.results.flight import Flight, fly
-from springback.scenario.files import apply_overrides
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import vehicle_table
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 from springback.vehicle.parameters import Vehicle

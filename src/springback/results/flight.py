@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from pydantic_core import PydanticCustomError
@@ -25,12 +25,19 @@ from springback.results.recovery_measures import (
     recovery_outcome,
 )
 from springback.results.result import FlightResult
-from springback.scenario.arguments import check_executor, chosen_pilot
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
-from springback.scenario.files import apply_overrides, checked_scenario, read_scenario
+from springback.scenario.files import checked_scenario, read_scenario
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.scenario.user_pilots import AnyPilot, guarded_pilot, in_words, source_text, validate
+from springback.scenario.user_pilots import (
+    AnyPilot,
+    chosen_pilot,
+    guarded_pilot,
+    in_words,
+    source_text,
+    validate,
+)
 from springback.simulation.flight import (
     Executor,
     check_instants,
@@ -256,7 +263,7 @@ def fly(
             user's own pilot fails, in one line with its file and line; the exception that it raised
             is the cause.
     """
-    check_executor(executor)
+    _check_executor(executor)
     flown_by = chosen_pilot(pilot)
     ready = as_scenario(scenario, overrides, flown_by is not None)
     parts = user_parts(ready, own, flown_by)
@@ -354,6 +361,18 @@ def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]
     if not is_evaluated(guided):
         return outcome_of(guided.flown.record), measures_of(guided.flown)
     return recovery_outcome(guided), measures_of(guided.flown) | recovery_measures(guided)
+
+
+def _check_executor(executor: str) -> None:
+    """Reject an unknown executor.
+
+    Raises:
+        InputError: With the names of the known ones.
+    """
+    known = get_args(Executor)
+    if executor not in known:
+        names = " or ".join(map(repr, known))
+        raise InputError(f"executor must be {names} (got {source_text(executor)})")
 
 
 @contextmanager

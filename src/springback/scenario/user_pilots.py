@@ -71,6 +71,25 @@ def read_pilot(word: str) -> AnyPilot:
     return chosen
 
 
+def chosen_pilot(pilot: Any) -> AnyPilot | None:
+    """The requested pilot, read from its file if it is in one.
+
+    Raises:
+        InputError: If it is not a pilot.
+    """
+    if isinstance(pilot, str):
+        return read_pilot(pilot)
+    if pilot is None or isinstance(pilot, CompiledPilot):
+        return pilot
+    if isinstance(pilot, type) or not callable(pilot):
+        raise InputError(
+            "pilot must be a function (time, measurement, memory) -> (thrusts, memory), a "
+            f"CompiledPilot, or 'file.py:name' (got {source_text(pilot)})"
+        )
+    plain: AnyPilot = pilot
+    return plain
+
+
 def is_builder(pilot: AnyPilot) -> bool:
     """True if a pilot is built for each vehicle: a function of one argument."""
     if isinstance(pilot, CompiledPilot):
@@ -201,7 +220,9 @@ def validate(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
         ) from error
     where = f"{file}:{line}: the pilot"
     if not isinstance(said, PilotOutput):
-        raise InputError(f"{where} must return Piloted(thrusts, memory) (got {source_text(said)})")
+        raise InputError(
+            f"{where} must return PilotOutput(thrusts, memory) (got {source_text(said)})"
+        )
     if problem := wrong(said, rotors):
         raise InputError(f"{where} {problem}")
     _check_floats(said.thrust, f"{where}: thrusts")

@@ -18,11 +18,10 @@ from springback.errors import CommandWarning, InputError
 from springback.kernels.trees import leaves, rebuilt
 from springback.progress import Progress, silent
 from springback.results.flight import Flight, as_scenario, fly
-from springback.scenario.arguments import chosen_pilot
 from springback.scenario.avionics import CompiledPilot, propulsion_of
 from springback.scenario.build import pilot_context
 from springback.scenario.scenario import Scenario
-from springback.scenario.user_pilots import built_pilot
+from springback.scenario.user_pilots import built_pilot, chosen_pilot
 from springback.sensing.measurement import Measurement, Pose
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import pilot_step

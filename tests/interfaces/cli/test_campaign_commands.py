@@ -117,7 +117,7 @@ def started(*words: str, cwd: Path) -> subprocess.Popen[str]:
 
 
 def parts(folder: Path) -> int:
-    path = folder / "ledger.jsonl"
+    path = folder / "manifest.jsonl"
     return path.read_bytes().count(b"\n") if path.exists() else 0
 
 

@@ -14,7 +14,8 @@ from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
 from springback.scenario.code_files import with_absolute_names
-from springback.scenario.files import apply_overrides, place_of, read_scenario
+from springback.scenario.files import place_of, read_scenario
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file, vehicle_file, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem

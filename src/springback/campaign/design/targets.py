@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from springback.errors import InputError
 from springback.problems import dotted_path, key_path
 from springback.scenario.fields import Parameter, Path, number_at
-from springback.scenario.files import with_value
+from springback.scenario.overrides import with_value
 from springback.scenario.scenario import Scenario
 
 Place = Callable[[Any, Any], Any]

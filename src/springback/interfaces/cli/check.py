@@ -185,7 +185,8 @@ def _shape_findings(
     from springback.contact.library import WALL
     from springback.errors import InputError
     from springback.kernels.vectors import Vec
-    from springback.scenario.files import apply_overrides, read_scenario
+    from springback.scenario.files import read_scenario
+    from springback.scenario.overrides import apply_overrides
     from springback.scenario.tables import Start, UserShape, WorldSettings
     from springback.scenario.user_obstacles import own_obstacles
     from springback.studies.shape_check import check_shape

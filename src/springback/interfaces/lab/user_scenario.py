@@ -15,7 +15,8 @@ from springback.control.reference_parameters import RunUpSettings
 from springback.interfaces.output.robots import ROBOTS, robot_label
 from springback.kernels.vectors import Vec
 from springback.scenario.code_files import with_absolute_names
-from springback.scenario.files import apply_overrides, read_scenario
+from springback.scenario.files import read_scenario
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables

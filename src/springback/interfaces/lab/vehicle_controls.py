@@ -11,7 +11,7 @@ from typing import Any
 from springback.interfaces.lab.controls import NoControl, SliderControl, SliderMark
 from springback.quantities import number_in
 from springback.scenario.fields import fields_of
-from springback.scenario.files import with_value
+from springback.scenario.overrides import with_value
 from springback.settings import Settings
 from springback.vehicle.parameters import Arms, Vehicle
 

@@ -1,0 +1,133 @@
+"""Overrides: words such as ``start.pitch=15 deg`` applied to the raw tables of a scenario."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from typing import Any
+
+from springback.errors import InputError, shown_value
+from springback.problems import key_path
+from springback.scenario.scenario import Scenario, expand_presets
+from springback.scenario.source_text import MOST_DEPTH, check_depth
+from springback.settings import Settings
+
+Key = str | int
+
+
+def _value(text: str) -> Any:
+    """Value of an override: parsed as TOML if possible, else the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (ValueError, RecursionError):
+        return text
+
+
+def apply_overrides(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """A raw scenario with ``key=value`` words applied, in order.
+
+    Raises:
+        InputError: For a word that is not ``key=value``, or that points into something that is not
+            a table.
+    """
+    result: Any = given
+    check_depth(given, "scenario")
+    for word in overrides:
+        if not isinstance(word, str):
+            raise InputError(
+                f"{word!r} is not an override; write text such as 'start.pitch=15 deg'"
+            )
+        key, sign, text = word.partition("=")
+        parts = list(key_path(key.strip()))
+        if not sign or not parts:
+            raise InputError(
+                f"{shown_value(word)} is not an override; write key=value, such as "
+                "vehicle.arms.stiffness=6000"
+            )
+        if len(parts) > MOST_DEPTH:
+            raise InputError(
+                f"{shown_value(word)} is not an override; its key has {len(parts)} parts, "
+                f"and at most {MOST_DEPTH} are read"
+            )
+        result = with_value(_with_full_list(result, parts, word), parts, _value(text.strip()), word)
+        check_depth(result, f"override {shown_value(word)}")
+    return dict(result)
+
+
+def _with_full_list(given: Any, parts: Sequence[Key], word: str) -> Any:
+    """Raw tables in which the list that ``parts`` refer to is written out.
+
+    An entry such as ``start.position.2`` can be overridden although the list is not given, but
+    comes from a preset or a default: the other entries remain.
+    """
+    lists = [parts[:k] for k, part in enumerate(parts) if isinstance(part, int) and k]
+    if not lists or (found := default_at(given, lists[0])) is None:
+        return given
+    return with_value(given, lists[0], found, word)
+
+
+def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
+    """Default list at a path; None if there is none, or if raw tables give one.
+
+    Args:
+        given: Raw tables of a scenario.
+        path: Keys of the list.
+    """
+    if not isinstance(given, dict) or _at(given, path) is not None:
+        return None
+    try:
+        found = _at(expand_presets(given), path)
+    except InputError:  # from another part, reported when the whole is read
+        return None
+    table: Any = Scenario
+    for key in path if found is None else ():
+        field = table.model_fields.get(key) if issubclass(table, Settings) else None
+        found = field.default if field is not None else None
+        table = type(found)
+    return list(found) if isinstance(found, list | tuple) else None
+
+
+def _at(tables: Any, path: Sequence[Key]) -> Any:
+    """Value at a path of raw tables; None if there is none."""
+    for key in path:
+        if isinstance(tables, dict):
+            tables = tables.get(key)
+        elif isinstance(tables, list | tuple) and isinstance(key, int) and key < len(tables):
+            tables = tables[key]
+        else:
+            return None
+    return tables
+
+
+def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
+    """``node`` with one value replaced; the path to it is copied, all else is shared.
+
+    Args:
+        node: Raw tables, in which strings are names of presets.
+        parts: Keys and indices of the value.
+        value: New value.
+        word: Override, for errors.
+    """
+    head, *rest = parts
+    if isinstance(node, str):  # a preset's name, to be modified
+        node = {"preset": node}
+    if isinstance(head, int):
+        if not isinstance(node, list) or head >= len(node):
+            raise InputError(f"{shown_value(word)}: there is no entry {head}{_entry_count(node)}")
+        entry = with_value(node[head], rest, value, word) if rest else value
+        return [*node[:head], entry, *node[head + 1 :]]
+    if not isinstance(node, dict):
+        raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
+    if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
+        value = {"preset": value}
+    return {**node, head: with_value(node.get(head, {}), rest, value, word) if rest else value}
+
+
+def _entry_count(node: Any) -> str:
+    """Number of entries, in words."""
+    if not isinstance(node, list):
+        return "; it is not a list"
+    last = len(node) - 1
+    if last < 0:
+        return "; the list is empty"
+    return f"; entries are 0 to {last}" if last else "; the only entry is 0"
