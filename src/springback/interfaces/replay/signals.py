@@ -104,6 +104,8 @@ def _table(flight: Flight, columns: Mapping[str, Array], at: Any, every: int) ->
     found = {name: values[at] for name, values in columns.items() if name != "t"}
     units = {name: flight.units.get(name, "").replace("^2", "²") for name in found}
     for prefix in [name[:-2] for name in found if re.fullmatch(r"(\w+_)?qw", name)]:
+        if not all(f"{prefix}q{part}" in found for part in "xyz"):  # of a foreign file
+            continue
         quaternion = np.stack([found[f"{prefix}q{part}"] for part in "wxyz"], axis=1)
         quaternion[~(np.abs(quaternion).max(axis=1) > 0.0)] = [1.0, 0.0, 0.0, 0.0]  # not known yet
         angles = np.rad2deg(euler_from_attitude(quaternion))
