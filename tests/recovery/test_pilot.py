@@ -77,6 +77,7 @@ def test_the_truth_is_poison_and_nothing_changes() -> None:
     """
     tables = hit("arq", 0.0, 3.5, 0.3)
     tables["start"] = {"position": [2.35, 0.0, 1.0], "velocity": [3.0, 0.0, 0.0]}
+    tables["reference"] = {**tables["reference"], "start": [0.0, 0.0, 1.0]}  # room for a run-up
     scenario = scenario_from(tables)
     own = cascade_of(scenario, scenario.flight_model(), scenario.start_state())
     absurd: list[Any] = []

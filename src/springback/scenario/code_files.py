@@ -6,6 +6,7 @@ Reading and checking a scenario never imports such a file; building a flight doe
 from __future__ import annotations
 
 import hashlib
+import importlib.machinery
 import importlib.util
 import os
 import re
@@ -13,7 +14,7 @@ import sys
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
@@ -149,13 +150,22 @@ def _module(file: str, anew: bool) -> ModuleType:
     return _IMPORTED[path][1]
 
 
+class _SourceLoader(importlib.machinery.SourceFileLoader):
+    """Loader that compiles the file as it is: cached byte code knows its second and size only."""
+
+    def get_code(self, fullname: str) -> CodeType:
+        return self.source_to_code(self.get_data(self.path), self.path)
+
+
 def _import_file(path: Path, shown: str) -> ModuleType:
     """Import a file as a module; its folder is searched for its imports.
 
     Its name depends on its path only, so that cached kernels find its types.
     """
     name = f"springback_user_{hashlib.sha256(str(path).encode()).hexdigest()[:8]}_{path.stem}"
-    spec = importlib.util.spec_from_file_location(name, path)
+    is_python = path.suffix == ".py"
+    loader = _SourceLoader(name, str(path)) if is_python else None
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
     if spec is None or spec.loader is None:
         raise InputError(f"{shown}: is not a Python file; its name must end in .py")
     module = importlib.util.module_from_spec(spec)
