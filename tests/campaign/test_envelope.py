@@ -14,7 +14,12 @@ from springback.campaign.analysis.envelope import (
     EnvelopeCell,
     spans,
 )
-from springback.campaign.envelope import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
+from springback.campaign.envelope_plan import (
+    EnvelopePlan,
+    envelope_cost,
+    fly_envelope,
+    plan_envelope,
+)
 from springback.errors import InputError
 from springback.results.flight import fly
 from springback.scenario.scenario import Scenario, scenario_from

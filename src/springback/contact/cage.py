@@ -10,12 +10,6 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.friction_rate import (
-    ContactStiffness,
-    FrictionDamping,
-    contact_stiffness,
-    friction_damping,
-)
 from springback.contact.obstacles import (
     Obstacle,
     Plane,
@@ -24,6 +18,12 @@ from springback.contact.obstacles import (
     signed_distance,
 )
 from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.step_bounds import (
+    ContactStiffness,
+    FrictionDamping,
+    contact_stiffness,
+    friction_damping,
+)
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Mat3, Vec, larger, rotation

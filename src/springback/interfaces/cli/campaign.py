@@ -103,7 +103,7 @@ def campaign(
         say(f"error: {error}")
         say(f"completed flights are saved; resume with: {again}")
         sys.exit(1)
-    _finished(flown, output)
+    _report(flown, output)
 
 
 def _tls(
@@ -134,7 +134,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     return lay_out(stored_plan(out), tried=False)
 
 
-def _finished(flown: Any, output: Output) -> None:
+def _report(flown: Any, output: Output) -> None:
     from springback.interfaces.output.tables import as_text
 
     sql = "SELECT robot, outcome, count(*) AS flights FROM flights GROUP BY ALL ORDER BY ALL"
@@ -256,7 +256,7 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 
     meanings = known_columns()
     rest = [name for name in meanings if name not in FLIGHT and name not in RESULT]
-    names = [*FLIGHT, *known.about["units"], *RESULT, *rest]
+    names = [*FLIGHT, *known.metadata["units"], *RESULT, *rest]
     units = known.units
     return [
         (name, units[name], meanings.get(name, ("", "varied by the plan"))[1]) for name in names
