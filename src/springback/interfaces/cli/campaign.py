@@ -94,10 +94,10 @@ def campaign(
     again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
     interrupts.say(f"interrupted; completed flights are saved; resume with: {again}")
     try:
-        with _progress(output) as (tell, remark):
+        with _progress(output) as (show, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                tls=tls, device=device, progress=tell, remark=remark,
+                tls=tls, device=device, progress=show, remark=remark,
             )  # fmt: skip
     except CampaignError as error:
         say(f"error: {error}")
@@ -158,12 +158,12 @@ def _progress(
         return
     last = [-BETWEEN_LINES]
 
-    def tell(now: CampaignProgress) -> None:
+    def show(now: CampaignProgress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
             output.note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT))
 
-    yield tell, say
+    yield show, say
 
 
 @contextlib.contextmanager
@@ -177,14 +177,14 @@ def _bar(
     with Bars(*columns, console=console, transient=True) as bars:
         task = bars.add_task(f"starting{WAIT}", total=1)
 
-        def tell(now: CampaignProgress) -> None:
+        def show(now: CampaignProgress) -> None:
             said = now.sentence() if now.rate else None
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
             console.print(plain_text(text), markup=False, highlight=False)
 
-        yield tell, remark
+        yield show, remark
 
 
 def _print_cost(design: Any, workers: int | None, output: Output) -> None:
