@@ -57,6 +57,10 @@ class UserParts(NamedTuple):
     """Pilot in place of the paper's."""
 
 
+#: No part of the user's own.
+NO_PARTS = UserParts()
+
+
 class ReadyFlight(NamedTuple):
     """A built flight; without a pilot it has no avionics."""
 
@@ -104,7 +108,7 @@ def named_parts(scenario: ScenarioTables) -> UserParts:
 
 def build_flight(
     scenario: ScenarioTables,
-    parts: UserParts = UserParts(),  # noqa: B008  # a constant
+    parts: UserParts = NO_PARTS,
     build: Build = plain_build,
     normals: Sequence[float] | None = None,
     advises: bool = True,

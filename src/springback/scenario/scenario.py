@@ -13,6 +13,7 @@ from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path
 from springback.scenario.build import (
+    NO_PARTS,
     ReadyFlight,
     UserParts,
     build_flight,
@@ -61,6 +62,7 @@ class Scenario(ScenarioTables):
             advises: Suggest a feasible distance if a run-up cannot be flown; slow.
         """
         own = user_parts(self) if parts is None else parts
+        own = own if any(own) else NO_PARTS  # the memo knows the very object
         return self.parts(build_flight, self, own, self.parts, None, advises)
 
     def true_vehicle(self) -> Vehicle:

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from pydantic import ValidationError
 
 from springback.interfaces.cli.common import Terminal, say, terminal_options
 from springback.interfaces.cli.completion import complete_checked, complete_setting
@@ -182,6 +181,8 @@ def _shape_findings(
     name: str, more: Sequence[str], scenarios: Sequence[Path], terminal: Terminal
 ) -> list[Finding]:
     """Findings on a shape, or on a type of shape with its parameters."""
+    from pydantic import ValidationError
+
     from springback.contact.library import WALL
     from springback.errors import InputError
     from springback.kernels.vectors import Vec
