@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from springback.contact.parameters import Own
-from springback.dynamics.motion import rates
+from springback.dynamics.motion import LANDED, rates
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec
 from springback.scenario.avionics import (
@@ -41,10 +41,9 @@ from springback.simulation.record import Model
 from springback.vehicle.state import State
 
 
-def pilot_context(scenario: ScenarioTables) -> PilotContext:
-    """What a pilot of the user's own is built from."""
+def pilot_context(scenario: ScenarioTables, start: State) -> PilotContext:
+    """What a pilot of the user's own is built from; ``start`` is the state at time 0."""
     s = scenario
-    start = start_state(s.start, s.vehicle)
     return PilotContext(s.vehicle, s.world.gravity, 1.0 / s.clock, start)
 
 
@@ -124,7 +123,7 @@ def build_flight(
     s, pilot = scenario, parts.pilot
     check_tables(s, build)
     model = build(flight_model, s, parts.obstacles, build)
-    start = build(start_state, s.start, s.vehicle)
+    start = start_state(s.start, s.vehicle, model, build)
     check_start(s, model, start)
     if parts.obstacles:
         _check_start_beside(model, start)
@@ -140,7 +139,7 @@ def build_flight(
         plain: PlainPilot | None = None
         flown_by: CompiledPilot | MakePilot = partial(cascade_of, advises=advises)
         if pilot is not None:
-            chosen = built_pilot(pilot, pilot_context(s))
+            chosen = built_pilot(pilot, pilot_context(s, start))
             if isinstance(chosen, CompiledPilot):
                 flown_by = chosen
             else:
@@ -160,5 +159,5 @@ def _check_start_beside(model: Model, start: State) -> None:
     gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
     gaps += [("main body", hull.gap) for hull in seen.hull]
     for part, gap in gaps:
-        if gap < 0.0:
+        if gap < -LANDED:
             raise problem(f"puts the {part} {-gap:.3g} m inside", "start.position")

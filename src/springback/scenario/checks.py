@@ -5,12 +5,18 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import cage_gap
+from springback.contact.cage import LANDED, cage_gap
 from springback.contact.hull import hull_apart
-from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
+from springback.contact.obstacles import (
+    Obstacle,
+    Plane,
+    obstacle_in_body_frame,
+    signed_distance,
+)
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -62,6 +68,11 @@ def check_reference(scenario: ScenarioTables) -> None:
     if scenario.model.slider is not None:
         raise problem(
             "cannot be combined with a reference: no pilot flies on a slider", "model.slider"
+        )
+    if scenario.start.touch_distance is not None:
+        raise problem(
+            "cannot be combined with a reference, which begins at start.position",
+            "start.touch_distance",
         )
 
 
@@ -172,20 +183,27 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     r, given = rotation(state.attitude), scenario.world.obstacles
     known = [(k, entry) for k, entry in enumerate(given) if not isinstance(entry, UserShape)]
     owners = [k for k, entry in known for _ in faces(entry)]
+    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-        there, gaps = obstacle_in_body_frame(obstacle, state.position, r), []
-        for j, arm in enumerate(model.airframe.arms):
-            pose = arm_pose(arm, arm.length, 0.0, Vec(0.0, 0.0, 0.0))
-            gap = cage_gap(there, model.contact_point, arm.cage_radius, pose)
-            gaps.append((f"cage of arm {j + 1}", gap))
-        gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
-        for part, gap in gaps:
-            if gap < 0.0:
+        there = obstacle_in_body_frame(obstacle, state.position, r)
+        for part, gap in zip(
+            parts, _gaps(there, model.airframe, model.contact_point), strict=False
+        ):
+            if gap < -LANDED:
                 raise problem(
                     f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
                     f"{given[owner].type} (got {list(scenario.start.position)} m)",
                     "start.position",
                 )
+
+
+@traceable
+def _gaps(obstacle: Obstacle, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
+    """Gaps of cages and hull to an obstacle in the body frame, arms at their free length [m]."""
+    still = Vec(0.0, 0.0, 0.0)
+    poses = [(arm.cage_radius, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
+    cages = [cage_gap(obstacle, contact_point, radius, pose) for radius, pose in poses]
+    return (*cages, *(hull_apart(obstacle, hull) for hull in airframe.hull))
 
 
 @traceable

@@ -40,11 +40,17 @@ class Scenario(ScenarioTables):
         own = given or self.pilot is not None
         if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
-            check_start(self, self.flight_model(), self.start_state())
+            if self.start.touch_distance is None or not self._touches_own():
+                check_start(self, self.flight_model(), self.start_state())
         else:
             advises = (info.context or {}).get("advises", True)
             self.build(UserParts(pilot=no_pilot if own else None), advises=advises)
         return self
+
+    def _touches_own(self) -> bool:
+        """True if the obstacle that its start touches may be the user's own, known when built."""
+        kinds = {entry.type for entry in self.world.obstacles}
+        return "own" in kinds or kinds <= {"ground"}
 
     # -- built parts ------------------------------------------------------------------------------
 
@@ -77,7 +83,7 @@ class Scenario(ScenarioTables):
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
-        return self.parts(start_state, self.start, self.vehicle)
+        return start_state(self.start, self.vehicle, self.flight_model(), self.parts)
 
 
 def scenario_from(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, PlainValidator, model_validator
@@ -11,8 +12,10 @@ from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
 from springback.errors import shown_value
-from springback.kernels.vectors import Vec
-from springback.quantities import Angle, Duration, Triple, Unit, si_number
+from springback.frames import attitude_from_euler, euler_from_attitude
+from springback.kernels.tracing import sqrt  # for batch set-up
+from springback.kernels.vectors import Quat, Vec
+from springback.quantities import Angle, Duration, Quadruple, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
 from springback.scenario.code_files import CodeName
 from springback.sensing.estimation import EstimatorSettings
@@ -22,6 +25,8 @@ from springback.vehicle.parameters import Vehicle, check_moments
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of obstacles.
 MOST_OBSTACLES = 64
+#: Largest deviation of a quaternion's length from 1 (chosen: the rounding of four decimals).
+UNIT_LENGTH = 1e-4
 
 
 def _arguments(given: Any) -> dict[str, Any]:
@@ -80,11 +85,54 @@ class Start(Settings):
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
+    quaternion: Annotated[Quadruple, Unit("")] | None = None
+    """Attitude in place of roll, pitch and yaw: w, x, y, z (Hamilton), body to world.
+
+    It is normalised; its length must be 1 to within 1e-4, the rounding of four decimals.
+    """
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+    touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None
+    """Distance from the start to the first touch, along ``velocity``; 0: it begins in touch.
+
+    The vehicle is moved from ``position`` along its velocity without turning: ahead to the first
+    obstacle, or back if ``position`` is inside one; and back by this distance.
+    """
+
+    @model_validator(mode="after")
+    def _one_attitude(self) -> Start:
+        if self.quaternion is None:
+            return self
+        for name in ("roll", "pitch", "yaw"):
+            if (angle := getattr(self, name)) != 0.0:
+                raise problem(f"cannot be combined with a {name} (got {angle:g} rad)", "quaternion")
+        self.attitude()
+        return self
 
     def place(self) -> Vec:
-        """Position of the main body at time 0, world [m]."""
+        """Position of the main body at time 0, world [m], before any move to a touch."""
         return Vec(*self.position) + Vec(*self.offset)
+
+    def attitude(self) -> Quat:
+        """Attitude at time 0, body to world."""
+        if self.quaternion is None:
+            return Quat(*attitude_from_euler(self.roll, self.pitch, self.yaw))
+        w, x, y, z = self.quaternion
+        length = sqrt(w * w + x * x + y * y + z * z)
+        if abs(length - 1.0) > UNIT_LENGTH:
+            raise problem(
+                f"must be of length 1 to within {UNIT_LENGTH:g} (got length {length:.6g})",
+                "quaternion",
+            )
+        return Quat(w / length, x / length, y / length, z / length)
+
+    def angles(self) -> Triple:
+        """Roll, pitch and yaw at time 0 [rad]."""
+        if self.quaternion is None:
+            return self.roll, self.pitch, self.yaw
+        with warnings.catch_warnings():  # nose up or down, one of many triples is as good
+            warnings.simplefilter("ignore")
+            roll, pitch, yaw = euler_from_attitude(self.quaternion).tolist()
+        return roll, pitch, yaw
 
 
 class ModelSettings(Settings):

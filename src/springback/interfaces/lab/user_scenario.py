@@ -103,7 +103,7 @@ class UserScenario:
     @property
     def pitch(self) -> float:
         """Pitch of its run-up, else of its start [deg]."""
-        angle = self.scenario.start.pitch if self.run_up is None else float(self.run_up.pitch)
+        angle = float(self.scenario.start.angles()[1] if self.run_up is None else self.run_up.pitch)
         return _rounded(math.degrees(angle))
 
     @property
@@ -115,7 +115,8 @@ class UserScenario:
         if isinstance(self.target, Wall | Mat):
             into = -1.0 * _face(self.target).normal
             towards = math.atan2(into.y, into.x) if math.hypot(into.x, into.y) > 1e-9 else 0.0
-        return _rounded(math.degrees(math.remainder(self.scenario.start.yaw - towards, math.tau)))
+        yaw = self.scenario.start.angles()[2]
+        return _rounded(math.degrees(math.remainder(yaw - towards, math.tau)))
 
 
 def _face(obstacle: Wall | Mat) -> Plane:
