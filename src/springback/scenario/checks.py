@@ -21,6 +21,7 @@ from springback.contact.parameters import faces
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
+from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     settle_step,
     thrusts_of,
@@ -28,6 +29,7 @@ from springback.scenario.model import (
     unit,
 )
 from springback.scenario.tables import ScenarioTables, SimulationSettings, UserShape
+from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
@@ -78,11 +80,21 @@ def check_reference(scenario: ScenarioTables) -> None:
 
 def check_without_pilot(scenario: ScenarioTables) -> None:
     """Reject settings that require a pilot, where neither scenario nor caller has one."""
+    check_sensors(scenario)
     if scenario.reference is None and scenario.air.gusts is not None:
         raise problem(
             "blow only where a pilot flies: give a [reference], or a pilot of your own",
             "air.gusts",
         )
+
+
+def check_sensors(scenario: ScenarioTables) -> None:
+    """Reject sensors that do not fit the clock; they need no pilot."""
+    s = scenario
+    if s.sensors != SensorSettings():
+        check_clock(s)
+        with blaming_the_clock(s):
+            devices_of(s.sensors, s.estimator, 1.0 / s.clock, s.vehicle)
 
 
 def check_clock(scenario: ScenarioTables) -> None:

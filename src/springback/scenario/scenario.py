@@ -19,7 +19,7 @@ from springback.scenario.build import (
     no_pilot,
     user_parts,
 )
-from springback.scenario.checks import check_start, check_tables
+from springback.scenario.checks import check_sensors, check_start, check_tables
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expand_presets as expand_presets
 from springback.scenario.presets import merge as merge
@@ -40,6 +40,7 @@ class Scenario(ScenarioTables):
         own = given or self.pilot is not None
         if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
+            check_sensors(self)
             if self.start.touch_distance is None or not self._touches_own():
                 check_start(self, self.flight_model(), self.start_state())
         else:

@@ -222,6 +222,7 @@ class ScenarioTables(Settings):
     """Detection of collisions and the response to them; none: the pilot ignores them."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
+    """Sensors.  Without a pilot their readings are recorded if this table is given, even empty."""
     clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
     """Ticks per second of all on-board devices [Hz]."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
