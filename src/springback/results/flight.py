@@ -277,9 +277,10 @@ def fly(
         flight = _fly_guided(ready, built, trajectory, executor, progress)
         return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
-        built.model, built.start, trace=trajectory, executor=executor, progress=progress
-    )
-    columns, units = trajectory_columns(flown)
+        built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
+        progress=progress,
+    )  # fmt: skip
+    columns, units = trajectory_columns(flown, built.thrusts)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
     telemetry: dict[str, Array] = {}
     if columns and "sensors" in ready.model_fields_set:

@@ -327,6 +327,8 @@ def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
     With a pilot it is the mean over a tick, which follows from the thrusts at its ends.
     """
     telemetry = flight.telemetry
+    if "thrust1" in flight.columns:
+        return [flight.columns[f"thrust{j}"] for j in range(1, len(model.thrust) + 1)]
     if "thrust1" not in telemetry:
         return [np.full(len(flight.t), thrust) for thrust in model.thrust]
     rotors = propulsion_of(flight.scenario, model.airframe)

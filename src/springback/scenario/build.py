@@ -24,8 +24,8 @@ from springback.scenario.checks import (
     check_tables,
     check_without_pilot,
 )
-from springback.scenario.model import flight_model, hover_thrusts, start_state
-from springback.scenario.tables import ScenarioTables
+from springback.scenario.model import flight_model, hover_thrusts, start_state, thrust_table
+from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
 from springback.scenario.user_obstacles import check_own_obstacles, own_obstacles
 from springback.scenario.user_pilots import (
@@ -38,6 +38,7 @@ from springback.settings import problem
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import Relay
 from springback.simulation.record import Model
+from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.state import State
 
 
@@ -65,6 +66,8 @@ class ReadyFlight(NamedTuple):
     built_avionics: BuiltAvionics | None
     plain: PlainPilot | None = None
     """Pilot in plain Python, if such a one flies it; the avionics then have a `Relay`."""
+    thrusts: ThrustTable | None = None
+    """Thrusts over time, without a pilot."""
 
 
 def user_parts(
@@ -129,7 +132,9 @@ def build_flight(
         _check_start_beside(model, start)
     if s.reference is None and pilot is None:
         check_without_pilot(s)
-        return ReadyFlight(s.seed, model, start, None)
+        return ReadyFlight(s.seed, model, start, None, thrusts=thrust_table(s.thrust))
+    if isinstance(s.thrust, ThrustSettings):
+        raise problem("must not be a table where a pilot flies, who commands it", "thrust")
     if pilot is not None and s.model.slider is not None:
         raise problem("cannot be given to a pilot: no pilot flies on a slider", "model.slider")
     check_clock(s)

@@ -28,7 +28,12 @@ from springback.scenario.model import (
     true_body,
     unit,
 )
-from springback.scenario.tables import ScenarioTables, SimulationSettings, UserShape
+from springback.scenario.tables import (
+    ScenarioTables,
+    SimulationSettings,
+    ThrustSettings,
+    UserShape,
+)
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.record import Model
@@ -55,7 +60,8 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_slider(s)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
-    check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
+    rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)
+    check_drag(s, body.mass if body else s.vehicle.body.mass, max(map(sum, rows)))
 
 
 def check_reference(scenario: ScenarioTables) -> None:
@@ -64,7 +70,8 @@ def check_reference(scenario: ScenarioTables) -> None:
         return
     if scenario.thrust not in (0.0, "hover"):
         raise problem(
-            f"cannot be combined with a reference, whose pilot commands it (got {scenario.thrust})",
+            "cannot be combined with a reference, whose pilot commands it "
+            f"(got {_words(scenario.thrust)})",
             "thrust",
         )
     if scenario.model.slider is not None:
@@ -76,6 +83,10 @@ def check_reference(scenario: ScenarioTables) -> None:
             "cannot be combined with a reference, which begins at start.position",
             "start.touch_distance",
         )
+
+
+def _words(thrust: Any) -> str:
+    return "a table" if isinstance(thrust, ThrustSettings) else str(thrust)
 
 
 def check_without_pilot(scenario: ScenarioTables) -> None:
@@ -173,13 +184,13 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
             )
 
 
-def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...]) -> None:
-    """Reject steps too long for the drag of a main body of some mass [kg]."""
+def check_drag(scenario: ScenarioTables, mass: float, thrust: float) -> None:
+    """Reject steps too long for the drag of a main body of some mass [kg] and thrust [N]."""
     if not scenario.air.has_drag:
         return
     start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
     through = start - wind
-    rate = scenario.air.drag_rate(mass, sum(thrust), sqrt(through @ through))
+    rate = scenario.air.drag_rate(mass, thrust, sqrt(through @ through))
     step = scenario.simulation.free_step
     if step * rate > STABLE:
         raise problem(

@@ -33,11 +33,13 @@ from springback.scenario.tables import (
     ScenarioTables,
     SimulationSettings,
     Start,
+    ThrustSettings,
     UserShape,
     WorldSettings,
 )
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
+from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State, build_airframe
 
@@ -73,10 +75,13 @@ def thrusts_of(
     Args:
         vehicle: Nominal vehicle.
         gravity: g [m/s²].
-        thrust: As given: one for all, a list, or ``"hover"``.
+        thrust: As given: one for all, a list, ``"hover"``, or a table, whose first row is taken.
         is_piloted: True for a pilot, which starts at the hover thrust.
     """
     count = vehicle.arm_count
+    if isinstance(thrust, ThrustSettings):
+        _check_table(vehicle, thrust)
+        return thrust.values[0]
     if thrust == "hover" or is_piloted:
         return hover_thrusts(vehicle, gravity)
     if isinstance(thrust, list | tuple) and len(thrust) != count:
@@ -84,6 +89,27 @@ def thrusts_of(
     given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
     with naming("thrust"):
         return tuple(si_number(entry, "N", least=0.0) for entry in given)
+
+
+def _check_table(vehicle: Vehicle, thrust: ThrustSettings) -> None:
+    """Reject rows of another number of rotors, and thrusts that the rotors cannot give."""
+    count, propulsion = vehicle.arm_count, vehicle.propulsion
+    for k, row in enumerate(thrust.values):
+        if len(row) != count:
+            raise problem(f"has {len(row)} entries for {count} rotors", f"thrust.values[{k}]")
+        if propulsion is not None and max(row) > propulsion.max_thrust:
+            raise problem(
+                f"must be at most {propulsion.max_thrust:g} N, the largest thrust of a rotor "
+                f"(got {max(row):g} N)",
+                f"thrust.values[{k}]",
+            )
+
+
+def thrust_table(thrust: Any) -> ThrustTable | None:
+    """Thrusts over time, as `thrusts_of` has checked them; None if they are constant."""
+    if not isinstance(thrust, ThrustSettings) or len(set(thrust.values)) == 1:
+        return None
+    return ThrustTable(thrust.time, thrust.values)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------
@@ -237,7 +263,9 @@ def flight_model(
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     point, guide = contact_point_of(s.model), guide_of(s.model)
     timing = timing_of(s.simulation, s.model, s.vehicle)
-    return Model(airframe, world, point, guide, s.air.air(), thrust, timing)
+    table = thrust_table(s.thrust)
+    ramp = () if table is None else (table.stretches()[0].ramp,)
+    return Model(airframe, world, point, guide, s.air.air(), thrust, timing, ramp)
 
 
 # -- the start ------------------------------------------------------------------------------------

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Field, PlainValidator, model_validator
+from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, model_validator
 
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
 from springback.control.parameters import ControlSettings
@@ -198,6 +199,67 @@ class SimulationSettings(Settings):
     """Contacts closer together than this are one impact."""
 
 
+#: Largest number of instants of a table of thrusts (chosen: each takes a step at least).
+MOST_INSTANTS = 100_000
+
+
+def _thrust_instants(given: Any) -> tuple[float, ...]:
+    """Instants that do not decrease, no three of them the same."""
+    if not isinstance(given, list | tuple) or not 0 < len(given) <= MOST_INSTANTS:
+        raise problem(f"must be a list of 1 to {MOST_INSTANTS} instants")
+    found = list[float]()
+    for k, entry in enumerate(given):
+        with naming(str(k)):
+            time = si_number(entry, "s", least=0.0)
+            if found and time < found[-1]:
+                raise problem(
+                    f"must be at least {found[-1]:g} s, as instants increase (got {time:g} s)"
+                )
+            if found[-2:] == [time, time]:
+                raise problem(f"must be later than {time:g} s, at which there is a jump already")
+        found.append(time)
+    return tuple(found)
+
+
+def _thrust_rows(given: Any) -> tuple[tuple[float, ...], ...]:
+    """Thrusts of all rotors, one row for each instant."""
+    if not isinstance(given, list | tuple):
+        raise problem("must be a list, for each instant one of the thrusts of all rotors")
+    found = []
+    for k, row in enumerate(given):
+        if not isinstance(row, list | tuple):
+            raise problem(
+                f"must be a list of the thrusts of all rotors (got {shown_value(row)})", f"{k}"
+            )
+        thrusts = []
+        for j, entry in enumerate(row):
+            with naming(f"{k}.{j}"):
+                thrusts.append(si_number(entry, "N", least=0.0))
+        found.append(tuple(thrusts))
+    return tuple(found)
+
+
+class ThrustSettings(Settings):
+    """Thrusts over time without a pilot: linear between the instants, constant outside of them."""
+
+    time: Annotated[tuple[float, ...], BeforeValidator(_thrust_instants)]
+    """Instants, in order [s]; one that is given twice is a jump."""
+    values: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_thrust_rows)]
+    """For each instant the thrust of each rotor [N]."""
+
+    @model_validator(mode="after")
+    def _rows_for_instants(self) -> ThrustSettings:
+        if len(self.values) != len(self.time):
+            what = f"must have a row for each of {len(self.time)} instants (got {len(self.values)})"
+            raise problem(what, "values")
+        return self
+
+
+def _thrust(given: Any) -> Any:
+    """Thrusts over time as settings; anything else is read with the vehicle."""
+    return ThrustSettings.model_validate(given) if isinstance(given, Mapping) else given
+
+
 class ScenarioTables(Settings):
     """All input of one flight, each table validated by itself."""
 
@@ -208,10 +270,12 @@ class ScenarioTables(Settings):
     vehicle: Vehicle
     world: WorldSettings = WorldSettings()
     start: Start = Start()
-    thrust: Any = 0.0
-    """Thrust of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
+    thrust: Annotated[Any, PlainValidator(_thrust)] = 0.0
+    """Thrust of each rotor [N]: one for all, a list, ``"hover"``, or `ThrustSettings` over time.
 
-    That is the weight of the nominal `vehicle`, without a true payload.
+    ``"hover"`` is the weight of the nominal `vehicle`, without a true payload, shared by all.  The
+    table may be a CSV file, ``"FILE.csv"``: its first line names the columns ``time`` [s] and
+    ``thrust1``, ``thrust2``, … [N]; others are not read.
     """
     pilot: CodeName | None = None
     """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's."""
