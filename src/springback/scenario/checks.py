@@ -10,7 +10,7 @@ from typing import Any
 from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import LANDED, cage_gap
-from springback.contact.hull import hull_apart
+from springback.contact.hull_contact import hull_apart
 from springback.contact.obstacles import (
     Obstacle,
     Plane,
