@@ -67,7 +67,7 @@ class Scenario(ScenarioTables):
             parts: The user's own; by default those that the scenario names, whose files are run.
             advises: Suggest a feasible distance if a run-up cannot be flown; slow.
         """
-        own = user_parts(self) if parts is None else parts
+        own = self.parts(UserParts, *(user_parts(self) if parts is None else parts))
         return self.parts(build_flight, self, own, self.parts, None, advises)
 
     def true_vehicle(self) -> Vehicle:
