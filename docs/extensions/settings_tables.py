@@ -14,7 +14,7 @@ from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 
-from springback.quantities import PerArm, Triple
+from springback.quantities import PerArm, Quadruple, Triple
 from springback.scenario.fields import TableField, fields_of
 from springback.settings import Settings
 
@@ -113,7 +113,8 @@ def allowed(field: TableField) -> str:
         bounds = {sign: getattr(unit, name) for name, sign in signs.items()}
         limits = ", ".join(f"{s} {_number(b)}" for s, b in bounds.items() if b is not None)
         text = unit.unit.replace("^0.5", "^½").translate(POWERS).replace("^", "")
-        kind = {Triple: ", three", PerArm: ", or one for each arm"}.get(field.shape, "")
+        kinds = {Triple: ", three", Quadruple: ", four", PerArm: ", or one for each arm"}
+        kind = kinds.get(field.shape, "")
         return (text or "plain") + kind + (f"; {limits}" if limits else "")
     if field.tables:
         return " or ".join(

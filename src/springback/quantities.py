@@ -131,7 +131,8 @@ def _text(number: float | None, unit: str) -> str:
 class Unit:
     """SI unit and range of a field of settings, for `typing.Annotated`.
 
-    The field is a float, three floats along x, y, z (`Triple`), or one for each arm (`PerArm`).
+    The field is a float, three floats along x, y, z (`Triple`), a quaternion (`Quadruple`), or one
+    for each arm (`PerArm`).
     """
 
     unit: str
@@ -159,6 +160,16 @@ class Unit:
             raise problem(f"must be {numbers} (got {shown_value(value)})")
         return tuple(map(self.read, value))
 
+    def quadruple(self, value: Any) -> tuple[float, ...]:
+        """Quaternion w, x, y, z.
+
+        Raises:
+            The problem, with the given value and the allowed range.
+        """
+        if not isinstance(value, list | tuple) or len(value) != 4:
+            raise problem(f"must be four plain numbers, w, x, y, z (got {shown_value(value)})")
+        return tuple(map(self.read, value))
+
     def _one_or_each(self, value: Any) -> float | tuple[float, ...]:
         return tuple(map(self.read, value)) if isinstance(value, list | tuple) else self.read(value)
 
@@ -166,11 +177,14 @@ class Unit:
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
         """Numbers are read in place of pydantic."""
-        readers = {Triple: self.triple, PerArm: self._one_or_each}
+        readers = {
+            Triple: self.triple, Quadruple: self.quadruple, PerArm: self._one_or_each,
+        }  # fmt: skip
         return no_info_plain_validator_function(readers.get(source, self.read))
 
 
 Triple: TypeAlias = tuple[float, float, float]
+Quadruple: TypeAlias = tuple[float, float, float, float]
 PerArm: TypeAlias = float | tuple[float, ...]
 
 Mass = Annotated[float, Unit("kg", above=0.0)]

@@ -63,6 +63,14 @@ PLANS = {
     "perfect state": scattered("arq", {"estimator": {"type": "perfect"}}),
     "Lee's law": scattered("arq", {"control": {"attitude": "lee", "rate_integral": 1.0}}),
     "thrown": thrown(),
+    "at touch": [
+        table | {"start": {**table["start"], "touch_distance": 1e-4 * k, "yaw": 0.1 * k}}
+        for k, table in enumerate(thrown())
+    ],
+    "quaternions": [
+        table | {"start": {"quaternion": [math.cos(0.1 * k), 0.0, math.sin(0.1 * k), 0.0]}}
+        for k, table in enumerate(thrown())
+    ],
     "noise": holding(sensors=lambda k: {"motion_capture": {"position_noise": 1e-4 * (k + 1)}}),
     "signs of zero": holding(start=lambda k: {"velocity": [0.0 if k % 2 else -0.0, 0.0, 0.0]}),
     "run-ups": holding(reference=lambda k: {"type": "run-up", "speed": 2.0 + 0.01 * k}),

@@ -40,6 +40,7 @@ SLOW = (
     "results/test_recovery_measures.py",
     "rivals/",
     "scenario/test_bad_input_flight.py",
+    "scenario/test_thrusts.py::test_it_is_compiled_to_the_same_bits",
     "scenario/test_user_pilots.py",
     "sensing/test_estimation.py",
     "sensing/test_kalman.py::test_agrees_with_dense_matrices",

@@ -329,8 +329,9 @@ def test_gusts_need_a_pilot(tmp_path: Path) -> None:
 def test_own_pilots_are_checked_for_what_they_use(tmp_path: Path) -> None:
     """Sensors, clock and rotors count without a reference; gains do not."""
     path = written(tmp_path, 'vehicle = "quad"\n[sensors.imu]\nrate = 300\n')
-    read_scenario(path)
-    assert problem_of(path, pilot=True).startswith(f"{path}:3: sensors.imu.rate: must divide")
+    for pilot in (None, True):  # sensors are read without a pilot, too
+        said = problem_of(path, pilot=pilot)
+        assert said.startswith(f"{path}:3: sensors.imu.rate: must divide")
     assert "model.slider" in problem_of(path, "model.slider=[1,0,0]", pilot=True)
     read_scenario(path, ["sensors.imu.rate=500", "control.rate_frequency=300"], pilot=True)
 

@@ -247,7 +247,8 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     before = energies(laid.shape, laid.buffers, width, count)
     built_avionics = kind.first.built_avionics
     if built_avionics is None or laid.avionics is None or laid.onboard is None:
-        fly.impacts(laid.shape, laid.buffers, width, progress=progress)
+        thrusts = kind.first.thrusts
+        fly.impacts(laid.shape, laid.buffers, width, thrusts=thrusts, progress=progress)
     else:
         flight = GuidedFlight(laid.model, laid.start, laid.avionics)
         buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)

@@ -212,9 +212,9 @@ def _trees(ready: ReadyFlight) -> tuple[Any, Any]:
 
 
 def pace_of(ready: ReadyFlight) -> tuple[Any, ...]:
-    """Properties common to a batch besides its types; without pilots, none."""
+    """Properties common to a batch besides its types; without pilots, thrusts over time."""
     if ready.built_avionics is None:
-        return ()
+        return () if ready.thrusts is None else (ready.thrusts,)
     return (
         ready.model.timing.until,
         ready.built_avionics.avionics.systems.period,

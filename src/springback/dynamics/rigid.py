@@ -153,10 +153,24 @@ def runge_kutta_step(
     guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """One step of all integrated quantities under any load; arguments as for `rigid_step`."""
-    first = flight_rates(body, guide, air, gravity, x)
-    second = flight_rates(body, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
-    third = flight_rates(body, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
-    fourth = flight_rates(body, guide, air, gravity, axpy(x, third, h)).flight
+    return driven_step(guide, air, (body, body, body), gravity, x, h)
+
+
+@kernel
+def driven_step(
+    guide: Any,
+    air: Any,
+    bodies: tuple[OneBody, OneBody, OneBody],
+    gravity: float,
+    x: RigidState,
+    h: float,
+) -> RigidStep:
+    """`runge_kutta_step` with the vehicle of its beginning, its middle and its end."""
+    begin, middle, end = bodies
+    first = flight_rates(begin, guide, air, gravity, x)
+    second = flight_rates(middle, guide, air, gravity, axpy(x, first.flight, 0.5 * h)).flight
+    third = flight_rates(middle, guide, air, gravity, axpy(x, second, 0.5 * h)).flight
+    fourth = flight_rates(end, guide, air, gravity, axpy(x, third, h)).flight
     rate = axpy(axpy(axpy(first.flight, second, 2.0), third, 2.0), fourth, 1.0)
     new = axpy(x, rate, h / 6.0)
     after = RigidState(

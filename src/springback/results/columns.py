@@ -7,12 +7,15 @@ from typing import Any
 import numpy as np
 
 from springback.simulation.flight import FlightRecord, Trace
+from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-def trajectory_columns(flown: FlightRecord) -> tuple[dict[str, Array], dict[str, str]]:
-    """Trajectory columns under their file names, with units."""
+def trajectory_columns(
+    flown: FlightRecord, thrusts: ThrustTable | None = None
+) -> tuple[dict[str, Array], dict[str, str]]:
+    """Trajectory columns under their file names, with units; thrusts that are a table included."""
     trace = flown.trace
     if trace is None:
         return {}, {}
@@ -35,6 +38,11 @@ def trajectory_columns(flown: FlightRecord) -> tuple[dict[str, Array], dict[str,
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
+    if thrusts is not None:
+        given = {
+            f"thrust{j}": row for j, row in zip(count, thrusts.at(columns["t"]).T, strict=True)
+        }
+        columns, units = columns | given, units | dict.fromkeys(given, "N")
     return columns, units
 
 

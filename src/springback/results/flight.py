@@ -18,7 +18,7 @@ from springback.errors import InputError
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
-from springback.results.motion import columns_at, gaps, specific_force_at
+from springback.results.motion import columns_at, gaps, sensor_readings, specific_force_at
 from springback.results.recovery_measures import (
     is_evaluated,
     recovery_measures,
@@ -277,12 +277,19 @@ def fly(
         flight = _fly_guided(ready, built, trajectory, executor, progress)
         return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
-        built.model, built.start, trace=trajectory, executor=executor, progress=progress
-    )
-    columns, units = trajectory_columns(flown)
+        built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
+        progress=progress,
+    )  # fmt: skip
+    columns, units = trajectory_columns(flown, built.thrusts)
     outcome, measures = outcome_of(flown.record), measures_of(flown)
-    work = work_columns(flown)
-    return _wary(Flight(ready, outcome, measures, columns, units, work=work, own=parts.obstacles))
+    telemetry: dict[str, Array] = {}
+    if columns and "sensors" in ready.model_fields_set:
+        with _as_input():
+            readings = sensor_readings(ready, columns)
+        telemetry, more = telemetry_columns(readings, len(built.start.arm_length))
+        units |= more
+    work, own = work_columns(flown), parts.obstacles
+    return _wary(Flight(ready, outcome, measures, columns, units, telemetry, work, own))
 
 
 def _wary(flight: Flight) -> Flight:

@@ -1,10 +1,11 @@
-"""Motion of the main body between and at the recorded instants: any time base, any point.
+"""Motion of the main body between and at the recorded instants: any time base, any point, sensors.
 
 Contacts and distances are evaluated again at the recorded states by the kernels of the flight.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,16 +19,21 @@ from springback.dynamics.solution import Slider
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
-from springback.kernels.trees import leaves, tree_map, tree_sum
+from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 from springback.results.result import FlightResult
-from springback.scenario.avionics import propulsion_of
+from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
+from springback.scenario.scenario import Scenario
 from springback.scenario.tables import UserShape
-from springback.simulation.flight import own_types, sources, still_state
+from springback.sensing.sensors import sensors_at_start
+from springback.simulation.flight import Trace, own_types, sources, still_state
+from springback.simulation.guided import ticks_of
+from springback.simulation.noise import noise_table
+from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.playback import Instant
 from springback.simulation.record import Model
 from springback.vehicle.rotors import lag_over
-from springback.vehicle.state import Arm, Sphere, arm_pose
+from springback.vehicle.state import Arm, Sphere, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -59,20 +65,79 @@ def columns_at(
         raise InputError(f"times: must be instants from {t[0]:.6g} s to {t[-1]:.6g} s, in a row")
     at = np.minimum(at, t[-1])
     found = {name: np.interp(at, t, values) for name, values in flight.columns.items()}
-    found |= dict(zip(ATTITUDE, _attitudes(flight, at), strict=True)) | {"t": at}
+    found |= dict(zip(ATTITUDE, _attitudes(flight.columns, at), strict=True)) | {"t": at}
     if flight.telemetry:
         tick = _ticks(flight, at)
         found |= {n: values[tick] for n, values in flight.telemetry.items() if n != "t"}
     return found
 
 
-def _attitudes(flight: FlightResult, at: Array) -> Array:
+def _attitudes(columns: Mapping[str, Array], at: Array) -> Array:
     """Quaternions wxyz by spherical interpolation, shape (4, instants), signs as recorded."""
-    recorded = np.stack([flight.columns[name] for name in ATTITUDE], axis=1)
+    recorded = np.stack([columns[name] for name in ATTITUDE], axis=1)
     found = scipy.spatial.transform.Slerp(
-        flight.t, scipy.spatial.transform.Rotation.from_quat(recorded, scalar_first=True)
+        columns["t"], scipy.spatial.transform.Rotation.from_quat(recorded, scalar_first=True)
     )(at)
     return np.asarray(found.as_quat(scalar_first=True).T)
+
+
+# -- sensors without a pilot -----------------------------------------------------------------------
+
+
+def sensor_readings(scenario: Scenario, columns: Mapping[str, Array]) -> Trace:
+    """Measurements at the ticks of the clock along a recorded trajectory, flown without a pilot.
+
+    They are those of `springback.simulation.onboard.sensor_step`, with the noise of the seed.
+    Between instants positions, velocities and arm lengths are interpolated by cubics with the
+    recorded rates, attitudes spherically, all else linearly.
+
+    Args:
+        scenario: With its sensors, clock and seed.
+        columns: Trajectory.
+
+    Returns:
+        One row for each tick.
+
+    Raises:
+        The problem, if a rate or a delay of a sensor does not fit the clock.
+    """
+    s, period = scenario, 1.0 / scenario.clock
+    devices = devices_of(s.sensors, s.estimator, period, s.vehicle)
+    ticks = ticks_of(float(columns["t"][-1]), period)
+    states = _states_at(columns, np.array([k * period for k in range(ticks)]), s.vehicle.arm_count)
+    sensors = devices.settings.switched_on(devices.sensors, normals_at_start(s.seed, False))
+    memory: Any = sensors_at_start(sensors, states[0], s.world.gravity)
+    noise, found = noise_table(s.seed, 0, ticks, devices.noise).tolist(), []
+    for k, (now, drawn) in enumerate(zip(states, noise, strict=True)):
+        truth = Truth(states[max(k - 1, 0)], now, period, s.world.gravity)
+        read = sensor_step(sensors, float(k), truth, tuple(drawn), memory)
+        memory = read.memory
+        found.append([k * period, *leaves(read.measurement)])
+    return Trace(("time", *names(read.measurement, "measurement")), np.array(found))
+
+
+def _states_at(columns: Mapping[str, Array], at: Array, arms: int) -> list[State]:
+    """States at some instants of a trajectory."""
+    c, t = columns, columns["t"]
+    after = np.clip(np.searchsorted(t, at, "right"), 1, len(t) - 1)
+    before = after - 1
+    h = t[after] - t[before]
+    u = (at - t[before]) / h
+
+    def cubic(name: str, rate: str) -> Array:
+        rise, begins, ends = c[name][after] - c[name][before], c[rate][before], c[rate][after]
+        bend = (1.0 - u) * (h * begins - rise) + u * (rise - h * ends)
+        return np.asarray(c[name][before] + u * rise + u * (1.0 - u) * bend)
+
+    numbers = [
+        *(cubic(axis, f"v{axis}") for axis in "xyz"), *_attitudes(c, at),
+        *(cubic(f"v{axis}", f"a{axis}") for axis in "xyz"),
+        *(np.interp(at, t, c[f"w{axis}"]) for axis in "xyz"),
+        *(cubic(f"l{j}", f"dl{j}") for j in range(1, arms + 1)),
+        *(np.interp(at, t, c[f"dl{j}"]) for j in range(1, arms + 1)),
+    ]  # fmt: skip
+    like = still_state((0.0,) * arms)
+    return [rebuilt(like, row) for row in np.stack(numbers, axis=1).tolist()]
 
 
 # -- contacts again -------------------------------------------------------------------------------
@@ -160,9 +225,9 @@ class ContactHistory(NamedTuple):
 def contact_history(model: Model, flight: FlightResult) -> ContactHistory:
     """Contacts at the instants of the trajectory."""
     arms = len(model.airframe.arms)
-    names = [*"xyz", *ATTITUDE, *(f"{kind}{a}" for kind in "vw" for a in "xyz")]
-    names += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
-    states = np.stack([flight.columns[name] for name in names], axis=1)
+    head = [*"xyz", *ATTITUDE, *(f"{kind}{a}" for kind in "vw" for a in "xyz")]
+    head += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
+    states = np.stack([flight.columns[name] for name in head], axis=1)
     like = Instant(model.airframe, model.world, model.contact_point, still_state((0.0,) * arms))
     constants = np.array(leaves(like)[: -states.shape[1]])
     instants = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
@@ -262,6 +327,8 @@ def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
     With a pilot it is the mean over a tick, which follows from the thrusts at its ends.
     """
     telemetry = flight.telemetry
+    if "thrust1" in flight.columns:
+        return [flight.columns[f"thrust{j}"] for j in range(1, len(model.thrust) + 1)]
     if "thrust1" not in telemetry:
         return [np.full(len(flight.t), thrust) for thrust in model.thrust]
     rotors = propulsion_of(flight.scenario, model.airframe)

@@ -63,7 +63,9 @@ class FlightResult(FlightMeasures):
     units: dict[str, str]
     """Unit of each column, including telemetry."""
     telemetry: dict[str, Array] = field(default_factory=dict)
-    """Measured, estimated, desired and commanded values at every tick; empty without a pilot."""
+    """Measured, estimated, desired and commanded values at every tick; without a pilot, what the
+    scenario's ``[sensors]`` measure, if it has any.
+    """
     work: dict[str, Array] = field(default_factory=dict)
     """Work done so far [J], by kind, and 1 during contact, each of shape (instants,), for
     `springback.results.energy_history`.  Files do not contain it.
@@ -93,6 +95,11 @@ class FlightResult(FlightMeasures):
         if "runs" in self.measures:
             return self.outcome is Outcome.RECOVERED
         return self.outcome not in FAILURES
+
+    @property
+    def is_piloted(self) -> bool:
+        """True if a pilot flew it, and its telemetry was recorded."""
+        return "command1" in self.telemetry
 
     @property
     def is_finite(self) -> bool:

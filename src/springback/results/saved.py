@@ -31,8 +31,8 @@ def load(folder: str | Path) -> Flight:
     """Read a flight as it was written, with its scenario, measures, trajectory and telemetry.
 
     Args:
-        folder: With ``summary.json``, ``trajectory.parquet`` and, for a flight with a pilot,
-            ``telemetry.parquet``.
+        folder: With ``summary.json``, ``trajectory.parquet`` and, for a flight with a pilot or
+            sensors, ``telemetry.parquet``.
 
     Raises:
         InputError: In one line, if the folder is not a result, or its content is damaged or
@@ -58,9 +58,9 @@ def load(folder: str | Path) -> Flight:
     if path.name in summary["files"]:
         telemetry, more = _table(path)
         arms = range(1, scenario.vehicle.arm_count + 1)
-        _check_there(
-            path, telemetry, [f"{kind}{n}" for kind in ("command", "thrust") for n in arms]
-        )
+        flown = scenario.reference or scenario.pilot or {"command1", "thrust1"} & telemetry.keys()
+        kinds = ("command", "thrust") if flown else ("hall",)  # of a pilot, of sensors alone
+        _check_there(path, telemetry, [f"{kind}{n}" for kind in kinds for n in arms])
         _check(path, telemetry, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)

@@ -442,9 +442,8 @@ def _air_of(air: AirSettings, tick: float) -> Atmosphere:
     return Atmosphere(weather, Vec(*air.wind), noise)
 
 
-#: Tables that only the pilot of the paper reads, and those that apply to every pilot.
+#: Tables that only the pilot of the paper reads.
 _PAPERS = ("reference", "control", "estimator", "recovery")
-_PILOTS = ("sensors", "clock", "seed")
 
 
 def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
@@ -459,7 +458,8 @@ def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[st
         unread = [name for name in _PAPERS if name in given]
         return _unread(unread, "a pilot of your own flies, which does not read it")
     if scenario.reference is None or scenario.vehicle.propulsion is None:
-        unread = [name for name in (*_PAPERS[1:], *_PILOTS) if name in given]
+        devices = () if "sensors" in given else ("clock", "seed")  # sensors need no pilot
+        unread = [name for name in (*_PAPERS[1:], *devices) if name in given]
         return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from springback.contact.parameters import Own
-from springback.dynamics.motion import rates
+from springback.dynamics.motion import LANDED, rates
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec
 from springback.scenario.avionics import (
@@ -24,8 +24,8 @@ from springback.scenario.checks import (
     check_tables,
     check_without_pilot,
 )
-from springback.scenario.model import flight_model, hover_thrusts, start_state
-from springback.scenario.tables import ScenarioTables
+from springback.scenario.model import flight_model, hover_thrusts, start_state, thrust_table
+from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
 from springback.scenario.user_obstacles import check_own_obstacles, own_obstacles
 from springback.scenario.user_pilots import (
@@ -38,13 +38,13 @@ from springback.settings import problem
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import Relay
 from springback.simulation.record import Model
+from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.state import State
 
 
-def pilot_context(scenario: ScenarioTables) -> PilotContext:
-    """What a pilot of the user's own is built from."""
+def pilot_context(scenario: ScenarioTables, start: State) -> PilotContext:
+    """What a pilot of the user's own is built from; ``start`` is the state at time 0."""
     s = scenario
-    start = start_state(s.start, s.vehicle)
     return PilotContext(s.vehicle, s.world.gravity, 1.0 / s.clock, start)
 
 
@@ -70,6 +70,8 @@ class ReadyFlight(NamedTuple):
     built_avionics: BuiltAvionics | None
     plain: PlainPilot | None = None
     """Pilot in plain Python, if such a one flies it; the avionics then have a `Relay`."""
+    thrusts: ThrustTable | None = None
+    """Thrusts over time, without a pilot."""
 
 
 def user_parts(
@@ -128,13 +130,15 @@ def build_flight(
     s, pilot = scenario, parts.pilot
     check_tables(s, build)
     model = build(flight_model, s, parts.obstacles, build)
-    start = build(start_state, s.start, s.vehicle)
+    start = start_state(s.start, s.vehicle, model, build)
     check_start(s, model, start)
     if parts.obstacles:
         _check_start_beside(model, start)
     if s.reference is None and pilot is None:
         check_without_pilot(s)
-        return ReadyFlight(s.seed, model, start, None)
+        return ReadyFlight(s.seed, model, start, None, thrusts=thrust_table(s.thrust))
+    if isinstance(s.thrust, ThrustSettings):
+        raise problem("must not be a table where a pilot flies, who commands it", "thrust")
     if pilot is not None and s.model.slider is not None:
         raise problem("cannot be given to a pilot: no pilot flies on a slider", "model.slider")
     check_clock(s)
@@ -144,7 +148,7 @@ def build_flight(
         plain: PlainPilot | None = None
         flown_by: CompiledPilot | MakePilot = partial(cascade_of, advises=advises)
         if pilot is not None:
-            chosen = built_pilot(pilot, pilot_context(s))
+            chosen = built_pilot(pilot, pilot_context(s, start))
             if isinstance(chosen, CompiledPilot):
                 flown_by = chosen
             else:
@@ -164,5 +168,5 @@ def _check_start_beside(model: Model, start: State) -> None:
     gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
     gaps += [("main body", hull.gap) for hull in seen.hull]
     for part, gap in gaps:
-        if gap < 0.0:
+        if gap < -LANDED:
             raise problem(f"puts the {part} {-gap:.3g} m inside", "start.position")

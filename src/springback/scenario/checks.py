@@ -5,23 +5,36 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import cage_gap
+from springback.contact.cage import LANDED, cage_gap
 from springback.contact.hull_contact import hull_apart
-from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
+from springback.contact.obstacles import (
+    Obstacle,
+    Plane,
+    obstacle_in_body_frame,
+    signed_distance,
+)
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
+from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     settle_step,
     thrusts_of,
     true_body,
     unit,
 )
-from springback.scenario.tables import ScenarioTables, SimulationSettings, UserShape
+from springback.scenario.tables import (
+    ScenarioTables,
+    SimulationSettings,
+    ThrustSettings,
+    UserShape,
+)
+from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
@@ -47,7 +60,8 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_slider(s)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
-    check_drag(s, body.mass if body else s.vehicle.body.mass, thrust)
+    rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)
+    check_drag(s, body.mass if body else s.vehicle.body.mass, max(map(sum, rows)))
 
 
 def check_reference(scenario: ScenarioTables) -> None:
@@ -56,22 +70,42 @@ def check_reference(scenario: ScenarioTables) -> None:
         return
     if scenario.thrust not in (0.0, "hover"):
         raise problem(
-            f"cannot be combined with a reference, whose pilot commands it (got {scenario.thrust})",
+            "cannot be combined with a reference, whose pilot commands it "
+            f"(got {_words(scenario.thrust)})",
             "thrust",
         )
     if scenario.model.slider is not None:
         raise problem(
             "cannot be combined with a reference: no pilot flies on a slider", "model.slider"
         )
+    if scenario.start.touch_distance is not None:
+        raise problem(
+            "cannot be combined with a reference, which begins at start.position",
+            "start.touch_distance",
+        )
+
+
+def _words(thrust: Any) -> str:
+    return "a table" if isinstance(thrust, ThrustSettings) else str(thrust)
 
 
 def check_without_pilot(scenario: ScenarioTables) -> None:
     """Reject settings that require a pilot, where neither scenario nor caller has one."""
+    check_sensors(scenario)
     if scenario.reference is None and scenario.air.gusts is not None:
         raise problem(
             "blow only where a pilot flies: give a [reference], or a pilot of your own",
             "air.gusts",
         )
+
+
+def check_sensors(scenario: ScenarioTables) -> None:
+    """Reject sensors that do not fit the clock; they need no pilot."""
+    s = scenario
+    if s.sensors != SensorSettings():
+        check_clock(s)
+        with blaming_the_clock(s):
+            devices_of(s.sensors, s.estimator, 1.0 / s.clock, s.vehicle)
 
 
 def check_clock(scenario: ScenarioTables) -> None:
@@ -150,13 +184,13 @@ def check_steps(simulation: SimulationSettings, vehicle: Vehicle) -> None:
             )
 
 
-def check_drag(scenario: ScenarioTables, mass: float, thrust: tuple[float, ...]) -> None:
-    """Reject steps too long for the drag of a main body of some mass [kg]."""
+def check_drag(scenario: ScenarioTables, mass: float, thrust: float) -> None:
+    """Reject steps too long for the drag of a main body of some mass [kg] and thrust [N]."""
     if not scenario.air.has_drag:
         return
     start, wind = Vec(*scenario.start.velocity), Vec(*scenario.air.wind)
     through = start - wind
-    rate = scenario.air.drag_rate(mass, sum(thrust), sqrt(through @ through))
+    rate = scenario.air.drag_rate(mass, thrust, sqrt(through @ through))
     step = scenario.simulation.free_step
     if step * rate > STABLE:
         raise problem(
@@ -172,20 +206,27 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     r, given = rotation(state.attitude), scenario.world.obstacles
     known = [(k, entry) for k, entry in enumerate(given) if not isinstance(entry, UserShape)]
     owners = [k for k, entry in known for _ in faces(entry)]
+    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-        there, gaps = obstacle_in_body_frame(obstacle, state.position, r), []
-        for j, arm in enumerate(model.airframe.arms):
-            pose = arm_pose(arm, arm.length, 0.0, Vec(0.0, 0.0, 0.0))
-            gap = cage_gap(there, model.contact_point, arm.cage_radius, pose)
-            gaps.append((f"cage of arm {j + 1}", gap))
-        gaps += [("main body", hull_apart(there, hull)) for hull in model.airframe.hull]
-        for part, gap in gaps:
-            if gap < 0.0:
+        there = obstacle_in_body_frame(obstacle, state.position, r)
+        for part, gap in zip(
+            parts, _gaps(there, model.airframe, model.contact_point), strict=False
+        ):
+            if gap < -LANDED:
                 raise problem(
                     f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
                     f"{given[owner].type} (got {list(scenario.start.position)} m)",
                     "start.position",
                 )
+
+
+@traceable
+def _gaps(obstacle: Obstacle, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
+    """Gaps of cages and hull to an obstacle in the body frame, arms at their free length [m]."""
+    still = Vec(0.0, 0.0, 0.0)
+    poses = [(arm.cage_radius, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
+    cages = [cage_gap(obstacle, contact_point, radius, pose) for radius, pose in poses]
+    return (*cages, *(hull_apart(obstacle, hull) for hull in airframe.hull))
 
 
 @traceable

@@ -27,8 +27,8 @@ PACKAGE = str(Path(__file__).parents[1]) + os.sep
 _FORM = re.compile(r"(?P<file>.+):(?P<name>[^\W\d]\w*)\Z")
 #: Tables and keys of a scenario that name code; a ``*`` is any entry of a list.
 NAMED_AT: tuple[tuple[str, ...], ...] = (("pilot",), ("world", "obstacles", "*", "shape"))
-#: Where a scenario may name the file of a vehicle.
-VEHICLE_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"))
+#: Where a scenario may name the file of a vehicle, or of thrusts.
+FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
 
 
 def _code_name(value: str) -> str:
@@ -45,7 +45,7 @@ CodeName = Annotated[str, AfterValidator(_code_name)]
 
 
 def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Raw tables of a scenario whose relative names of code and vehicle files are made absolute.
+    """Raw tables of a scenario whose relative names of code and other files are made absolute.
 
     Args:
         given: Raw tables.
@@ -54,13 +54,13 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
     result: Any = given
     for path in NAMED_AT:
         result = _change_at(result, path, lambda word: _absolute(word, folder))
-    for path in VEHICLE_AT:
+    for path in FILES_AT:
         result = _change_at(result, path, lambda word: _absolute_file(word, folder))
     return dict(result)
 
 
 def _absolute_file(word: Any, folder: Path) -> Any:
-    is_file = isinstance(word, str) and word.endswith(".toml")
+    is_file = isinstance(word, str) and word.endswith((".toml", ".csv"))
     return os.path.abspath(folder / word) if is_file else word
 
 

@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
-from springback.quantities import PerArm, Triple, Unit, number_in, si_number
+from springback.quantities import PerArm, Quadruple, Triple, Unit, number_in, si_number
 from springback.settings import Settings, nearest_name
 
 Path = tuple[str | int, ...]
@@ -50,9 +50,10 @@ class TableField:
 
     @property
     def shape(self) -> Any:
-        """Type of its numbers: float, `Triple` or `PerArm`."""
+        """Type of its numbers: float, `Triple`, `Quadruple` or `PerArm`."""
         types = {leaf for leaf, _ in self.entries}
-        return Triple if Triple in types else float if types <= {float, type(None)} else PerArm
+        vectors = [kind for kind in (Triple, Quadruple) if kind in types]
+        return vectors[0] if vectors else float if types <= {float, type(None)} else PerArm
 
     @property
     def words(self) -> tuple[str, ...]:

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import ArmTip, Ring
-from springback.contact.obstacles import Forces, Impulses, World
+from springback.contact.obstacles import (
+    Forces,
+    Impulses,
+    Obstacle,
+    Plane,
+    SecondContact,
+    World,
+)
 from springback.contact.parameters import Own, obstacles
+from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
-from springback.frames import attitude_from_euler
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
-from springback.kernels.vectors import Mat3, Quat, Vec
+from springback.kernels.trees import leaves
+from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
@@ -23,16 +33,26 @@ from springback.scenario.tables import (
     ScenarioTables,
     SimulationSettings,
     Start,
+    ThrustSettings,
     UserShape,
     WorldSettings,
 )
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
+from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
+
+#: Obstacles farther than this are not met by a start at touch [m] (chosen).
+FARTHEST = 1e4
+#: A motion that closes in on a plane by less than this share of its way is parallel to it (chosen).
+PARALLEL = 1e-9
+#: Search for the touch of a shape: factor by which distances may be wrong
+#: (`springback.scenario.user_obstacles`), shortest step [m] and largest number of them (chosen).
+INEXACT, SHORTEST_LOOK, MOST_LOOKS = 1.05, 1e-6, 20_000
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]
 Moments = tuple[tuple[float, ...], ...]
@@ -55,10 +75,13 @@ def thrusts_of(
     Args:
         vehicle: Nominal vehicle.
         gravity: g [m/s²].
-        thrust: As given: one for all, a list, or ``"hover"``.
+        thrust: As given: one for all, a list, ``"hover"``, or a table, whose first row is taken.
         is_piloted: True for a pilot, which starts at the hover thrust.
     """
     count = vehicle.arm_count
+    if isinstance(thrust, ThrustSettings):
+        _check_table(vehicle, thrust)
+        return thrust.values[0]
     if thrust == "hover" or is_piloted:
         return hover_thrusts(vehicle, gravity)
     if isinstance(thrust, list | tuple) and len(thrust) != count:
@@ -66,6 +89,27 @@ def thrusts_of(
     given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
     with naming("thrust"):
         return tuple(si_number(entry, "N", least=0.0) for entry in given)
+
+
+def _check_table(vehicle: Vehicle, thrust: ThrustSettings) -> None:
+    """Reject rows of another number of rotors, and thrusts that the rotors cannot give."""
+    count, propulsion = vehicle.arm_count, vehicle.propulsion
+    for k, row in enumerate(thrust.values):
+        if len(row) != count:
+            raise problem(f"has {len(row)} entries for {count} rotors", f"thrust.values[{k}]")
+        if propulsion is not None and max(row) > propulsion.max_thrust:
+            raise problem(
+                f"must be at most {propulsion.max_thrust:g} N, the largest thrust of a rotor "
+                f"(got {max(row):g} N)",
+                f"thrust.values[{k}]",
+            )
+
+
+def thrust_table(thrust: Any) -> ThrustTable | None:
+    """Thrusts over time, as `thrusts_of` has checked them; None if they are constant."""
+    if not isinstance(thrust, ThrustSettings) or len(set(thrust.values)) == 1:
+        return None
+    return ThrustTable(thrust.time, thrust.values)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------
@@ -219,12 +263,90 @@ def flight_model(
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     point, guide = contact_point_of(s.model), guide_of(s.model)
     timing = timing_of(s.simulation, s.model, s.vehicle)
-    return Model(airframe, world, point, guide, s.air.air(), thrust, timing)
+    table = thrust_table(s.thrust)
+    ramp = () if table is None else (table.stretches()[0].ramp,)
+    return Model(airframe, world, point, guide, s.air.air(), thrust, timing, ramp)
 
 
-def start_state(start: Start, vehicle: Vehicle) -> State:
-    """State at time 0, arms at their free length."""
+# -- the start ------------------------------------------------------------------------------------
+
+
+def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = plain_build) -> State:
+    """State at time 0, arms at their free length.
+
+    Args:
+        start: The table.
+        vehicle: Vehicle with these arms.
+        model: Model of the flight; a `Start.touch_distance` is taken from its obstacles.
+        build: Builder of the parts.
+
+    Raises:
+        The problem, if there is a touch distance and the straight motion meets no obstacle.
+    """
+    state: State = build(_state_at_place, start, vehicle)
+    if start.touch_distance is None:
+        return state
+    moved = build(way_to_touch, model, state) - start.touch_distance
+    direction = unit(state.velocity)
+    return state._replace(position=state.position + moved * direction)
+
+
+def _state_at_place(start: Start, vehicle: Vehicle) -> State:
+    """State at `Start.place`."""
     s, lengths = start, vehicle.lengths()
-    attitude = Quat(*attitude_from_euler(s.roll, s.pitch, s.yaw))
     velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
-    return State(s.place(), attitude, velocity, spin, lengths, rates)
+    return State(s.place(), s.attitude(), velocity, spin, lengths, rates)
+
+
+@traceable
+def way_to_touch(model: Model, state: State) -> float:
+    """Distance along the velocity to the first touch, straight on and without turning [m].
+
+    Negative for a state inside an obstacle: the way back out of it.
+
+    Raises:
+        The problem, if there is no touch within `FARTHEST`.
+    """
+    math.fsum(leaves((model, state)))  # no formula of traced numbers, which this refuses
+    if not state.velocity @ state.velocity > 0.0:
+        raise problem("must not be zero: start.touch_distance is along it", "start.velocity")
+    direction = unit(state.velocity)
+    shapes = [one for one in model.world.obstacles if not isinstance(one.shape, SecondContact)]
+    ways = [_way_to(model, one, state, direction) for one in shapes]
+    way = min(ways, default=math.inf)
+    if way == math.inf:
+        raise problem(
+            f"cannot be kept: straight on from start.position, {_text(state.position)} m, along "
+            f"start.velocity, {_text(state.velocity)} m/s, the vehicle meets no obstacle",
+            "start.touch_distance",
+        )
+    return way
+
+
+def _text(v: Vec) -> str:
+    return f"[{', '.join(f'{part:.4g}' for part in v)}]"
+
+
+def _way_to(model: Model, obstacle: Obstacle, state: State, direction: Vec) -> float:
+    """Distance along a direction to the touch of one obstacle [m]; infinite without one."""
+    world = model.world._replace(obstacles=(obstacle,))
+
+    def gap(way: float) -> float:
+        there = state._replace(position=state.position + way * direction)
+        return clearance(model.airframe, world, model.contact_point, there)
+
+    here = gap(0.0)
+    if isinstance(obstacle.shape, Plane):
+        closing = -(obstacle.shape.normal @ direction)
+        return here / closing if closing > PARALLEL else math.inf
+    # A gap changes by no more than the way: steps as long as it is pass no obstacle by.
+    sign, before, way, now = math.copysign(1.0, here), 0.0, 0.0, here
+    for _ in range(MOST_LOOKS):
+        if sign * now <= 0.0:
+            low, high = sorted((before, way))
+            return float(scipy.optimize.brentq(gap, low, high, xtol=1e-15)) if now else way
+        before, way = way, way + sign * max(sign * now / INEXACT, SHORTEST_LOOK)
+        if abs(way) > FARTHEST:
+            break
+        now = gap(way)
+    return math.inf

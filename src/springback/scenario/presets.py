@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -123,6 +124,45 @@ def obstacle_table(entry: Any) -> Any:
     return {**entry, **own}
 
 
+def read_thrusts(path: str | Path) -> dict[str, Any]:
+    """Raw table of thrusts over time of a CSV file.
+
+    Args:
+        path: Of the file.  Its first line names the columns: ``time`` or ``t`` [s], ``thrust1``,
+            ``thrust2``, … [N]; others, as of telemetry, are not read.
+
+    Raises:
+        InputError: If it cannot be read, has no such columns, or holds something else than numbers.
+    """
+    try:
+        head, *lines = list(csv.reader(source_text(Path(path)).splitlines())) or [[]]
+    except csv.Error as error:
+        raise InputError(f"{path}: is not CSV: {error}") from None
+    names = [name.strip() for name in head]
+    wanted = [next((name for name in ("time", "t") if name in names), "time")]
+    while (name := f"thrust{len(wanted)}") in names or len(wanted) == 1:
+        wanted.append(name)
+    for name in wanted:
+        if name not in names:
+            raise InputError(f"{path}:1: has no column {name}; there are: {', '.join(names)[:200]}")
+    places, rows = [names.index(name) for name in wanted], []
+    for number, line in enumerate(lines, start=2):
+        if not line:
+            continue
+        try:
+            rows.append([float(line[place]) for place in places])
+        except (ValueError, IndexError):
+            what = f"must have numbers as {', '.join(wanted)} (got {shown_value(','.join(line))})"
+            raise InputError(f"{path}:{number}: {what}") from None
+    return {"time": [row[0] for row in rows], "values": [row[1:] for row in rows]}
+
+
+def thrust_of(given: Any) -> Any:
+    """A raw thrust, the name of a file replaced by its table."""
+    is_file = isinstance(given, str) and given.endswith(".csv")
+    return read_thrusts(given) if is_file else given
+
+
 def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario whose run-up begins at ``start.position``, unless it has its own ``start``."""
     result, reference, start = dict(given), given.get("reference"), given.get("start")
@@ -143,6 +183,9 @@ def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
     if "vehicle" in result:
         with within("vehicle"):
             result["vehicle"] = vehicle_table(result["vehicle"])
+    if "thrust" in result:
+        with within("thrust"):
+            result["thrust"] = thrust_of(result["thrust"])
     if "estimator" in result:
         with within("estimator"):
             result["estimator"] = estimator_table(result["estimator"])

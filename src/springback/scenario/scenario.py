@@ -13,14 +13,13 @@ from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path
 from springback.scenario.build import (
-    NO_PARTS,
     ReadyFlight,
     UserParts,
     build_flight,
     no_pilot,
     user_parts,
 )
-from springback.scenario.checks import check_start, check_tables
+from springback.scenario.checks import check_sensors, check_start, check_tables
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expand_presets as expand_presets
 from springback.scenario.presets import merge as merge
@@ -41,11 +40,18 @@ class Scenario(ScenarioTables):
         own = given or self.pilot is not None
         if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
-            check_start(self, self.flight_model(), self.start_state())
+            check_sensors(self)
+            if self.start.touch_distance is None or not self._touches_own():
+                check_start(self, self.flight_model(), self.start_state())
         else:
             advises = (info.context or {}).get("advises", True)
             self.build(UserParts(pilot=no_pilot if own else None), advises=advises)
         return self
+
+    def _touches_own(self) -> bool:
+        """True if the obstacle that its start touches may be the user's own, known when built."""
+        kinds = {entry.type for entry in self.world.obstacles}
+        return "own" in kinds or kinds <= {"ground"}
 
     # -- built parts ------------------------------------------------------------------------------
 
@@ -61,8 +67,7 @@ class Scenario(ScenarioTables):
             parts: The user's own; by default those that the scenario names, whose files are run.
             advises: Suggest a feasible distance if a run-up cannot be flown; slow.
         """
-        own = user_parts(self) if parts is None else parts
-        own = own if any(own) else NO_PARTS  # the memo knows the very object
+        own = self.parts(UserParts, *(user_parts(self) if parts is None else parts))
         return self.parts(build_flight, self, own, self.parts, None, advises)
 
     def true_vehicle(self) -> Vehicle:
@@ -79,7 +84,7 @@ class Scenario(ScenarioTables):
 
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
-        return self.parts(start_state, self.start, self.vehicle)
+        return start_state(self.start, self.vehicle, self.flight_model(), self.parts)
 
 
 def scenario_from(

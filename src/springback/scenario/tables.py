@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Field, PlainValidator, model_validator
+from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, model_validator
 
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
 from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
 from springback.errors import shown_value
-from springback.kernels.vectors import Vec
-from springback.quantities import Angle, Duration, Triple, Unit, si_number
+from springback.frames import attitude_from_euler, euler_from_attitude
+from springback.kernels.tracing import sqrt  # for batch set-up
+from springback.kernels.vectors import Quat, Vec
+from springback.quantities import Angle, Duration, Quadruple, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
 from springback.scenario.code_files import CodeName
 from springback.sensing.estimation import EstimatorSettings
@@ -22,6 +26,8 @@ from springback.vehicle.parameters import Vehicle, check_moments
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of obstacles.
 MOST_OBSTACLES = 64
+#: Largest deviation of a quaternion's length from 1 (chosen: the rounding of four decimals).
+UNIT_LENGTH = 1e-4
 
 
 def _arguments(given: Any) -> dict[str, Any]:
@@ -80,11 +86,54 @@ class Start(Settings):
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
+    quaternion: Annotated[Quadruple, Unit("")] | None = None
+    """Attitude in place of roll, pitch and yaw: w, x, y, z (Hamilton), body to world.
+
+    It is normalised; its length must be 1 to within 1e-4, the rounding of four decimals.
+    """
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+    touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None
+    """Distance from the start to the first touch, along ``velocity``; 0: it begins in touch.
+
+    The vehicle is moved from ``position`` along its velocity without turning: ahead to the first
+    obstacle, or back if ``position`` is inside one; and back by this distance.
+    """
+
+    @model_validator(mode="after")
+    def _one_attitude(self) -> Start:
+        if self.quaternion is None:
+            return self
+        for name in ("roll", "pitch", "yaw"):
+            if (angle := getattr(self, name)) != 0.0:
+                raise problem(f"cannot be combined with a {name} (got {angle:g} rad)", "quaternion")
+        self.attitude()
+        return self
 
     def place(self) -> Vec:
-        """Position of the main body at time 0, world [m]."""
+        """Position of the main body at time 0, world [m], before any move to a touch."""
         return Vec(*self.position) + Vec(*self.offset)
+
+    def attitude(self) -> Quat:
+        """Attitude at time 0, body to world."""
+        if self.quaternion is None:
+            return Quat(*attitude_from_euler(self.roll, self.pitch, self.yaw))
+        w, x, y, z = self.quaternion
+        length = sqrt(w * w + x * x + y * y + z * z)
+        if abs(length - 1.0) > UNIT_LENGTH:
+            raise problem(
+                f"must be of length 1 to within {UNIT_LENGTH:g} (got length {length:.6g})",
+                "quaternion",
+            )
+        return Quat(w / length, x / length, y / length, z / length)
+
+    def angles(self) -> Triple:
+        """Roll, pitch and yaw at time 0 [rad]."""
+        if self.quaternion is None:
+            return self.roll, self.pitch, self.yaw
+        with warnings.catch_warnings():  # nose up or down, one of many triples is as good
+            warnings.simplefilter("ignore")
+            roll, pitch, yaw = euler_from_attitude(self.quaternion).tolist()
+        return roll, pitch, yaw
 
 
 class ModelSettings(Settings):
@@ -150,6 +199,67 @@ class SimulationSettings(Settings):
     """Contacts closer together than this are one impact."""
 
 
+#: Largest number of instants of a table of thrusts (chosen: each takes a step at least).
+MOST_INSTANTS = 100_000
+
+
+def _thrust_instants(given: Any) -> tuple[float, ...]:
+    """Instants that do not decrease, no three of them the same."""
+    if not isinstance(given, list | tuple) or not 0 < len(given) <= MOST_INSTANTS:
+        raise problem(f"must be a list of 1 to {MOST_INSTANTS} instants")
+    found = list[float]()
+    for k, entry in enumerate(given):
+        with naming(str(k)):
+            time = si_number(entry, "s", least=0.0)
+            if found and time < found[-1]:
+                raise problem(
+                    f"must be at least {found[-1]:g} s, as instants increase (got {time:g} s)"
+                )
+            if found[-2:] == [time, time]:
+                raise problem(f"must be later than {time:g} s, at which there is a jump already")
+        found.append(time)
+    return tuple(found)
+
+
+def _thrust_rows(given: Any) -> tuple[tuple[float, ...], ...]:
+    """Thrusts of all rotors, one row for each instant."""
+    if not isinstance(given, list | tuple):
+        raise problem("must be a list, for each instant one of the thrusts of all rotors")
+    found = []
+    for k, row in enumerate(given):
+        if not isinstance(row, list | tuple):
+            raise problem(
+                f"must be a list of the thrusts of all rotors (got {shown_value(row)})", f"{k}"
+            )
+        thrusts = []
+        for j, entry in enumerate(row):
+            with naming(f"{k}.{j}"):
+                thrusts.append(si_number(entry, "N", least=0.0))
+        found.append(tuple(thrusts))
+    return tuple(found)
+
+
+class ThrustSettings(Settings):
+    """Thrusts over time without a pilot: linear between the instants, constant outside of them."""
+
+    time: Annotated[tuple[float, ...], BeforeValidator(_thrust_instants)]
+    """Instants, in order [s]; one that is given twice is a jump."""
+    values: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_thrust_rows)]
+    """For each instant the thrust of each rotor [N]."""
+
+    @model_validator(mode="after")
+    def _rows_for_instants(self) -> ThrustSettings:
+        if len(self.values) != len(self.time):
+            what = f"must have a row for each of {len(self.time)} instants (got {len(self.values)})"
+            raise problem(what, "values")
+        return self
+
+
+def _thrust(given: Any) -> Any:
+    """Thrusts over time as settings; anything else is read with the vehicle."""
+    return ThrustSettings.model_validate(given) if isinstance(given, Mapping) else given
+
+
 class ScenarioTables(Settings):
     """All input of one flight, each table validated by itself."""
 
@@ -160,10 +270,12 @@ class ScenarioTables(Settings):
     vehicle: Vehicle
     world: WorldSettings = WorldSettings()
     start: Start = Start()
-    thrust: Any = 0.0
-    """Thrust of each rotor [N]: one for all, a list, or ``"hover"`` for the weight shared by all.
+    thrust: Annotated[Any, PlainValidator(_thrust)] = 0.0
+    """Thrust of each rotor [N]: one for all, a list, ``"hover"``, or `ThrustSettings` over time.
 
-    That is the weight of the nominal `vehicle`, without a true payload.
+    ``"hover"`` is the weight of the nominal `vehicle`, without a true payload, shared by all.  The
+    table may be a CSV file, ``"FILE.csv"``: its first line names the columns ``time`` [s] and
+    ``thrust1``, ``thrust2``, … [N]; others are not read.
     """
     pilot: CodeName | None = None
     """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's."""
@@ -174,6 +286,7 @@ class ScenarioTables(Settings):
     """Detection of collisions and the response to them; none: the pilot ignores them."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
+    """Sensors.  Without a pilot their readings are recorded if this table is given, even empty."""
     clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
     """Ticks per second of all on-board devices [Hz]."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0

@@ -26,10 +26,18 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
-from springback.dynamics.rigid import RigidRates, RigidState, rigid_body, rigid_step
+from springback.dynamics.rigid import RigidRates, RigidState, rigid_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
-from springback.kernels.trees import axpy, axpy_strictly, replace, select, square, tree_map
+from springback.kernels.trees import (
+    axpy,
+    axpy_strictly,
+    fold,
+    replace,
+    select,
+    square,
+    tree_map,
+)
 from springback.kernels.vectors import Vec, renormalise
 from springback.simulation.lanes import (
     CRUISES,
@@ -53,6 +61,7 @@ from springback.simulation.record import (
     record_after,
     record_after_cruise,
 )
+from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import Airframe, Arm, Sphere, State
 
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
@@ -114,7 +123,8 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         model = read(shape.model, b, 0, w, i)
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
-        known = rates_of(model, motion.state, record.stepping.phase)
+        now = model_at(model, record.stepping.time)
+        known = rates_of(now, motion.state, record.stepping.phase)
         write(record_after(model, motion, known.seen, record), b, at.record, w, i)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
@@ -144,18 +154,27 @@ def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float)
     # Mostly no hull touches: its forces, all zero, are then left out.
     if hull_touches(shape, b, w):
         for i in range(w):
-            model = read(shape.model, b, 0, w, i)
+            model = _stage_model(shape, b, w, i, reach)
             state = _stage_state(shape, b, w, i, reach)
             engaged = read(contacts.engaged, b, at.engaged, w, i)
             known = rates_within(model, state, b[at.phase * w + i], engaged)
             _add_rates(shape, b, w, i, known.motion, weight)
     else:
         for i in range(w):
-            model = _without_hull(read(shape.model, b, 0, w, i))
+            model = _without_hull(_stage_model(shape, b, w, i, reach))
             state = _stage_state(shape, b, w, i, reach)
             engaged = Engaged(read(contacts.engaged.arms, b, at.engaged, w, i), ())
             known = rates_within(model, state, b[at.phase * w + i], engaged)
             _add_rates(shape, b, w, i, known.motion, weight)
+
+
+@kernel
+def _stage_model(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> Model:
+    """Model of one lane at the instant of a stage."""
+    at = places(shape, w)
+    time = b[at.record * w + i] + reach * b[at.step * w + i]
+    stage: Model = model_at(read(shape.model, b, 0, w, i), time)
+    return stage
 
 
 @kernel
@@ -253,7 +272,7 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
         s, work = motion.state, motion.work
-        body = rigid_body(model.airframe, s.arm_length, model.thrust)
+        body = body_at(model, s.arm_length, record.stepping.time)
         x = RigidState(
             s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air
         )
@@ -261,6 +280,8 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         left = model.timing.until - record.stepping.time
         h = left if left < model.timing.free_step else model.timing.free_step
         flown = rigid_step(guide, air, body, gravity, x, h)
+        given = model, s.arm_length, record.stepping.time, x, h
+        flown = fold(ramped_step, flown, model.ramp, given)
         known, new = flown.known, flown.flight
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES

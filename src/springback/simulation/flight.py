@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Literal, NamedTuple
 
@@ -20,9 +20,10 @@ from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import TrajectoryLog, advance
-from springback.simulation.lanes import Shape, buffer_rows, empty_groups
+from springback.simulation.executor import TrajectoryLog, advance, has_space
+from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
+from springback.simulation.thrusts import ARRIVED, ThrustTable
 from springback.vehicle.state import State
 
 Executor = Literal["compiled", "python"]
@@ -216,6 +217,7 @@ def fly_one(
     model: Model,
     start: State,
     *,
+    thrusts: ThrustTable | None = None,
     trace: bool = True,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
@@ -225,6 +227,7 @@ def fly_one(
     Args:
         model: Of the flight.
         start: State at time 0.
+        thrusts: Thrusts over time, of a model with a `Ramp`.
         trace: Record the trajectory, with each step.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called from time to time with the simulated time [s].
@@ -237,21 +240,49 @@ def fly_one(
     width = 1 + rows(shape.motion) + rows(shape.seen)
     logs: list[Buffer] = []
     run, like = entry_for(model, executor), TreeLayout(shape)
-    record_row = -rows(shape.record)
-    while True:
-        log = empty_log(LOG_ROWS if trace else 0, width)
-        flying = run(like, buffers, (0,), log, SLICE, 0.0)
-        logs.append(log.rows[: log.used[0]])
-        time_now = float(buffers[0, record_row])
-        check_instants(sum(map(len, logs)), time_now, model.timing.until)
-        if progress is not None:
-            progress(time_now)
-        if not flying:
-            break
+    record_row, log = -rows(shape.record), empty_log(LOG_ROWS if trace else 0, width)
+    for early in _stretches(shape, buffers, 1, thrusts):
+        flying = 1
+        while flying:
+            flying = run(like, buffers, (0,), log, SLICE, early)
+            time_now = float(buffers[0, record_row])
+            check_instants(sum(map(len, logs)) + log.used[0], time_now, model.timing.until)
+            if progress is not None:
+                progress(time_now)
+            if not has_space(log):
+                logs.append(log.rows)
+                log = empty_log(LOG_ROWS, width)
+    logs.append(log.rows[: log.used[0]])
     flown = flight_records(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
     return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+
+
+def _stretches(
+    shape: Shape, buffers: Buffer, width: int, thrusts: ThrustTable | None
+) -> Iterator[float]:
+    """Stretches of some flights, one after another: their thrusts and ends are written to buffers.
+
+    Yields:
+        The argument ``early`` of `springback.simulation.executor.advance`.
+    """
+    if thrusts is None:
+        yield 0.0
+        return
+    at, lanes = places(shape, width), buffers.reshape(len(buffers), -1, width)
+    thrust, ramp, row = (row_of(shape.model, name) for name in ("thrust", "ramp", "timing"))
+    until = lanes[:, row].copy()  # the first field of the timing
+    stretches = thrusts.stretches(float(until.max()))
+    for stretch in stretches:
+        goes_on = (until > stretch.ramp.since + ARRIVED)[:, None]  # others keep their last thrusts
+        changes = [(row, (stretch.end,)), (thrust, stretch.thrust), (ramp, leaves(stretch.ramp))]
+        changes.append((at.step, (0.0,)))  # thrusts have a kink here: no peak is interpolated
+        for first, values in changes:
+            part = lanes[:, first : first + len(values)]
+            part[:] = np.where(goes_on, np.array(values)[:, None], part)
+        lanes[:, row] = np.minimum(until, lanes[:, row])
+        yield 0.0 if stretch is stretches[-1] else 1.0
 
 
 def empty_log(rows: int = 0, columns: int = 1) -> TrajectoryLog:
@@ -287,6 +318,7 @@ def fly_many(
     models: Sequence[Model],
     starts: Sequence[State],
     *,
+    thrusts: ThrustTable | None = None,
     threads: int | None = None,
     width: int = LANES,
     progress: Callable[[float], None] | None = None,
@@ -296,13 +328,14 @@ def fly_many(
     Args:
         models: One for each flight, or a single one for all.
         starts: One state for each flight.
+        thrusts: Thrusts over time of all flights, of models with a `Ramp`.
         threads: Defaults to the number of processors.
         width: Lanes in a group.
         progress: Called from time to time with the share of groups done.
     """
     shape = shape_of(models[0], starts[0])
     buffers = flight_buffers(shape, models, starts, width)
-    fly_buffers(shape, buffers, width, threads=threads, progress=progress)
+    fly_buffers(shape, buffers, width, thrusts=thrusts, threads=threads, progress=progress)
     return flight_records(shape, models, starts, buffers, width)
 
 
@@ -311,10 +344,20 @@ def fly_buffers(
     buffers: Buffer,
     width: int,
     *,
+    thrusts: ThrustTable | None = None,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Fly all flights to their end, in their buffers."""
+    """Fly all flights to their end, in their buffers.
+
+    Args:
+        shape: Layout of the buffers.
+        buffers: Shape (groups, rows x width).
+        width: Lanes in a group.
+        thrusts: Thrusts over time of all flights, of models with a `Ramp`.
+        threads: Defaults to the number of processors.
+        progress: Called from time to time with the share of groups done.
+    """
     like = TreeLayout(shape)
     lanes, run = (0,) * width, entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
@@ -322,8 +365,9 @@ def fly_buffers(
 
     def fly_chunk(first: int) -> int:
         last = min(first + chunk, len(buffers))
-        while run(like, buffers[first:last], lanes, empty_log(), SLICE, 0.0):
-            pass
+        for early in _stretches(shape, buffers[first:last], width, thrusts):
+            while run(like, buffers[first:last], lanes, empty_log(), SLICE, early):
+                pass
         return last - first
 
     done = 0

@@ -26,6 +26,8 @@ from springback.simulation.peaks import (
     peaks_after,
     spacing,
 )
+from springback.simulation.thrusts import ARRIVED as ARRIVED
+from springback.simulation.thrusts import Ramp
 from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
@@ -47,8 +49,6 @@ PER_FRICTION_SHARE, PER_CONTACT_SHARE = 1.0 / FRICTION_SHARE, 1.0 / CONTACT_SHAR
 PER_SLIP_SHARE = 1.0 / SLIP_SHARE
 #: A step to a crossing is at least this share of the impact step.
 SHORTEST = 1e-3
-#: A flight ends within this time of its end [s].
-ARRIVED = 1e-12
 #: A flight takes steps as one rigid body while nothing can touch within this many free steps ...
 ROOMY_STEPS = 8.0
 #: ... and this distance [m].
@@ -82,6 +82,7 @@ class Model(NamedTuple):
     air: Any  # Still or Air
     thrust: tuple[float, ...]  # of each rotor [N]
     timing: Timing
+    ramp: tuple[Ramp, ...] = ()  # one if the thrusts change with time
 
 
 class Stepping(NamedTuple):

@@ -77,7 +77,7 @@ def check_pilot(
     if own is None:
         raise InputError("pilot must be given: a function, a CompiledPilot, or 'file.py:name'")
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
-    own = built_pilot(own, pilot_context(ready))
+    own = built_pilot(own, pilot_context(ready, ready.start_state()))
     asked = _as_plain(own)
     calls: list[Call] = []
     properties: list[Callable[[], Finding]] = [
@@ -174,7 +174,7 @@ def _with_location(function: Any, pilot: Any) -> Any:
 
 def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
     half = math.acos(math.sqrt(math.cos(TILT)))  # roll and pitch that make the tilt together
-    start = scenario.start.with_checked(roll=half, pitch=half)
+    start = scenario.start.with_checked(roll=half, pitch=half, quaternion=None)
     tilted = scenario.with_checked(start=start)
 
     def judge() -> tuple[bool, str]:

@@ -203,12 +203,11 @@ def approach_to_wall(scenario: Scenario) -> WallApproach | None:
         return None
     start, arms, reference = scenario.start, scenario.vehicle.arms, scenario.reference
     into = wall.plane().normal * -1.0
-    speed = Vec(*start.velocity) @ into
-    pitch = start.pitch
+    speed, attitude = Vec(*start.velocity) @ into, start.attitude()
     if isinstance(reference, RunUpSettings):
-        speed, pitch = reference.speed, reference.pitch
-    attitude = rotation(Quat(*attitude_from_euler(start.roll, pitch, start.yaw)))
-    ahead = into @ attitude  # in body axes
+        roll, _, yaw = start.angles()
+        speed, attitude = reference.speed, Quat(*attitude_from_euler(roll, reference.pitch, yaw))
+    ahead = into @ rotation(attitude)  # in body axes
     angles = [math.atan2(ahead.y, ahead.x) - direction for direction in arms.directions]
     reaches = [arms.at("length", j) * math.cos(angle) for j, angle in enumerate(angles)]
     first = max(range(len(reaches)), key=lambda j: reaches[j] + arms.at("cage_radius", j))

@@ -110,6 +110,19 @@ def test_it_opens_with_the_file_to_the_last_bit(file: Path) -> None:
     assert in_lab.scenario == as_file.scenario
 
 
+def test_a_quaternion_opens_as_angles_and_is_changed_as_angles(tmp_path: Path) -> None:
+    """Nose down by 10 deg and at touch: it flies as in the file until the pitch is changed."""
+    path, half = tmp_path / "own.toml", math.radians(5.0)
+    words = f"quaternion = [{math.cos(half)}, 0, {math.sin(half)}, 0]\ntouch_distance = 0"
+    path.write_text((FILE + VEHICLE).replace('pitch = "10 deg"', words), encoding="utf-8")
+    table = table_of(path)
+    assert (table().pitch, table().yaw) == (10.0, 0.0)
+    assert lab_scenario(table(), "mine") == read_scenario(path)
+    start = lab_scenario(setting(table, pitch=20.0), "mine").start
+    assert (start.quaternion, start.touch_distance) == (None, 0.0)
+    assert start.angles() == pytest.approx((0.0, math.radians(20.0), 0.0), abs=1e-12)
+
+
 def test_its_numbers_are_the_defaults_and_marked(file: Path) -> None:
     table = table_of(file, "vehicle.arms.length=0.6", "start.pitch=-70 deg")
     for name, value in (("length", 600.0), ("speed", 2.5), ("pitch", -70.0), ("friction", 0.4)):

@@ -16,7 +16,7 @@ from springback.quantities import Unit
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import place_of, read_scenario
 from springback.scenario.overrides import apply_overrides
-from springback.scenario.presets import is_vehicle_file, read_vehicle, vehicle_table
+from springback.scenario.presets import is_vehicle_file, read_vehicle, thrust_of, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
@@ -291,7 +291,7 @@ def _in_users_words(path: tuple[str | int, ...], what: str) -> tuple[tuple[str |
 
 
 def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
-    """Plan with its scenario file, and its vehicle files, replaced by their tables.
+    """Plan with its scenario file, and its files of vehicles and thrusts, replaced by their tables.
 
     Args:
         plan: Any.
@@ -306,6 +306,8 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
     word = vehicle.get("preset") if isinstance(vehicle, dict) else vehicle
     if is_vehicle_file(word):
         tables = {**tables, "vehicle": vehicle_table(vehicle)}
+    if "thrust" in tables:
+        tables = {**tables, "thrust": thrust_of(tables["thrust"])}
     return _with_vehicles(plan.with_checked(scenario=tables), folder, source)
 
 

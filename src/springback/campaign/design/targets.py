@@ -14,6 +14,7 @@ from springback.problems import dotted_path, key_path
 from springback.scenario.fields import Parameter, Path, number_at
 from springback.scenario.overrides import with_value
 from springback.scenario.scenario import Scenario
+from springback.scenario.tables import Start
 
 Place = Callable[[Any, Any], Any]
 """Function from a table of the scenario and a value to the table with the value."""
@@ -188,14 +189,15 @@ def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
     changes = {
         "start": {
             "position": list(start.position), "offset": list(start.offset),
-            "velocity": list(start.velocity), "yaw": start.yaw,
+            "velocity": list(start.velocity), "yaw": start.yaw, **_as_angles(start),
         },
         "control": {name: getattr(control, name) for name in GAINS},
         "model_error": {"mass": error.mass, "inertia": error.inertia},
     }  # fmt: skip
     result = dict(tables)
     for key, numbers in changes.items():
-        result[key] = {**result.get(key, {}), **numbers}
+        before = {name: x for name, x in result.get(key, {}).items() if name != "quaternion"}
+        result[key] = before | numbers
     entries = []
     given = (tables.get("world") or {}).get("obstacles", [])
     for raw, entry in zip(given, scenario.world.obstacles, strict=True):
@@ -206,6 +208,12 @@ def in_numbers(tables: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
     if entries:
         result["world"] = {**result["world"], "obstacles": entries}
     return result
+
+
+def _as_angles(start: Start) -> dict[str, float]:
+    """Euler angles in place of a quaternion; nothing without one."""
+    angles = zip(("roll", "pitch", "yaw"), start.angles(), strict=True)
+    return {} if start.quaternion is None else dict(angles)
 
 
 #: Gains of `springback.studies.trials.Scatter`.

@@ -45,7 +45,7 @@ def flight_figure(flight: Flight) -> Figure:
     """
     if not flight.columns:
         raise InputError("this flight has no trajectory: fly it with trajectory=True")
-    if flight.telemetry:
+    if flight.is_piloted:
         shades = contacts(flight.columns)
         return stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
     return _motion(flight)
@@ -111,7 +111,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     if touch is None:
         return lambda instant: instant, slice(None)
     ends = [end for _, end in contacts(flight.columns)]
-    if flight.telemetry:
+    if flight.is_piloted:
         ends = [measures.get("separation_time") or ends[-1]]
     last = max(*ends, measures.get("return_time") or touch, touch + 0.01)
     room = 0.35 * (last - touch)

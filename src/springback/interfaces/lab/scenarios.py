@@ -106,7 +106,7 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
             s, speed=f"{digits(s.speed)} m/s", pitch=f"{digits(s.pitch)} deg"
         )
     elif not user.is_piloted:
-        given["start"] = user.tables.get("start", {}) | _start(s, user)
+        given["start"] = _start(s, user)
     if not is_default(s, "surface", *_SURFACE) and user.surface is not None:
         world = user.tables["world"]
         faces = [_with_surface(s, entry, slides=False) for entry in world["obstacles"]]
@@ -125,16 +125,20 @@ def _changes(s: LabSettings, **values: str) -> Table:
 
 
 def _start(s: LabSettings, user: UserScenario) -> Table:
-    """Changed values of the start."""
-    start, found = user.scenario.start, _changes(s, pitch=f"{digits(s.pitch)} deg")
-    more: Table = {}
+    """The start of the file, with its changed values."""
+    start, found = user.scenario.start, dict(user.tables.get("start", {}))
+    roll, pitch, yaw = start.angles()
     if not is_default(s, "speed") and user.speed:
         share = s.speed / math.hypot(*start.velocity)
-        more["velocity"] = [share * v for v in start.velocity]
+        found["velocity"] = [share * v for v in start.velocity]
+    if not is_default(s, "pitch", "yaw") and found.pop("quaternion", None):
+        found |= {"roll": roll, "pitch": pitch, "yaw": yaw}
+    if not is_default(s, "pitch"):
+        found["pitch"] = f"{digits(s.pitch)} deg"
     if not is_default(s, "yaw"):
-        yaw = math.degrees(start.yaw) + s.yaw - user.yaw
-        more["yaw"] = f"{digits(math.remainder(yaw, 360.0))} deg"
-    return found | more
+        turned = math.degrees(yaw) + s.yaw - user.yaw
+        found["yaw"] = f"{digits(math.remainder(turned, 360.0))} deg"
+    return found
 
 
 def _with_surface(s: LabSettings, entry: Table, slides: bool) -> Table:

@@ -17,7 +17,7 @@ from springback.kernels.vectors import Vec
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import read_scenario
 from springback.scenario.overrides import apply_overrides
-from springback.scenario.presets import is_vehicle_file, vehicle_table
+from springback.scenario.presets import is_vehicle_file, thrust_of, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
 from springback.vehicle.parameters import Vehicle
@@ -103,7 +103,7 @@ class UserScenario:
     @property
     def pitch(self) -> float:
         """Pitch of its run-up, else of its start [deg]."""
-        angle = self.scenario.start.pitch if self.run_up is None else float(self.run_up.pitch)
+        angle = float(self.scenario.start.angles()[1] if self.run_up is None else self.run_up.pitch)
         return _rounded(math.degrees(angle))
 
     @property
@@ -115,7 +115,8 @@ class UserScenario:
         if isinstance(self.target, Wall | Mat):
             into = -1.0 * _face(self.target).normal
             towards = math.atan2(into.y, into.x) if math.hypot(into.x, into.y) > 1e-9 else 0.0
-        return _rounded(math.degrees(math.remainder(self.scenario.start.yaw - towards, math.tau)))
+        yaw = self.scenario.start.angles()[2]
+        return _rounded(math.degrees(math.remainder(yaw - towards, math.tau)))
 
 
 def _face(obstacle: Wall | Mat) -> Plane:
@@ -127,7 +128,7 @@ def _rounded(number: float) -> float:
 
 
 def read_user_scenario(path: Path, overrides: Sequence[str] = ()) -> UserScenario:
-    """Scenario for the lab from a file; a vehicle in a further file is read now, and once.
+    """Scenario for the lab from a file; those of vehicle and thrusts that it names are read once.
 
     Raises:
         InputError: One line for each problem, as of `springback.scenario.files.read_scenario`.
@@ -138,6 +139,8 @@ def read_user_scenario(path: Path, overrides: Sequence[str] = ()) -> UserScenari
     vehicle = given["vehicle"]
     if is_vehicle_file(vehicle.get("preset") if isinstance(vehicle, dict) else vehicle):
         given["vehicle"] = _without_none(vehicle_table(vehicle))
+    if "thrust" in given:
+        given["thrust"] = thrust_of(given["thrust"])
     return UserScenario(path.name, given, scenario)
 
 

@@ -204,12 +204,15 @@ def _time_line(flight: Flight) -> tuple[Event, ...]:
 
 
 def _thrust(flight: Flight, model: Model, t: Array) -> Array:
-    """Rotor thrusts [N], shape (instants, rotors), from the telemetry, else the constant thrust."""
-    if "thrust1" not in flight.telemetry:
+    """Rotor thrusts [N], shape (instants, rotors): those of a pilot, of a table, else constant."""
+    known = next(
+        (table for table in (flight.telemetry, flight.columns) if "thrust1" in table), None
+    )
+    if known is None:
         return np.broadcast_to(np.array(model.thrust, dtype=float), (len(t), len(model.thrust)))
-    page = np.clip(np.searchsorted(flight.telemetry["t"], t, "right") - 1, 0, None)
+    page = np.clip(np.searchsorted(known["t"], t, "right") - 1, 0, None)
     rotors = range(1, len(model.thrust) + 1)
-    return np.stack([flight.telemetry[f"thrust{j}"][page] for j in rotors], axis=1)
+    return np.stack([known[f"thrust{j}"][page] for j in rotors], axis=1)
 
 
 def _series(

@@ -33,7 +33,7 @@ def save_flight(
 
 
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
-    """Write ``summary.json``, ``trajectory.parquet``, a pilot's ``telemetry.parquet``, and figures.
+    """Write ``summary.json``, ``trajectory.parquet``, ``telemetry.parquet`` if any, and figures.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
     flight with its reference, and ``impact.png`` the collision if there was one.  The numbers of
@@ -79,6 +79,6 @@ def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:
         "flight": style.picture(plots.flight_figure, flight),
         "energy": style.picture(plots.energy_figure, flight),
     }
-    if flight.telemetry and flight.measures["touch_time"] is not None:
+    if flight.is_piloted and flight.measures["touch_time"] is not None:
         found["impact"] = style.picture(plots.impact_figure, flight)
     return found

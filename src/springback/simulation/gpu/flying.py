@@ -24,7 +24,7 @@ from springback.kernels.gpu.ptx import (
 )
 from springback.kernels.layout import Buffer, TreeLayout, rows, structure
 from springback.simulation.executor import advance, to_tick
-from springback.simulation.flight import SLICE, own_types, shape_of, sources
+from springback.simulation.flight import SLICE, fly_buffers, own_types, shape_of, sources
 from springback.simulation.gpu.thread import (
     GuidedConstants,
     SharedFlights,
@@ -40,6 +40,7 @@ from springback.simulation.lanes import Shape, buffer_rows, places
 from springback.simulation.noise import FlightNoise, generate
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import FLYING
+from springback.simulation.thrusts import ThrustTable
 from springback.simulation.ticks import (
     GUST_NOISE,
     FlightBuffers,
@@ -174,6 +175,7 @@ def fly_buffers_on_gpu(
     width: int,
     *,
     precision: Precision = "double",
+    thrusts: ThrustTable | None = None,
     progress: Progress | None = None,
 ) -> None:
     """Fly all flights to their end on a GPU, in their buffers.
@@ -184,12 +186,16 @@ def fly_buffers_on_gpu(
         width: Lanes in a group.
         precision: In which the GPU computes. In single precision results are not the processor's:
             restitution and peaks keep three to five digits, see docs/benchmarks.md.
+        thrusts: Thrusts over time of all flights, which are then flown on the processor.
         progress: Called from time to time with the share of flights done.
 
     Raises:
         InputError: If there is no GPU.
         PtxError: If the flights need a function that a GPU does not have.
     """
+    if thrusts is not None:
+        fly_buffers(shape, buffers, width, thrusts=thrusts, progress=progress)
+        return
     lanes, at = buffers.reshape(len(buffers), -1, width), places(shape, width)
     moving, status = rows(shape.motion), at.status - at.record
     kind, model = _impacts(shape, precision), _columns(lanes, 0, at.motion)
