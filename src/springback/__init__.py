@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from springback.scenario.avionics import CompiledPilot as CompiledPilot
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
-    from springback.scenario.user_pilots import PilotContext as PilotContext
+    from springback.scenario.user.pilots import PilotContext as PilotContext
     from springback.sensing.measurement import Measurement as Measurement
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
@@ -70,7 +70,7 @@ _PUBLIC = {
     "Measurement": "sensing.measurement",
     "pilot_step": "simulation.onboard", "PilotOutput": "simulation.onboard",
     "telemetry_of": "simulation.onboard",
-    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user_pilots",
+    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user.pilots",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
     "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",

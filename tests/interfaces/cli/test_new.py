@@ -20,8 +20,8 @@ from springback.interfaces.cli.examples import TEMPLATES
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import user_parts
 from springback.scenario.fields import fields_of
-from springback.scenario.user_obstacles import check_own_obstacles
-from springback.scenario.user_pilots import read_pilot
+from springback.scenario.user.obstacles import check_own_obstacles
+from springback.scenario.user.pilots import read_pilot
 from springback.vehicle.parameters import Vehicle
 
 

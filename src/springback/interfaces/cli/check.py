@@ -188,7 +188,7 @@ def _shape_findings(
     from springback.scenario.files import read_scenario
     from springback.scenario.overrides import apply_overrides
     from springback.scenario.tables import Start, UserShape, WorldSettings
-    from springback.scenario.user_obstacles import own_obstacles
+    from springback.scenario.user.obstacles import own_obstacles
     from springback.studies.shape_check import check_shape
 
     given = apply_overrides({}, [word for word in more if "=" in word])
