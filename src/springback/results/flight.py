@@ -275,7 +275,9 @@ def fly(
         foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
         check_instants(int(foreseen), timing.until, timing.until)
     if built.built_avionics is not None:
-        flight = _fly_guided(ready, built, trajectory, executor, progress)
+        flight = guided_flight(
+            ready, built, trajectory=trajectory, executor=executor, progress=progress
+        )
         return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
         built.model, built.start, trace=trajectory, executor=executor, progress=progress
@@ -293,14 +295,26 @@ def _wary(flight: Flight) -> Flight:
     return flight
 
 
-def _fly_guided(
+def guided_flight(
     ready: Scenario,
     built: ReadyFlight,
-    trajectory: bool,
-    executor: Executor,
-    progress: Callable[[float], None] | None,
+    *,
+    trajectory: bool = True,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
 ) -> Flight:
-    """Fly with a pilot."""
+    """Flight of a built scenario with a pilot, of the user's own or not.
+
+    Args:
+        ready: The scenario.
+        built: The same, with avionics.
+        trajectory: Record trajectory and telemetry.
+        executor: ``compiled``, or ``python``.
+        progress: Called from time to time with the simulated time [s].
+
+    Raises:
+        InputError: If a user's own part fails, in one line with its file and line.
+    """
     guided = fly_built(built, trace=trajectory, executor=executor, progress=progress)
     columns, units = trajectory_columns(guided.flown)
     telemetry, telemetry_units = telemetry_columns(guided.telemetry, len(built.start.arm_length))

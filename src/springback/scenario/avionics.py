@@ -63,7 +63,7 @@ class CompiledPilot(NamedTuple):
 
 
 class CompiledEstimator(NamedTuple):
-    """An estimator of the user's own: its type is registered with `update`."""
+    """An estimator of the user's own: its type is registered with `estimator_step`."""
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats

@@ -22,7 +22,7 @@ from springback.scenario.avionics import CompiledDetector, CompiledEstimator
 from springback.scenario.code_files import error_place, error_words, read_object
 from springback.scenario.user.laws import Law, home_of, law_of, layout_text, source_text
 from springback.scenario.user.pilots import PilotContext
-from springback.sensing.measurement import Estimate, EstimatorStep, Measurement, update
+from springback.sensing.measurement import Estimate, EstimatorStep, Measurement, estimator_step
 
 Part = CompiledEstimator | CompiledDetector
 _WHAT: dict[type[Part], str] = {CompiledEstimator: "an estimator", CompiledDetector: "a detector"}
@@ -114,7 +114,7 @@ def check_estimator(own: CompiledEstimator, measurement: Measurement) -> Law:
     Raises:
         InputError: If it fails, or returns what a pilot cannot use, with file and line.
     """
-    law = law_of(update, own, "an estimator")
+    law = law_of(estimator_step, own, "an estimator")
     said = law.call(own.settings, 0.0, measurement, own.memory)
     if not isinstance(said, EstimatorStep):
         law.refuse(f"must return EstimatorStep(estimate, memory) (got {source_text(said)})")
