@@ -52,7 +52,10 @@ def read_sensing(path: str, word: str, kind: type[Part]) -> SensingCode:
     Raises:
         InputError: If there is no such file or name, if it is neither, or if the file fails.
     """
-    found = read_object(word, _WHAT[kind])
+    try:
+        found = read_object(word, _WHAT[kind])
+    except InputError as error:
+        raise InputError(*(f"{path}: {line}" for line in error.problems)) from error
     if not isinstance(found, kind) and (not callable(found) or isinstance(found, type)):
         file, _, name = word.rpartition(":")
         raise InputError(f"{path}: {file}: {name} {_needed(kind)} (got {source_text(found)})")
