@@ -2,15 +2,18 @@
 
 A scenario, plan or override is either accepted, and then made ready to fly with finite numbers, or
 refused by an `InputError` of lines that a terminal can show.  Nothing else is raised, warned of, or
-takes long.
+takes long or much memory.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
+import resource
 import time
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +31,8 @@ from springback.scenario.source_text import toml_tables
 EXAMPLES = Path(__file__).parents[2] / "examples"
 #: Longest that one input may take [s]: a run-up that is sought in vain takes about 1 s here.
 LONGEST = 20.0
+#: Most memory that one input may take beyond what the process has [bytes].
+MOST_MEMORY = 3 * 2**30
 #: Longest line of an error that is of use to anybody.
 LONGEST_LINE = 2500
 
@@ -226,11 +231,24 @@ def check_ready(scenario: Scenario) -> None:
     assert again.model_dump(mode="json") == saved
 
 
+@contextlib.contextmanager
+def bounded_memory() -> Iterator[None]:
+    """Raise a MemoryError for what asks for more than `MOST_MEMORY`, instead of a killed process."""
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    held = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (held + MOST_MEMORY, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
+
+
 def timed(check: Any, *given: Any) -> bool:
     """Whether an input is accepted; what is promised for it is asserted."""
     begun = time.perf_counter()
     try:
-        check(*given)
+        with bounded_memory():
+            check(*given)
     except InputError as error:
         check_lines(error)
         return False

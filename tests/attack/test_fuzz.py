@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from attack.inputs import (
     PLAN,
     SCENARIOS,
+    bounded_memory,
     override_words,
     plan_tables,
     plans,
@@ -70,6 +71,16 @@ def test_what_was_found_aloft(path: tuple[str | int, ...], value: Any) -> None:
     """The output of a sensor that does not change has no inverse: a division by zero."""
     with pytest.raises(InputError, match=r"distance: leaves an output that does not change"):
         scenario_tables(put(SCENARIOS[1], path, value))
+
+
+@pytest.mark.parametrize("lag", [-43067.0, -0.31])
+def test_a_lag_far_from_its_sample_is_refused(lag: float) -> None:
+    """Was a filter that remembers 8.6 million poses, in 22 GB."""
+    path = ("estimator", "kalman", "inertial_lag")
+    refused = pytest.raises(InputError, match=r"kalman\.inertial_lag: must be above -0\.305 s")
+    with bounded_memory(), refused:
+        scenario_tables(put(SCENARIOS[3], path, lag))
+    assert timed(scenario_tables, put(SCENARIOS[3], path, -0.304))
 
 
 def test_a_run_up_without_gravity_is_refused() -> None:

@@ -24,6 +24,9 @@ from springback.user_code import Arguments, CodeName
 #: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
 STANDARD_GRAVITY = 9.80665
 
+#: Most poses that the filter remembers, chosen: sensors need five.
+MOST_POSES = 64
+
 Estimator = PerfectState | Kalman | Complementary
 Memory = PerfectMemory | KalmanMemory | ComplementaryMemory
 
@@ -98,9 +101,20 @@ class KalmanSettings(Settings):
     initial_gyroscope_bias: Annotated[float, Unit("rad/s", least=0.0)] = math.radians(0.1)
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Kalman:
-        """Settings of the filter; gravity is g along −Z [m/s²]."""
+        """Settings of the filter; gravity is g along −Z [m/s²].
+
+        Raises:
+            The problem, if a lag far from a sample asks for more than `MOST_POSES` past poses.
+        """
         spacing = max(rhythm.pose_interval or 0.0, rhythm.interval)
         late = max(rhythm.pose_age - self.inertial_lag, 0.0) / spacing
+        if late >= MOST_POSES - 1:
+            least = rhythm.pose_age - (MOST_POSES - 1) * spacing
+            raise problem(
+                f"must be above {least:.6g} s with poses {spacing:.6g} s apart "
+                f"(got {self.inertial_lag:.6g} s)",
+                "kalman.inertial_lag",
+            )
         # Poses that are not all saved at their own time are interpolated, which needs an older one.
         all_stored = spacing == rhythm.pose_interval
         reach = math.floor(late + ROUNDING) if all_stored else math.ceil(late - ROUNDING)
