@@ -372,7 +372,7 @@ class CollisionSensing(NamedTuple):
 
     observer: Observer
     detection: Detection
-    look: Characterisation
+    characterisation: Characterisation
 
 
 @traceable
@@ -394,7 +394,7 @@ def collision_sensing(
         return CollisionSensing(
             recovery.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
             recovery.triggers(is_compliant, inertial, hall),
-            recovery.looks(full_scale),
+            recovery.collision_characterisation(full_scale),
         )
 
 
@@ -408,7 +408,7 @@ def _recovery_pilot(
     """The pilot that recovers from collisions, around the one that flies."""
     s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
     assert recovery is not None  # only called for scenarios with recovery
-    eyes = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
+    sensing = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
     route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=s.start.place())
@@ -418,7 +418,7 @@ def _recovery_pilot(
         if detector is None:
             raise problem("was not read, so it cannot be flown", "recovery.detection.own.code")
         own, remembered = detector.settings, detector_memory(detector.memory)
-    pilot = RecoveryPilot(cascade, *eyes, route, own)
+    pilot = RecoveryPilot(cascade, *sensing, route, own)
     return CompiledPilot(pilot, traceable(recovery_pilot_memory)(pilot, memory, remembered))
 
 
