@@ -16,7 +16,7 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.envelope_plan import plan_envelope
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import fly_chunk
+from springback.campaign.flying import fly_chunk, try_code
 from springback.campaign.running import run_campaign
 from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
@@ -227,6 +227,14 @@ def test_a_map_takes_vehicle_files_and_pilots(folder: Path) -> None:
     )  # fmt: skip
     assert plan.design.robots == ("quad", "heavy")
     assert plan.corners[1]["vehicle"]["body"]["mass"] == 0.9
+    for name in ("own_detector.py", "own_estimator.py"):
+        shutil.copy(EXAMPLES / name, folder)
+    own = plan_envelope("speed=2:3:2", settings=[
+        "estimator.type=own", f"estimator.code={folder}/own_estimator.py:blend",
+        f"recovery.detection.own.code={folder}/own_detector.py:jolt",
+    ]).design  # fmt: skip
+    try_code(own)
+    assert {Path(path).name for path in own.code} == {"own_detector.py", "own_estimator.py"}
     with pytest.raises(InputError, match=r"mine.py: has no 'nix'"):
         plan_envelope("speed=2:3:2", settings=[f"pilot={folder}/mine.py:nix"])
     with pytest.raises(InputError, match=r"none.toml: cannot be read"):

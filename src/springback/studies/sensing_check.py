@@ -97,16 +97,16 @@ def _estimator_findings(flight: Flight) -> list[Finding]:
 def _detector_findings(flight: Flight) -> list[Finding]:
     m = flight.measures
     delay, error, false = m["detection_delay"], m["direction_error"], m["false_alarms"]
-    late = "it raised no alarm" if delay is None else f"its alarm came {1e3 * delay:.3g} ms after"
-    off = "none" if error is None else f"{math.degrees(error):.3g} deg"
+    late = "there is none" if delay is None else f"it came {1e3 * delay:.3g} ms after first touch"
+    off = "there is none" if error is None else f"{math.degrees(error):.3g} deg"
     return [
         Finding(
             "detects the collision", delay is not None and delay <= DELAY,
-            f"{late} first touch (at most {1e3 * DELAY:g} ms)",
+            f"the first alarm: {late} (at most {1e3 * DELAY:g} ms)",
         ),
         Finding(
             "knows the direction", error is not None and error <= DIRECTION,
-            f"error of f_c0, its own or springback's: {off} (at most {math.degrees(DIRECTION):g})",
+            f"error of f_c0: {off} (at most {math.degrees(DIRECTION):g} deg)",
         ),
         Finding("raises no false alarm", false == 0.0, f"false alarms: {false:g}"),
         Finding(
