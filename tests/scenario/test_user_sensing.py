@@ -15,6 +15,7 @@ import pytest
 import springback
 from builders.cases import nonempty
 from springback import InputError, Outcome, Vec
+from springback.results.flight import ready_flight
 from springback.scenario.files import read_scenario
 from springback.scenario.scenario import scenario_from
 from springback.scenario.warnings import scenario_warnings
@@ -293,8 +294,8 @@ def test_what_is_none_is_refused_in_one_line(
         "detector": {"recovery": {"detection": {"own": given}}},
         "estimator": {"estimator": {"type": "own"} | given},
     }
-    with pytest.raises(InputError) as caught:
-        flown(tables(**named[table]))
+    with pytest.raises(InputError) as caught:  # as `springback check` and `fly` do
+        ready_flight(scenario_from(tables(**named[table]), advises=False))
     said = str(caught.value)
     assert "\n" not in said
     for word in nonempty(words):

@@ -355,6 +355,18 @@ def fly_built(
         )  # fmt: skip
 
 
+def ready_flight(scenario: Scenario) -> ReadyFlight:
+    """Flight of a scenario, built with the user's own code that it names, which is checked.
+
+    Raises:
+        InputError: If it cannot be flown, or if the code fails, in one line with file and line.
+    """
+    with _as_input():
+        built = scenario.build()
+    check_user_code(built)
+    return built
+
+
 def check_user_code(built: ReadyFlight) -> list[Law]:
     """Laws of the user's own that a flight compiles, each called once in plain Python.
 

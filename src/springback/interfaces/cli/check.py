@@ -67,11 +67,11 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
-    from springback.scenario.build import user_parts
+    from springback.results.flight import ready_flight
     from springback.scenario.files import read_scenario
 
     scenario = read_scenario(path, overrides)
-    user_parts(scenario)  # code of the user's own that cannot be used is refused
+    ready_flight(scenario)  # code of the user's own that cannot be used is refused
     numbers, warnings = _findings(scenario)
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
