@@ -32,14 +32,22 @@ if TYPE_CHECKING:
     from springback.kernels.vectors import rotation as rotation
     from springback.paper.slider import Interpretation as Interpretation
     from springback.paper.slider import slider_experiments as slider_experiments
+    from springback.recovery.detection import CollisionInputs as CollisionInputs
+    from springback.recovery.detector import DetectorStep as DetectorStep
+    from springback.recovery.detector import detector_step as detector_step
     from springback.results.flight import Flight as Flight
     from springback.results.flight import fly as fly
     from springback.results.saved import load as load
+    from springback.scenario.avionics import CompiledDetector as CompiledDetector
+    from springback.scenario.avionics import CompiledEstimator as CompiledEstimator
     from springback.scenario.avionics import CompiledPilot as CompiledPilot
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
-    from springback.scenario.user_pilots import PilotContext as PilotContext
+    from springback.scenario.user.pilots import PilotContext as PilotContext
+    from springback.sensing.measurement import Estimate as Estimate
+    from springback.sensing.measurement import EstimatorStep as EstimatorStep
     from springback.sensing.measurement import Measurement as Measurement
+    from springback.sensing.measurement import estimator_step as estimator_step
     from springback.simulation.flight import fly_many as fly_many
     from springback.simulation.measures import MEASURES as MEASURES
     from springback.simulation.measures import Outcome as Outcome
@@ -67,10 +75,14 @@ _PUBLIC = {
     "signed_distance": "contact.obstacles", "outward_normal": "contact.obstacles",
     "kernel": "kernels.compiler", "Vec": "kernels.vectors", "Quat": "kernels.vectors",
     "rotation": "kernels.vectors",
-    "Measurement": "sensing.measurement",
+    "Measurement": "sensing.measurement", "Estimate": "sensing.measurement",
+    "estimator_step": "sensing.measurement", "EstimatorStep": "sensing.measurement",
+    "CompiledEstimator": "scenario.avionics", "CompiledDetector": "scenario.avionics",
+    "detector_step": "recovery.detector", "DetectorStep": "recovery.detector",
+    "CollisionInputs": "recovery.detection",
     "pilot_step": "simulation.onboard", "PilotOutput": "simulation.onboard",
     "telemetry_of": "simulation.onboard",
-    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user_pilots",
+    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user.pilots",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
     "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",

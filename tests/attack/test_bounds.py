@@ -13,7 +13,7 @@ from springback.campaign.design.plan import read_plan
 from springback.errors import LONGEST_LINE, InputError, plain, shown_value
 from springback.scenario.files import read_scenario
 from springback.scenario.source_text import MOST_BYTES
-from springback.scenario.user_pilots import read_pilot, wrong
+from springback.scenario.user.pilots import read_pilot, wrong
 from springback.simulation import flight as flights
 
 GOOD = 'vehicle = "arq"\nthrust = "hover"\n'

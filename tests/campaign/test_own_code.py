@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import springback
+from builders.cases import nonempty
 from springback.campaign.access import Campaign
 from springback.campaign.cost_estimate import cost_estimate
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.envelope_plan import plan_envelope
 from springback.campaign.errors import CampaignError
-from springback.campaign.flying import fly_chunk
+from springback.campaign.flying import fly_chunk, try_code
 from springback.campaign.running import run_campaign
 from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 CODE = """
 from pathlib import Path
 from springback import Vec
@@ -162,6 +165,44 @@ def test_a_pilot_that_fails_ends_its_own_row(folder: Path) -> None:
     assert "mine.py:15: RuntimeError: too far ahead, at 0 s" in rows.as_dicts()[4]["problem"]
 
 
+def test_own_sensing_flies_in_lanes_as_alone(folder: Path) -> None:
+    """Built by one pass for all flights, and compiled; alone here in plain Python: the same bits."""
+    for name in ("own_detector.py", "own_estimator.py"):
+        shutil.copy(EXAMPLES / name, folder)
+    jolt = {"code": f"{folder}/own_detector.py:jolt", "parameters": {"threshold": 20.0}}
+    scenario = {
+        "vehicle": "quad",
+        "reference": {"type": "hold", "position": [0.6, 0.0, 1.0]},
+        "estimator": {"type": "own", "code": f"{folder}/own_estimator.py:blend"},
+        "recovery": {"detection": {"own": jolt}},
+        "world": {"obstacles": [{"type": "wall", "distance": 1.0, "surface": "wall"}]},
+        "start": {"position": [0.746, 0.0, 1.0], "velocity": [2.0, 0.2, 0.0]},
+        "simulation": {"duration": 0.03, "impact_step": 5e-4},
+    }
+    field = "recovery.detection.own.parameters.threshold"
+    plan = Plan(
+        scenario=scenario, method="grid",
+        vary=({"field": field, "from": 20.0, "to": 240.0, "count": 9},),
+    )  # fmt: skip
+    assert {Path(path).name for path in lay_out(plan).code} == {
+        "own_detector.py", "own_estimator.py",
+    }  # fmt: skip
+    campaign = run_campaign(plan, folder / "out", workers=1)
+    rows = campaign.query("FROM flights ORDER BY flight").as_dicts()
+    assert rows[0]["alarm_time"] < rows[4]["alarm_time"]
+    assert [row["outcome"] for row in (rows[0], rows[8])] == ["not_settled", "not_detected"]
+    for k in (0, 4):
+        [tables], row = lay_out(plan).slice(k, k + 1).tables, rows[k]
+        flight = springback.fly(tables, executor="python")
+        assert flight.outcome.word == row["outcome"]
+        for name, value in nonempty(flight.measures.items()):
+            assert row[name] == value, name
+    text = (folder / "own_detector.py").read_text()
+    (folder / "own_detector.py").write_text(text.replace("-level", "level"))
+    with pytest.raises(InputError, match=r"own_detector.py: has changed since"):
+        campaign.refly(0)
+
+
 @pytest.mark.parametrize(
     ("robots", "said"),
     [
@@ -186,6 +227,14 @@ def test_a_map_takes_vehicle_files_and_pilots(folder: Path) -> None:
     )  # fmt: skip
     assert plan.design.robots == ("quad", "heavy")
     assert plan.corners[1]["vehicle"]["body"]["mass"] == 0.9
+    for name in ("own_detector.py", "own_estimator.py"):
+        shutil.copy(EXAMPLES / name, folder)
+    own = plan_envelope("speed=2:3:2", settings=[
+        "estimator.type=own", f"estimator.code={folder}/own_estimator.py:blend",
+        f"recovery.detection.own.code={folder}/own_detector.py:jolt",
+    ]).design  # fmt: skip
+    try_code(own)
+    assert {Path(path).name for path in own.code} == {"own_detector.py", "own_estimator.py"}
     with pytest.raises(InputError, match=r"mine.py: has no 'nix'"):
         plan_envelope("speed=2:3:2", settings=[f"pilot={folder}/mine.py:nix"])
     with pytest.raises(InputError, match=r"none.toml: cannot be read"):

@@ -9,7 +9,7 @@ from springback.kernels.compiler import executor, kernel
 from springback.kernels.layout import rows, write
 from springback.kernels.trees import rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose, update
+from springback.sensing.measurement import Estimate, Inertial, Measurement, Pose, estimator_step
 
 ZERO = Vec(0.0, 0.0, 0.0)
 NOTHING = Estimate(ZERO, Quat(1.0, 0.0, 0.0, 0.0), ZERO, ZERO)
@@ -50,7 +50,7 @@ _compiled_seen = kernel(_seen)
 
 def _loop(estimator, memory, table, estimates, memories, every):
     for k in range(1, table.shape[0]):
-        believed = update(estimator, float(k), _compiled_seen(table, k), memory)
+        believed = estimator_step(estimator, float(k), _compiled_seen(table, k), memory)
         memory = believed.memory
         write(believed.estimate, estimates[k], 0, 1, 0)
         if k % every == 0:
@@ -106,7 +106,7 @@ def run(estimator, memory, flown, *, clip=None, every=5, plain=False):
 def _plain_loop(estimator, memory, table, estimates, memories, every):
     values = table.tolist()
     for k in range(1, len(values)):
-        believed = update(estimator, float(k), _seen(values, k), memory)
+        believed = estimator_step(estimator, float(k), _seen(values, k), memory)
         memory = believed.memory
         write(believed.estimate, estimates[k], 0, 1, 0)
         if k % every == 0:

@@ -108,7 +108,7 @@ def characterisation_error(
     blow = blow_of(r, normal, {arm: size * force for arm, size in arms.items()})
     found = no_observation(AIRFRAME)._replace(pressed=pressed, attitude=q, lengths=LENGTHS)
     at = Estimate(Vec(1.0, 2.0, 3.0), q, NONE, NONE)
-    start = CollisionStart(Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0))
+    start = CollisionStart(Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0), NONE)
     said: Collision = law(settings, inputs(seen(), at, wrench_of(blow)), found, start)
     return said
 
@@ -191,7 +191,7 @@ def test_the_accelerometer_points_away_from_the_obstacle() -> None:
     found = no_observation(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
     at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(RecentImpulse(*(NONE,) * 7))
     hit = characterise(
-        CHARACTERISATION, inputs(seen(), at, words), found, CollisionStart(NONE, NONE)
+        CHARACTERISATION, inputs(seen(), at, words), found, CollisionStart(NONE, NONE, NONE)
     )
     assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
     assert hit.by_fusion == hit.by_wrench == NONE

@@ -1,6 +1,7 @@
 """The referee: what counts as a run, as rest, as a false alarm; all on made-up motions."""
 
 import math
+from collections.abc import Callable
 
 import pytest
 
@@ -18,6 +19,7 @@ from springback.vehicle.state import State
 STILL = Vec(0.0, 0.0, 0.0)
 GOAL = Vec(2.4, 0.0, 1.0)
 REFEREE = RecoverySettings().evaluator()
+BY_MOTION = RecoverySettings().rest_evaluator()
 TICK = 1e-3
 
 
@@ -50,10 +52,19 @@ def seen(
     return after
 
 
+def seen_alone(
+    memory: EvaluatorMemory, time: float, now: State, touch: Contacts, thought: None
+) -> EvaluatorMemory:
+    """What the referee of a pilot of the user's own has seen after a tick."""
+    after: EvaluatorMemory = evaluator_step(BY_MOTION, time, now, touch, thought, memory)
+    return after
+
+
 class Story:
     """A flight given tick by tick."""
 
-    def __init__(self) -> None:
+    def __init__(self, sees: Callable[..., EvaluatorMemory] = seen) -> None:
+        self.sees = sees
         self.memory, self.time, self.contacts, self.last = (
             evaluator_at_start(Vec(0.0, 0.0, 1.0)),
             0.0,
@@ -62,7 +73,11 @@ class Story:
         )
 
     def goes_on(
-        self, duration: float, now: State, thought: RecoveryPilotMemory, touching: bool = False
+        self,
+        duration: float,
+        now: State,
+        thought: RecoveryPilotMemory | None = None,
+        touching: bool = False,
     ) -> None:
         if touching:
             self.contacts += 1.0
@@ -72,7 +87,7 @@ class Story:
             touch = blank_record(4).contacts._replace(
                 touching=1.0 if touching else 0.0, total=self.contacts, last_touch_time=self.last
             )
-            self.memory = seen(self.memory, self.time, now, touch, thought)
+            self.memory = self.sees(self.memory, self.time, now, touch, thought)
 
 
 def test_a_recovery() -> None:
@@ -143,3 +158,48 @@ def test_pitch_counts_beyond_the_right_angle() -> None:
     story.goes_on(0.03, state(2.5), thinking(CRUISE), touching=True)
     story.goes_on(0.1, state(2.4, pitch=math.radians(-120.0)), thinking(RECOVER, alarm=0.01))
     assert story.memory.run.nose_up == pytest.approx(math.radians(-120.0))
+
+
+# -- pilots of the user's own ----------------------------------------------------------------------
+
+
+def test_a_pilot_of_ones_own_has_recovered_where_it_is_slow_and_touches_nothing() -> None:
+    story = Story(seen_alone)
+    story.goes_on(1.0, state(2.0, z=0.9))
+    assert (story.memory.runs, story.memory.lowest) == (0.0, 0.9)
+    story.goes_on(0.03, state(2.5, pitch=0.4), touching=True)
+    story.goes_on(0.5, state(1.7, 0.8, -1.0, -0.7))
+    m = story.memory
+    assert (m.runs, m.recovered, m.run.settled) == (1.0, 0.0, NOT_YET)
+    assert m.run.touch == pytest.approx(1.001)
+    assert m.run.excursion == pytest.approx(0.8)
+    assert (m.run.nose_down, m.run.nose_up, m.run.lowest) == pytest.approx((0.4, -0.7, 0.8))
+    story.goes_on(0.29, state(0.3, speed=0.29))
+    assert story.memory.recovered == 0.0
+    story.goes_on(0.02, state(0.3, speed=0.29))
+    assert (story.memory.recovered, story.memory.open) == (1.0, 0.0)
+    assert story.memory.run.settled == pytest.approx(1.531)
+    assert story.memory.run.path == pytest.approx(
+        math.hypot(0.5, 0.1) + math.hypot(0.8, 0.2) + math.hypot(1.4, 0.2)
+    )
+
+
+def test_it_has_not_where_it_is_fast_or_leans() -> None:
+    for now, touching in (state(0.3, speed=0.31), False), (state(2.5), True):
+        story = Story(seen_alone)
+        story.goes_on(0.03, state(2.5), touching=True)
+        story.goes_on(3.0, now, touching=touching)
+        assert (story.memory.runs, story.memory.recovered) == (1.0, 0.0)
+
+
+def test_its_touch_before_rest_is_of_the_same_run_and_a_later_one_is_not() -> None:
+    story = Story(seen_alone)
+    for k in range(2):
+        story.goes_on(0.03, state(2.5), touching=True)
+        story.goes_on(0.2, state(2.4))
+        story.goes_on(0.03, state(2.5), touching=True)
+        story.goes_on(0.29, state(2.4))
+        assert (story.memory.runs, story.memory.recovered) == (k + 1.0, float(k))
+        story.goes_on(0.05, state(2.4))
+        assert (story.memory.runs, story.memory.recovered) == (k + 1.0, k + 1.0)
+        assert story.memory.run.contacts == 2.0

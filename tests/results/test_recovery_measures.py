@@ -67,7 +67,7 @@ def test_delays_count_from_the_exact_first_touch_or_the_tick_of_a_later_one(
 
 
 def test_outcomes_in_their_order() -> None:
-    record, seen, _ = memories()
+    record, seen, memory = memories()
     touched, ran = record_with(record, contacts={"total": 1.0}), seen._replace(runs=1.0)
     grounded = record_with(touched, contacts={"ground_time": 0.2})
     alarmed = ran._replace(run=ran.run._replace(alarm=0.1))
@@ -86,7 +86,8 @@ def test_outcomes_in_their_order() -> None:
         (record_with(touched, contacts={"bottomed_time": 0.1}), alarmed, Outcome.NOT_SETTLED),
     ]
     for one, judged, wanted in cases:
-        assert recovery_outcomes(as_columns(one), as_columns(judged)) == [wanted]
+        trees = [as_columns(tree) for tree in (one, judged, memory)]
+        assert recovery_outcomes(*trees) == [wanted]
 
 
 def test_a_flight_is_printed_in_degrees_and_measured_in_radians() -> None:

@@ -11,8 +11,8 @@ import pytest
 
 import springback
 from springback.errors import InputError
-from springback.scenario.avionics import scenario_warnings
 from springback.scenario.files import read_scenario
+from springback.scenario.warnings import scenario_warnings
 
 GOOD = """\
 name = "test"

@@ -11,7 +11,7 @@ import pytest
 from springback.contact.restitution import restitution
 from springback.errors import InputError
 from springback.results.flight import as_scenario, fly
-from springback.scenario.avionics import scenario_warnings
+from springback.scenario.warnings import scenario_warnings
 from springback.simulation.measures import Outcome
 from springback.vehicle.library import VEHICLES
 

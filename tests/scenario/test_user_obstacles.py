@@ -16,7 +16,7 @@ from springback.contact.obstacles import outward_normal, signed_distance
 from springback.errors import InputError
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec, norm
-from springback.scenario.user_obstacles import check_own_obstacles
+from springback.scenario.user.obstacles import check_own_obstacles
 
 START = Vec(2.2, 0.0, 1.0)
 SCENARIO = {

@@ -14,7 +14,7 @@ import pytest
 
 import springback
 from springback.errors import CommandWarning, InputError
-from springback.scenario.user_pilots import read_pilot
+from springback.scenario.user.pilots import read_pilot
 from springback.simulation.flight import BEGUN, sources
 
 SHORT = {

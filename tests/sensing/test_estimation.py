@@ -23,7 +23,7 @@ from springback.sensing.measurement import (
     Measurement,
     Pose,
     believe,
-    update,
+    estimator_step,
 )
 from springback.sensing.parameters import SensorSettings
 from springback.sensing.perfect import PerfectState
@@ -64,7 +64,7 @@ def test_every_estimator_starts_from_what_it_is_told(name, kind):
     estimator = settings.estimator(RHYTHM, 9.81)
     assert isinstance(estimator, kind)
     start = NOTHING._replace(position=Vec(1.0, -2.0, 3.0))
-    believed = update(estimator, 1.0, seen(exact=start), settings.memory(estimator, start))
+    believed = estimator_step(estimator, 1.0, seen(exact=start), settings.memory(estimator, start))
     assert believed.estimate.position == pytest.approx(start.position, abs=1e-15)
     assert believed.estimate.velocity == pytest.approx(ZERO, abs=1e-15)
 
@@ -73,7 +73,9 @@ def test_perfect_state_is_what_is_revealed():
     settings = EstimatorSettings(type="perfect")
     estimator = settings.estimator(RHYTHM, 9.81)
     assert (
-        update(estimator, 3.0, seen(exact=TRUTH), settings.memory(estimator, NOTHING)).estimate
+        estimator_step(
+            estimator, 3.0, seen(exact=TRUTH), settings.memory(estimator, NOTHING)
+        ).estimate
         == TRUTH
     )
 
@@ -85,7 +87,7 @@ def test_between_inertial_samples_the_estimate_goes_on_at_constant_rates():
         estimator = settings.estimator(Rhythm(tick=1e-3, interval=4e-3), 9.81)
         memory = settings.memory(estimator, start)
         for tick in (1.0, 2.0):
-            estimate, memory = update(estimator, tick, seen(inertial_fresh=0.0), memory)
+            estimate, memory = estimator_step(estimator, tick, seen(inertial_fresh=0.0), memory)
         assert estimate.position == pytest.approx(Vec(4e-3, 0.0, 0.0), abs=1e-15)
         assert 2.0 * math.asin(estimate.attitude.z) == pytest.approx(6e-3)
 
@@ -106,7 +108,7 @@ def test_lanes_believe_what_each_would_alone(name, fresh):
     lanes = Lanes(like, g, width, 1, 7.0)
     believe(like.estimator, like.seen, like.memory, like.estimate, like.tick, lanes)
     for k, avionics in nonempty(enumerate(avionics_list)):
-        alone = update(estimator, 7.0, avionics.seen, memory)
+        alone = estimator_step(estimator, 7.0, avionics.seen, memory)
         for part, expected in ((like.estimate, alone.estimate), (like.memory, alone.memory)):
             assert leaves(load(part, g, width, k)) == pytest.approx(leaves(expected), abs=1e-15)
 
@@ -119,7 +121,7 @@ def test_slow_inertial_samples_cover_their_whole_interval():
         falling = seen()._replace(inertial=Inertial(ZERO, ZERO, 1.0))
         for tick in range(1, 101):
             said = falling if tick % 4 == 0 else seen(inertial_fresh=0.0)
-            estimate, memory = update(estimator, float(tick), said, memory)
+            estimate, memory = estimator_step(estimator, float(tick), said, memory)
         assert estimate.velocity.z == pytest.approx(-9.81 * 0.1)
         assert estimate.position.z == pytest.approx(-0.5 * 9.81 * 0.1**2)
 
@@ -131,7 +133,7 @@ def test_the_filter_speaks_for_the_main_body():
     memory = settings.memory(estimator, TRUTH)
     assert memory.track.nominal.position != pytest.approx(TRUTH.position)
     quiet = seen(inertial_fresh=0.0)
-    estimate, _ = update(estimator._replace(tick=0.0), 1.0, quiet, memory)
+    estimate, _ = estimator_step(estimator._replace(tick=0.0), 1.0, quiet, memory)
     for part, expected in zip(estimate, TRUTH, strict=True):
         assert part == pytest.approx(expected, abs=1e-12)
 
@@ -180,7 +182,7 @@ def test_whatever_the_pace_a_delay_leaves_no_bias(
         felt = Inertial(Vec(0.0, 0.0, 9.81), spin, 1.0 if k % inertial == 0 else 0.0)
         pose = Pose(then.position, then.attitude, fresh, delay * tick)
         told = seen()._replace(inertial=felt, pose=pose)
-        estimate, memory = update(estimator, float(k), told, memory)
+        estimate, memory = estimator_step(estimator, float(k), told, memory)
         wrong = estimate.position - at(k * tick).position
         worst = max(worst, math.sqrt(wrong @ wrong))
     # A pose of the very tick comes before a sample that is late: that one is not made up for.

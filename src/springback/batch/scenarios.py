@@ -21,7 +21,7 @@ from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
-from springback.results.flight import check_user_pilot, fly_built, guided_result
+from springback.results.flight import check_user_code, fly_built, guided_result
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
@@ -30,7 +30,7 @@ from springback.results.recovery_measures import (
 from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
-from springback.scenario.user_pilots import in_words
+from springback.scenario.user.laws import in_words
 from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
@@ -253,7 +253,7 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         flight = GuidedFlight(laid.model, laid.start, laid.avionics)
         buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)
         noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
-        with in_words(check_user_pilot(kind.first)):
+        with in_words(check_user_code(kind.first)):
             fly.guided(flight, buffers, noise, progress=progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
@@ -279,7 +279,7 @@ def _read(
         return [one.word for one in outcomes_of(record)], columns
     seen = _onboard_columns(laid.avionics, laid.onboard, width, count, "evaluator")
     memory = _onboard_columns(laid.avionics, laid.onboard, width, count, "pilot")
-    words = [one.word for one in recovery_outcomes(record, seen)]
+    words = [one.word for one in recovery_outcomes(record, seen, memory)]
     return words, columns | recovery_columns(record, seen, memory)
 
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from springback.batch.scenarios import Device, fly_scenarios, no_collection
 from springback.campaign.design.layout import Design, design_of
 from springback.errors import InputError
-from springback.results.flight import check_user_pilot
+from springback.results.flight import check_user_code
 from springback.scenario.code_files import changed_files
 from springback.scenario.scenario import scenario_from
 
@@ -52,7 +52,7 @@ def try_code(design: Design, device: Device = "cpu") -> None:
     for base in design.bases if design.code else ():
         if device != "cpu":
             raise InputError(f"--device {device}: cannot fly code of your own; use cpu")
-        check_user_pilot(scenario_from(base, False).build(advises=False))
+        check_user_code(scenario_from(base, False).build(advises=False))
 
 
 def rows(

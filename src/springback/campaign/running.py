@@ -20,7 +20,7 @@ from springback.campaign.flying import Chunk, ChunkRows, try_code
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
-from springback.scenario.user_pilots import source_text
+from springback.scenario.user.laws import source_text
 
 if TYPE_CHECKING:
     from springback.campaign.cluster import Tls

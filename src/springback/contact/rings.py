@@ -23,7 +23,7 @@ FAR = 1e9
 #: miss a lower minimum beside another one 20 times, by up to 0.5 mm).
 ARCS, STEPS = 32, 4
 #: A distance changes by no more than the path length, here from the middle of an arc to its end;
-#: 5 % more, as a shape's own functions may be inexact (`springback.scenario.user_obstacles`).
+#: 5 % more, as a shape's own functions may be inexact (`springback.scenario.user.obstacles`).
 REACH = 1.05 * math.pi / ARCS
 #: Slopes below this count as zero: those of a ring that lies flat are rounding (chosen).
 FLAT = 1e-12

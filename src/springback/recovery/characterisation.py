@@ -82,10 +82,11 @@ class Collision(NamedTuple):
 
 
 class CollisionStart(NamedTuple):
-    """Position and velocity of the main body when a collision began."""
+    """Position and velocity of the main body when a collision began, and its detector's f_c⁰."""
 
     position: Vec  # p_c, at the alarm, world [m]
     velocity: Vec  # before the collision, world [m/s]
+    direction: Vec  # f_c⁰ of a detector of the user's own, world; zero if there is none
 
 
 @kernel
@@ -310,7 +311,8 @@ def characterise(
     accelerometer: against its largest horizontal reading within its range, as in McGill's flight
     code and in Air Bumper.  From the wrench: against the impulse of the external force.  Fused: the
     obstacle's normal from the line of action.  If the chosen way reveals no direction, it is that
-    of the wrench, or else that of the velocity.
+    of the wrench, or else that of the velocity.  A direction from a detector of the user's own goes
+    before all of these.
 
     Args:
         settings: Settings.
@@ -329,6 +331,8 @@ def characterise(
     chosen = by_arms * settings.arms + by_acceleration * settings.acceleration
     chosen = chosen + force * settings.wrench + normal * settings.fused
     other = select(force @ force > 0.5, force, direction_of(start.velocity, settings.level))
+    own = direction_of(start.direction, settings.level)
+    chosen = select(own @ own > 0.5, own, chosen)
     direction = select(chosen @ chosen > 0.5, chosen, other)
     arms = touching_arms(settings, found.pressed, by_wrench.line)
     first = rotation(found.attitude)

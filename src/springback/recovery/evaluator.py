@@ -3,12 +3,15 @@
 A run is judged from first touch until the robot has come to rest where it should: at p_r or, where
 it could rest there only against the obstacle, at home.  At rest it touches nothing, is nearer than
 a tolerance and slow, and stays so for a while (`RecoverySettings`).
+
+Of a pilot of the user's own nothing is known but the motion of its vehicle (`RestEvaluator`): it is
+at rest wherever it is slow and touches nothing for that while.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
@@ -31,6 +34,13 @@ class Evaluator(NamedTuple):
     tolerance: float  # distance from p_r [m]
     slow: float  # speed [m/s]
     dwell: float  # time within both [s]
+
+
+class RestEvaluator(NamedTuple):
+    """Bounds within which a robot is at rest, anywhere."""
+
+    slow: float  # speed [m/s]
+    dwell: float  # time below it without contact [s]
 
 
 class Run(NamedTuple):
@@ -79,6 +89,12 @@ def pitch_of(up: Vec) -> float:
 
 
 @kernel
+def _state_pitch(state: State) -> float:
+    r = rotation(state.attitude)
+    return pitch_of(Vec(r.x.z, r.y.z, r.z.z))
+
+
+@kernel
 def _new_run(time: float, state: State, pitch: float) -> Run:
     p = state.position
     return Run(time, p, NOT_YET, p, NOT_YET, NOT_YET, p.z, pitch, pitch, 0.0, 0.0, 0.0)
@@ -95,25 +111,27 @@ class EvaluatedMotion(NamedTuple):
 
 
 @kernel
-def _run_after(evaluator: Evaluator, now: EvaluatedMotion, last_position: Vec, run: Run) -> Run:
-    """A run after one more tick; before it, the main body was at ``last_position``."""
-    p, recovery, time, pitch = now.state.position, now.recovery_state, now.time, now.pitch
-    gap, way = p - recovery.goal, p - run.place
-    near = gap @ gap < evaluator.tolerance * evaluator.tolerance
-    near &= now.state.velocity @ now.state.velocity < evaluator.slow * evaluator.slow
-    near &= (recovery.phase >= RECOVER) & (now.touching < 0.5)
+def _motion_after(
+    run: Run, time: float, state: State, pitch: float, near: bool, dwell: float, last_position: Vec
+) -> Run:
+    """A run after one more tick, without its alarm.
+
+    Args:
+        run: Before.
+        time: [s].
+        state: True state of the vehicle.
+        pitch: [rad].
+        near: True if the robot may be at rest.
+        dwell: Time after which it is [s].
+        last_position: Of the main body before the tick [m].
+    """
+    p, way = state.position, state.position - run.place
     began = select(run.near < 0.0, time, run.near)
     near_since = select(near, began, NOT_YET)
-    settled = (near_since >= 0.0) & (time - near_since >= evaluator.dwell)
+    settled = (near_since >= 0.0) & (time - near_since >= dwell)
     away = math.sqrt(way.x * way.x + way.y * way.y)
-    # An alarm may come just before the tick of first touch.
-    raised = (recovery.log.alarm >= run.touch - EARLY) & (run.alarm < 0.0)
-    raised &= recovery.phase >= LOOK
-    raised_now = (recovery.phase == LOOK) & (recovery.phase_start >= time - TINY)
     return replace(
         run,
-        alarm=select(raised, recovery.log.alarm, run.alarm),
-        alarm_place=select(raised_now, p, run.alarm_place),
         settled=select(settled, near_since, NOT_YET),
         near=near_since,
         lowest=select(p.z < run.lowest, p.z, run.lowest),
@@ -121,6 +139,31 @@ def _run_after(evaluator: Evaluator, now: EvaluatedMotion, last_position: Vec, r
         nose_up=select(pitch < run.nose_up, pitch, run.nose_up),
         excursion=select(away > run.excursion, away, run.excursion),
         path=run.path + norm(p - last_position),
+    )
+
+
+@kernel
+def _is_slow(state: State, slow: float) -> bool:
+    return state.velocity @ state.velocity < slow * slow
+
+
+@kernel
+def _run_after(evaluator: Evaluator, now: EvaluatedMotion, last_position: Vec, run: Run) -> Run:
+    """A run after one more tick; before it, the main body was at ``last_position``."""
+    recovery, time = now.recovery_state, now.time
+    gap = now.state.position - recovery.goal
+    near = gap @ gap < evaluator.tolerance * evaluator.tolerance
+    near &= _is_slow(now.state, evaluator.slow)
+    near &= (recovery.phase >= RECOVER) & (now.touching < 0.5)
+    after = _motion_after(run, time, now.state, now.pitch, near, evaluator.dwell, last_position)
+    # An alarm may come just before the tick of first touch.
+    raised = (recovery.log.alarm >= run.touch - EARLY) & (run.alarm < 0.0)
+    raised &= recovery.phase >= LOOK
+    raised_now = (recovery.phase == LOOK) & (recovery.phase_start >= time - TINY)
+    return replace(
+        after,
+        alarm=select(raised, recovery.log.alarm, run.alarm),
+        alarm_place=select(raised_now, now.state.position, run.alarm_place),
     )
 
 
@@ -141,8 +184,7 @@ def _evaluator_step(
     memory: EvaluatorMemory,
 ) -> EvaluatorMemory:
     m, p, recovery = memory, state.position, pilot.recovery_state
-    r = rotation(state.attitude)
-    pitch = pitch_of(Vec(r.x.z, r.y.z, r.z.z))
+    pitch = _state_pitch(state)
     touches = contacts.total > m.contacts
     # A new touch during a recovery belongs to it, and the robot has not come to rest after all.
     recovering = (recovery.phase > LOOK) & (recovery.phase < HOVER) & (m.runs > 0.5)
@@ -170,16 +212,72 @@ def _evaluator_step(
     )
 
 
+@evaluator_step.register(RestEvaluator)
+@kernel
+def _rest_evaluator_step(
+    evaluator: RestEvaluator,
+    time: float,
+    state: State,
+    contacts: Contacts,
+    pilot: Any,
+    memory: EvaluatorMemory,
+) -> EvaluatorMemory:
+    """A run lasts from a touch until rest; a touch before that belongs to it, a later one not."""
+    m, p, pitch = memory, state.position, _state_pitch(state)
+    touches = contacts.total > m.contacts
+    begins = touches & (m.open < 0.5)
+    run = select(begins, _new_run(time, state, pitch), m.run)
+    is_open = begins | (m.open > 0.5)
+    near = _is_slow(state, evaluator.slow) & (contacts.touching < 0.5)
+    moved = _motion_after(run, time, state, pitch, near, evaluator.dwell, m.position)
+    after = select(is_open, moved, run)
+    new_contacts = select(touches, contacts.total - m.contacts, 0.0)
+    settles = is_open & (after.settled >= 0.0)
+    return replace(
+        m,
+        contacts=contacts.total,
+        open=select(is_open & (not settles), 1.0, 0.0),
+        position=p,
+        run=replace(after, contacts=after.contacts + new_contacts),
+        runs=m.runs + select(begins, 1.0, 0.0),
+        recovered=m.recovered + select(settles, 1.0, 0.0),
+        lowest=select(p.z < m.lowest, p.z, m.lowest),
+    )
+
+
+@kernel
+def _running(group: Group) -> int:
+    """Number of lanes in which a run is open or begins."""
+    avionics, g, w, once, _ = group.lanes
+    memory, running = avionics.onboard.evaluator, 0
+    for i in range(w * once):
+        contacts, is_open = contacts_of(group, i).total, load(memory.open, g, w, i) > 0.5
+        running += 1 if is_open | (contacts > load(memory.contacts, g, w, i)) else 0
+    return running
+
+
+@evaluate.register(RestEvaluator)
+@kernel
+def _evaluate_rest(evaluator: TreeLayout, group: Group) -> None:
+    """Batch version of `evaluator_step`; where no run is open and none begins, little of it."""
+    avionics, g, w, once, _ = group.lanes
+    memory, running = avionics.onboard.evaluator, _running(group)
+    for i in range(w * once if running == 0 else 0):
+        position = load(group.shape.motion.state.position, group.motion, w, i)
+        lowest = load(memory.lowest, g, w, i)
+        store(position, memory.position, g, w, i)
+        store(select(position.z < lowest, position.z, lowest), memory.lowest, g, w, i)
+    if running > 0:
+        evaluate_lanes(evaluator, group)
+
+
 @evaluate.register(Evaluator)
 @kernel
 def _evaluate(evaluator: TreeLayout, group: Group) -> None:
     """Batch version of `evaluator_step`; where no run is open and none begins, little of it."""
     avionics, g, w, once, tick = group.lanes
     memory, recovery = avionics.onboard.evaluator, avionics.onboard.pilot.recovery_state
-    running = 0
-    for i in range(w * once):
-        contacts, is_open = contacts_of(group, i).total, load(memory.open, g, w, i) > 0.5
-        running += 1 if is_open | (contacts > load(memory.contacts, g, w, i)) else 0
+    running = _running(group)
     for i in range(w * once if running == 0 else 0):
         time, m = tick * load(avionics.systems.period, g, w, i), load(memory, g, w, i)
         position = load(group.shape.motion.state.position, group.motion, w, i)

@@ -14,11 +14,12 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Length, Speed, Triple, Unit
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection, Trigger
-from springback.recovery.evaluator import Evaluator
+from springback.recovery.evaluator import Evaluator, RestEvaluator
 from springback.recovery.response import Quintic, Staged, TimeOptimal
 from springback.recovery.state_machine import Route
 from springback.recovery.wrench import Observer
 from springback.settings import Settings, problem
+from springback.user_code import UserCode
 
 Samples = Annotated[int, Field(ge=1, le=1000, strict=True)]
 Bandwidth = Annotated[float, Unit("1/s", above=0.0)]
@@ -35,7 +36,8 @@ class TriggerSettings(Settings):
 
     used: bool | None = None
     """True if it raises the alarm; by default `hall` does if an arm can slide, `acceleration` if
-    none can, as on the paper's robots.  The signals of the others are recorded all the same."""
+    none can, as on the paper's robots, and none beside a detector of your own.  The signals of the
+    others are recorded all the same."""
     persistence: Samples = 1
     """Consecutive samples above the threshold.  Chosen: one, as in McGill's flight code."""
     refractory: Annotated[float, Unit("s", least=0.0)] = 1.0
@@ -113,6 +115,9 @@ class DetectionSettings(Settings):
     hall: HallTrigger = HallTrigger()
     acceleration: AccelerationTrigger = AccelerationTrigger()
     wrench: WrenchTrigger = WrenchTrigger()
+    own: UserCode | None = None
+    """A detector of your own: ``code`` names a `CompiledDetector`, or a function that returns one.
+    It then raises the alarm alone, unless `used` of others is true."""
 
 
 class CharacterisationSettings(Settings):
@@ -234,12 +239,13 @@ class RecoverySettings(Settings):
             hall: Interval between samples of the Hall sensors [s].
         """
         d = self.detection
+        alone = d.own is None
         triggers = Detection(
-            d.hall.trigger(compliant, d.hall.threshold, hall),
-            d.acceleration.trigger(not compliant, d.acceleration.threshold, inertial),
+            d.hall.trigger(alone and compliant, d.hall.threshold, hall),
+            d.acceleration.trigger(alone and not compliant, d.acceleration.threshold, inertial),
             d.wrench.trigger(False, d.wrench.threshold, inertial),
         )
-        if not any(trigger.used for trigger in triggers):
+        if alone and not any(trigger.used for trigger in triggers):
             raise problem("uses no trigger, so no collision would be detected", "detection")
         if triggers.hall.used and not compliant and d.hall.used is not None:
             raise problem("must be false if no arm can slide", "detection.hall.used")
@@ -307,6 +313,10 @@ class RecoverySettings(Settings):
             speed=self.home_speed,
             runs=float(self.runs),
         )
+
+    def rest_evaluator(self) -> RestEvaluator:
+        """Evaluator of a pilot of the user's own, with the same bounds, for any place."""
+        return RestEvaluator(self.settling.speed, self.settling.dwell)
 
     def evaluator(self) -> Evaluator:
         """Evaluator for the kernels, with the same bounds for the true motion."""

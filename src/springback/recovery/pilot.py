@@ -40,6 +40,11 @@ from springback.recovery.detection import (
     DetectionMemory,
     detection_step,
 )
+from springback.recovery.detector import (
+    NoDetector,
+    detected_direction,
+    detector_alarm,
+)
 from springback.recovery.response import Staged
 from springback.recovery.stages import stage_command
 from springback.recovery.state_machine import (
@@ -77,6 +82,7 @@ class RecoveryPilot(NamedTuple):
     detection: Detection
     characterisation: Characterisation
     route: Route
+    detector: Any  # of the user's own, registered with detector_step; or NoDetector
 
 
 class History(NamedTuple):
@@ -102,14 +108,18 @@ class RecoveryPilotMemory(NamedTuple):
     recovery_state: RecoveryState
     alarm: float
     """1 while a lane has an event to process at this tick, an alarm or the end of a phase."""
+    detector: Any  # DetectorMemory or NoDetector
 
 
-def recovery_pilot_memory(pilot: RecoveryPilot, flight: CascadeMemory) -> RecoveryPilotMemory:
+def recovery_pilot_memory(
+    pilot: RecoveryPilot, flight: CascadeMemory, detector: Any
+) -> RecoveryPilotMemory:
     """Memory of a pilot before tick 0.
 
     Args:
         pilot: Settings.
         flight: Memory of the cascade, from `springback.control.cascade.cascade_memory`.
+        detector: From `springback.recovery.detector.detector_memory`, or `NoDetector`.
     """
     start, airframe = flight.estimate, pilot.cascade.airframe
     nothing = no_collision(airframe)
@@ -122,6 +132,7 @@ def recovery_pilot_memory(pilot: RecoveryPilot, flight: CascadeMemory) -> Recove
         History(start.velocity, start.velocity),
         recovery_at_start(pilot.route, nothing),
         0.0,
+        detector,
     )
 
 
@@ -244,6 +255,7 @@ def _collision(
     before = CollisionStart(
         select(new, at.position, m.collision.position),
         select(new, m.history.older, m.collision.velocity),
+        detected_direction(m.detector),
     )
     inputs = CollisionInputs(pilot.cascade.airframe, measurement, at, m.wrench)
     return characterise(pilot.characterisation, inputs, observation, before)
@@ -302,8 +314,51 @@ def _wrench_inputs(pilot: TreeLayout, lanes: Lanes, i: int) -> WrenchInputs:
 
 
 @kernel
+def _collision_inputs(pilot: TreeLayout, lanes: Lanes, i: int) -> CollisionInputs:
+    """Inputs of one lane's detection."""
+    avionics, g, w, _, _ = lanes
+    memory = avionics.onboard.pilot
+    return CollisionInputs(
+        load(pilot.cascade.airframe, g, w, i),
+        load(avionics.onboard.measurement, g, w, i),
+        load(memory.flight.estimate, g, w, i),
+        load(memory.wrench, g, w, i),
+    )
+
+
+@generic
+def _detect_otherwise(detector: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> int:
+    """Run the users' own detectors of all lanes; returns the number of lanes with an alarm."""
+    return _detect_one_by_one(detector, pilot, lanes)
+
+
+@_detect_otherwise.register(NoDetector)
+@kernel
+def _detect_nothing(detector: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> int:
+    return 0
+
+
+@kernel
+def _detect_one_by_one(detector: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> int:
+    avionics, g, w, _, tick = lanes
+    memory, alarms = avionics.onboard.pilot, 0
+    for i in range(w):
+        time = tick * load(avionics.systems.period, g, w, i)
+        alarm, before = load(memory.alarm, g, w, i), load(memory.detector, g, w, i)
+        looks, inputs = (
+            load(memory.recovery_state.phase, g, w, i) == LOOK,
+            _collision_inputs(pilot, lanes, i),
+        )
+        now = detector_alarm(load(detector, g, w, i), time, inputs, alarm, looks, before)
+        store(now.memory, memory.detector, g, w, i)
+        store(now.alarm, memory.alarm, g, w, i)
+        alarms += 1 if now.alarm > 0.5 else 0
+    return alarms
+
+
+@kernel
 def _detect(pilot: TreeLayout, lanes: Lanes) -> int:
-    """Run observers and triggers of all lanes; returns the number of lanes with a collision."""
+    """Run observers and detectors of all lanes; returns 0 if none of them has a collision."""
     avionics, g, w, once, tick = lanes
     memory, measured = avionics.onboard.pilot, avionics.onboard.measurement
     waiting, collisions = 0, 0
@@ -318,12 +373,7 @@ def _detect(pilot: TreeLayout, lanes: Lanes) -> int:
         after = wrench_after(observer, _wrench_inputs(pilot, lanes, i), before)
         store(after, memory.wrench, g, w, i)
     for i in range(w * once):
-        inputs = CollisionInputs(
-            load(pilot.cascade.airframe, g, w, i),
-            load(measured, g, w, i),
-            load(memory.flight.estimate, g, w, i),
-            load(memory.wrench, g, w, i),
-        )
+        inputs = _collision_inputs(pilot, lanes, i)
         time = tick * load(avionics.systems.period, g, w, i)
         triggers, before = load(pilot.detection, g, w, i), load(memory.detection, g, w, i)
         now = detection_step(triggers, time, inputs, before)
@@ -331,7 +381,7 @@ def _detect(pilot: TreeLayout, lanes: Lanes) -> int:
         store(now.alarm, memory.alarm, g, w, i)
         looks = (now.alarm > 0.5) | (load(memory.recovery_state.phase, g, w, i) == LOOK)
         collisions += 1 if looks else 0
-    return collisions
+    return collisions + _detect_otherwise(pilot.detector, pilot, lanes)
 
 
 @kernel

@@ -201,16 +201,18 @@ def _phases(flight: FlightResult) -> list[Event]:
         label, text = _PHASE_EVENTS[now]
         kind = "alarm" if now == LOOK else "phase"
         when = float(t[k + 1])
-        found.append(Event(when, kind, label, text.format(trigger=_trigger(telemetry, k + 1))))
+        found.append(Event(when, kind, label, text.format(trigger=_trigger(flight, k + 1))))
     return found
 
 
-def _trigger(telemetry: dict[str, Array], k: int) -> str:
+def _trigger(flight: FlightResult, k: int) -> str:
     """Cause of the alarm at a tick, in words."""
+    telemetry, recovery = flight.telemetry, flight.scenario.recovery
+    other = "a trigger" if recovery is None or recovery.detection.own is None else "your detector"
     raised = [
         words
         for name, words in _TRIGGERS.items()
         if f"alarms_{name}" in telemetry
         and telemetry[f"alarms_{name}"][k] > telemetry[f"alarms_{name}"][max(k - 2, 0)]
     ]
-    return " and ".join(raised) or "a trigger"
+    return " and ".join(raised) or other

@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.parameters import Own
 from springback.errors import InputError
+from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
@@ -25,19 +26,19 @@ from springback.results.recovery_measures import (
     recovery_outcome,
 )
 from springback.results.result import FlightResult
-from springback.scenario.avionics import CompiledPilot
+from springback.scenario.avionics import CompiledEstimator, CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
 from springback.scenario.files import checked_scenario, read_scenario
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.scenario.user_pilots import (
+from springback.scenario.user.laws import Law, in_words, source_text
+from springback.scenario.user.pilots import (
     AnyPilot,
+    check_compiled_pilot,
     chosen_pilot,
     guarded_pilot,
-    in_words,
-    source_text,
-    validate,
 )
+from springback.scenario.user.sensing import check_detector, check_estimator
 from springback.simulation.flight import (
     Executor,
     check_instants,
@@ -274,7 +275,9 @@ def fly(
         foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
         check_instants(int(foreseen), timing.until, timing.until)
     if built.built_avionics is not None:
-        flight = _fly_guided(ready, built, trajectory, executor, progress)
+        flight = guided_flight(
+            ready, built, trajectory=trajectory, executor=executor, progress=progress
+        )
         return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
         built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
@@ -299,14 +302,26 @@ def _wary(flight: Flight) -> Flight:
     return flight
 
 
-def _fly_guided(
+def guided_flight(
     ready: Scenario,
     built: ReadyFlight,
-    trajectory: bool,
-    executor: Executor,
-    progress: Callable[[float], None] | None,
+    *,
+    trajectory: bool = True,
+    executor: Executor = "compiled",
+    progress: Callable[[float], None] | None = None,
 ) -> Flight:
-    """Fly with a pilot."""
+    """Flight of a built scenario with a pilot, of the user's own or not.
+
+    Args:
+        ready: The scenario.
+        built: The same, with avionics.
+        trajectory: Record trajectory and telemetry.
+        executor: ``compiled``, or ``python``.
+        progress: Called from time to time with the simulated time [s].
+
+    Raises:
+        InputError: If a user's own part fails, in one line with its file and line.
+    """
     guided = fly_built(built, trace=trajectory, executor=executor, progress=progress)
     columns, units = trajectory_columns(guided.flown)
     telemetry, telemetry_units = telemetry_columns(guided.telemetry, len(built.start.arm_length))
@@ -337,9 +352,9 @@ def fly_built(
     avionics, draws = built.built_avionics
     rotors = len(built.start.arm_length)
     plain = None if built.plain is None else guarded_pilot(built.plain, rotors)
-    own = check_user_pilot(built)
+    laws = check_user_code(built)
     ticks = ticks_of(built.model.timing.until, avionics.systems.period)
-    with in_words(own):
+    with in_words(laws):
         return fly_guided(
             GuidedFlight(built.model, built.start, avionics),
             noise_table(built.seed, 0, ticks, draws),
@@ -347,20 +362,42 @@ def fly_built(
         )  # fmt: skip
 
 
-def check_user_pilot(built: ReadyFlight) -> CompiledPilot | None:
-    """A compiled pilot of the user's own that flies, checked by one call in plain Python, or None.
+def ready_flight(scenario: Scenario) -> ReadyFlight:
+    """Flight of a scenario, built with the user's own code that it names, which is checked.
 
     Raises:
-        InputError: If it fails, with its file and line.
+        InputError: If it cannot be flown, or if the code fails, in one line with file and line.
     """
+    with _as_input():
+        built = scenario.build()
+    check_user_code(built)
+    return built
+
+
+def check_user_code(built: ReadyFlight) -> list[Law]:
+    """Laws of the user's own that a flight compiles, each called once in plain Python.
+
+    Raises:
+        InputError: If one fails, with its file and line.
+    """
+    laws: list[Law] = []
     if built.built_avionics is None:
-        return None
-    avionics = built.built_avionics.avionics
-    pilot = CompiledPilot(avionics.systems.pilot, avionics.onboard.pilot)
-    if not own_types(pilot):
-        return None
-    validate(pilot, avionics.onboard.measurement, len(built.start.arm_length))
-    return pilot
+        return laws
+    systems, onboard = built.built_avionics.avionics
+    for part in built.compiled:
+        if not own_types(part):
+            continue
+        if isinstance(part, CompiledPilot):
+            rotors = len(built.start.arm_length)
+            laws.append(check_compiled_pilot(part, onboard.measurement, rotors))
+        elif isinstance(part, CompiledEstimator):
+            laws.append(check_estimator(part, onboard.measurement))
+        else:
+            airframe, memory = systems.pilot.cascade.airframe, onboard.pilot
+            at, wrench = memory.flight.estimate, memory.wrench
+            inputs = CollisionInputs(airframe, onboard.measurement, at, wrench)
+            laws.append(check_detector(part, inputs))
+    return laws
 
 
 def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:

@@ -1,4 +1,9 @@
-"""Outcome and measures of a recovery, from the evaluator and the pilot's memory."""
+"""Outcome and measures of a recovery, from the evaluator and the pilot's memory.
+
+A pilot of the user's own has recovered once its vehicle, after a contact, is slower than
+``recovery.settling.speed`` and touches nothing for ``recovery.settling.dwell``.  It has no alarms,
+so measures of these, and of a collision's direction, are undefined.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from springback.recovery.evaluator import EvaluatorMemory
+from springback.recovery.pilot import RecoveryPilotMemory
 from springback.simulation.columns import Array, as_columns
 from springback.simulation.guided import GuidedFlown
 from springback.simulation.measures import Outcome, first_claimed, outcomes_of, scalars_of, where
@@ -49,19 +55,19 @@ def is_evaluated(guided: GuidedFlown) -> bool:
     return isinstance(guided.onboard.evaluator, EvaluatorMemory)
 
 
-def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
+def recovery_outcomes(record: Any, seen: Any, memory: Any) -> list[Outcome]:
     """Outcomes of flights with an evaluator.
 
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
         seen: `EvaluatorMemory` of columns.
+        memory: That of the pilot, of columns.
     """
     plain = outcomes_of(record)
     final = np.array([one in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) for one in plain])
-    claims = [
-        (Outcome.RECOVERED, seen.recovered >= seen.runs),
-        (Outcome.NOT_DETECTED, seen.run.alarm < 0.0),
-    ]
+    claims = [(Outcome.RECOVERED, seen.recovered >= seen.runs)]
+    if isinstance(memory, RecoveryPilotMemory):
+        claims.append((Outcome.NOT_DETECTED, seen.run.alarm < 0.0))
     after = first_claimed(claims, Outcome.NOT_SETTLED)
     stands = (final | (seen.runs == 0.0)).tolist()
     return [a if stays else b for a, b, stays in zip(plain, after, stands, strict=True)]
@@ -69,8 +75,15 @@ def recovery_outcomes(record: Any, seen: Any) -> list[Outcome]:
 
 def recovery_outcome(guided: GuidedFlown) -> Outcome:
     """Outcome of a flight with an evaluator."""
-    record, seen = as_columns(guided.flown.record), as_columns(guided.onboard.evaluator)
-    return recovery_outcomes(record, seen)[0]
+    return recovery_outcomes(*_columns(guided))[0]
+
+
+def _columns(guided: GuidedFlown) -> tuple[Any, Any, Any]:
+    """Record, and memories of evaluator and pilot, as columns."""
+    onboard = guided.onboard
+    trees = guided.flown.record, onboard.evaluator, onboard.pilot
+    record, seen, memory = (as_columns(tree) for tree in trees)
+    return record, seen, memory
 
 
 def _finite(time: Array) -> Array:
@@ -96,17 +109,36 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
     Args:
         record: `Record` whose leaves are columns, one number for each flight.
         seen: `EvaluatorMemory` of columns.
-        memory: `RecoveryPilotMemory` of columns.
+        memory: `RecoveryPilotMemory` of columns, or that of a pilot of the user's own.
     """
-    run, hit, d = seen.run, memory.collision, memory.detection
-    first, log = record.first_impact.touch_time, memory.recovery_state.log
+    run, first = seen.run, record.first_impact.touch_time
     # The record knows first touch exactly; the evaluator, for later runs, to a tick.
     touch = np.where(seen.runs == 1.0, first, run.touch)
-    happened, noticed = seen.runs > 0.0, run.alarm >= 0.0
-    gap = hit.position - run.alarm_place
-    return {
+    happened = seen.runs > 0.0
+    found = {
         "runs": seen.runs,
         "recovered_runs": seen.recovered,
+        "recovery_time": _since(run.settled, touch),
+        "height_loss": where(happened, run.place.z - run.lowest),
+        "lowest_height": seen.lowest,
+        "excursion": where(happened, run.excursion),
+        "path": where(happened, run.path),
+        "nose_up": where(happened, run.nose_up),
+        "nose_down": where(happened, run.nose_down),
+    }
+    if isinstance(memory, RecoveryPilotMemory):
+        found |= _alarm_columns(record, seen, memory, touch)
+    unknown = np.full_like(seen.runs, math.nan)
+    return {name: found.get(name, unknown) for name in RECOVERY_MEASURES}
+
+
+def _alarm_columns(record: Any, seen: Any, memory: Any, touch: Array) -> dict[str, Array]:
+    """Measures of alarms, and of the collision as the pilot estimates it; touch is in s."""
+    run, hit, d = seen.run, memory.collision, memory.detection
+    first, log = record.first_impact.touch_time, memory.recovery_state.log
+    noticed, gap = run.alarm >= 0.0, hit.position - run.alarm_place
+    inward = record.first_impact.inward
+    return {
         "false_alarms": seen.false_alarms,
         "alarm_time": where(noticed, run.alarm),
         "planned_time": _finite(log.planned),
@@ -116,24 +148,15 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
         "hall_delay": _since(d.hall.first, first),
         "acceleration_delay": _since(d.acceleration.first, first),
         "wrench_delay": _since(d.wrench.first, first),
-        "recovery_time": _since(run.settled, touch),
-        "height_loss": where(happened, run.place.z - run.lowest),
-        "lowest_height": seen.lowest,
-        "excursion": where(happened, run.excursion),
-        "path": where(happened, run.path),
-        "nose_up": where(happened, run.nose_up),
-        "nose_down": where(happened, run.nose_down),
         "position_error": where(noticed, np.sqrt(gap @ gap)),
-        "direction_error": _between(hit.direction, record.first_impact.inward),
-        "arms_direction_error": _between(hit.by_arms, record.first_impact.inward),
-        "acceleration_direction_error": _between(hit.by_acceleration, record.first_impact.inward),
-        "wrench_direction_error": _between(hit.by_wrench, record.first_impact.inward),
+        "direction_error": _between(hit.direction, inward),
+        "arms_direction_error": _between(hit.by_arms, inward),
+        "acceleration_direction_error": _between(hit.by_acceleration, inward),
+        "wrench_direction_error": _between(hit.by_wrench, inward),
         "intensity": where(noticed, hit.intensity),
     }
 
 
 def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
     """Measures of a recovery, in the order of `RECOVERY_MEASURES`."""
-    onboard = guided.onboard
-    trees = guided.flown.record, onboard.evaluator, onboard.pilot
-    return scalars_of(recovery_columns(*(as_columns(tree) for tree in trees)))
+    return scalars_of(recovery_columns(*_columns(guided)))

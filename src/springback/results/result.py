@@ -92,9 +92,9 @@ class FlightResult(FlightMeasures):
 
         A simulation that diverged is not a success either.
         """
-        if "runs" in self.measures:
+        if "runs" in self.measures and self.scenario.recovery is not None:
             return self.outcome is Outcome.RECOVERED
-        return self.outcome not in FAILURES
+        return self.outcome not in (*FAILURES, Outcome.NOT_SETTLED)
 
     @property
     def is_piloted(self) -> bool:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from pydantic_core import PydanticCustomError
 
-from springback.control.cascade import Cascade, cascade_memory
-from springback.control.demands import Demands, Limits, shortfalls
-from springback.control.linear import warnings_for
+from springback.control.cascade import Cascade, CascadeMemory, cascade_memory
+from springback.control.demands import Limits
 from springback.control.parameters import ControlSettings, Schedule
-from springback.control.reference_parameters import CircleSettings, RunUpSettings
+from springback.control.reference_parameters import RunUpSettings
 from springback.control.runup import reach
 from springback.dynamics.air import AirSettings
 from springback.dynamics.gusts import NoGusts, first_gust
@@ -24,6 +22,7 @@ from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import ZERO, Vec
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
+from springback.recovery.detector import NoDetector, detector_memory
 from springback.recovery.evaluator import evaluator_at_start
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilot, recovery_pilot_memory
@@ -54,9 +53,6 @@ from springback.vehicle.state import Airframe, State
 FIRST_GUST_NOISE = 5
 #: Range of an accelerometer without one [m/s²]; finite, as all numbers in kernels.
 UNCLIPPED = 1e6
-#: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
-#: five standard deviations of the trials' positions).
-APART = 0.2
 
 
 class CompiledPilot(NamedTuple):
@@ -64,6 +60,30 @@ class CompiledPilot(NamedTuple):
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats
+
+
+class CompiledEstimator(NamedTuple):
+    """An estimator of the user's own: its type is registered with `estimator_step`."""
+
+    settings: Any  # a NamedTuple of floats
+    memory: Any  # at the start; a tree of floats
+
+
+class CompiledDetector(NamedTuple):
+    """A detector of the user's own: its type is registered with `detector_step`."""
+
+    settings: Any  # a NamedTuple of floats
+    memory: Any  # at the start; a tree of floats
+
+
+class UserSensing(NamedTuple):
+    """Estimator and detector of the user's own, built; None where there is none."""
+
+    estimator: CompiledEstimator | None = None
+    detector: CompiledDetector | None = None
+
+
+NO_USER_SENSING = UserSensing()
 
 
 class BuiltAvionics(NamedTuple):
@@ -257,13 +277,20 @@ def _estimator_settings(given: EstimatorSettings, sensors: SensorSettings) -> Es
 
 
 def _estimator(
-    given: EstimatorSettings, sensors: SensorSettings, tick: float, gravity: float
-) -> tuple[EstimatorSettings, Any]:
-    """Settings of the estimator, and the estimator built from them."""
-    settings = _estimator_settings(given, sensors)
+    scenario: ScenarioTables, own: CompiledEstimator | None, tick: float, start: Estimate
+) -> CompiledEstimator:
+    """Estimator, and its memory at the start."""
+    s = scenario
+    if s.estimator.type == "own":
+        if own is None:
+            raise problem("was not read, so it cannot be flown", "estimator.code")
+        return own
+    settings = _estimator_settings(s.estimator, s.sensors)
     with _in_table("estimator"):
         build = traceable(EstimatorSettings.estimator)
-        return settings, build(settings, _rhythm(sensors, tick), gravity)
+        estimator = build(settings, _rhythm(s.sensors, tick), s.world.gravity)
+    memory = traceable(EstimatorSettings.memory)(settings, estimator, start)
+    return CompiledEstimator(estimator, memory)
 
 
 def _control_settings(given: ControlSettings, reference: Any) -> ControlSettings:
@@ -298,12 +325,27 @@ def cascade_of(
     start: State,
     build: Build = plain_build,
     advises: bool = True,
+    own: UserSensing = NO_USER_SENSING,
 ) -> CompiledPilot:
-    """The pilot of the paper, and its memory at the start."""
-    s, gravity, tick = scenario, scenario.world.gravity, 1.0 / scenario.clock
+    """The pilot of the paper, and its memory at the start.
+
+    Args:
+        scenario: With a reference.
+        model: Model of the flight.
+        start: State at time 0.
+        build: Builder of the parts.
+        advises: Suggest a feasible distance if a run-up cannot be flown; slow.
+        own: Estimator and detector of the user's own, where the scenario names them.
+    """
+    s, gravity, tick, at = (
+        scenario,
+        scenario.world.gravity,
+        1.0 / scenario.clock,
+        estimate_at(start),
+    )
     propulsion = propulsion_of(s, model.airframe)
     believed = nominal_vehicle(s.vehicle, propulsion, gravity, build)
-    settings, estimator = _estimator(s.estimator, s.sensors, tick, gravity)
+    estimator = _estimator(s, own.estimator, tick, at)
     control = _control_settings(s.control, s.reference)
     schedule = _schedule(control, s.clock)
     point, most = model.contact_point, believed.max_thrust
@@ -312,20 +354,17 @@ def cascade_of(
         lowest=believed.rotors.least,
         highest=believed.rotors.most,
         lift=control.lift_share * most,
-        estimator=estimator,
+        estimator=estimator.settings,
         reference=reference_of(s.reference, believed, control.rate_limit, point, advises),
         position=_position_law(control, believed.mass, gravity, most),
         attitude=_attitude_law(control),
         rate=_rate_law(control),
         schedule=schedule,
     )
-    at = estimate_at(start)
-    remembered = traceable(EstimatorSettings.memory)(settings, estimator, at)
-    memory = cascade_memory(pilot, remembered, at, model.thrust)
+    memory = cascade_memory(pilot, estimator.memory, at, model.thrust)
     if s.recovery is None:
         return CompiledPilot(pilot, memory)
-    resilient = recovery_pilot(s, pilot, believed)
-    return CompiledPilot(resilient, traceable(recovery_pilot_memory)(resilient, memory))
+    return _recovery_pilot(s, pilot, memory, believed, own.detector)
 
 
 class CollisionSensing(NamedTuple):
@@ -359,9 +398,13 @@ def collision_sensing(
         )
 
 
-def recovery_pilot(
-    scenario: ScenarioTables, cascade: Cascade, believed: NominalVehicle
-) -> RecoveryPilot:
+def _recovery_pilot(
+    scenario: ScenarioTables,
+    cascade: Cascade,
+    memory: CascadeMemory,
+    believed: NominalVehicle,
+    detector: CompiledDetector | None,
+) -> CompiledPilot:
     """The pilot that recovers from collisions, around the one that flies."""
     s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
     assert recovery is not None  # only called for scenarios with recovery
@@ -369,7 +412,14 @@ def recovery_pilot(
     route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=s.start.place())
-    return RecoveryPilot(cascade, *sensing, route)
+    own: Any = NoDetector()
+    remembered: Any = NoDetector()
+    if recovery.detection.own is not None:
+        if detector is None:
+            raise problem("was not read, so it cannot be flown", "recovery.detection.own.code")
+        own, remembered = detector.settings, detector_memory(detector.memory)
+    pilot = RecoveryPilot(cascade, *sensing, route, own)
+    return CompiledPilot(pilot, traceable(recovery_pilot_memory)(pilot, memory, remembered))
 
 
 #: Builds the pilot of a scenario, model and start with a builder of its parts: `cascade_of`.
@@ -400,9 +450,9 @@ def build_avionics(
     sensors = devices.settings.switched_on(devices.sensors, drawn[:BIASES])
     flown_by = pilot if isinstance(pilot, CompiledPilot) else pilot(s, model, start, build)
     air = _air_of(s.air, period)
-    judged = s.recovery if isinstance(flown_by.settings, RecoveryPilot) else None
-    evaluator: Any = judged.evaluator() if judged else NoEvaluator(0.0)
-    seen: Any = evaluator_at_start(start.position) if judged else NO_EVALUATION
+    evaluator = _evaluator(s.recovery, flown_by.settings)
+    judges = not isinstance(evaluator, NoEvaluator)
+    seen: Any = evaluator_at_start(start.position) if judges else NO_EVALUATION
     rotors = build(Propulsion.rotors, propulsion_of(s, model.airframe))
     systems = OnboardSystems(
         sensors=sensors,
@@ -419,6 +469,14 @@ def build_avionics(
     memory = AvionicsMemory(remembered, flown_by.memory, seen, gusts)
     avionics = avionics_at_start(systems, memory, model, start, noise_count(arms))
     return BuiltAvionics(avionics, (*devices.noise, air.noise))
+
+
+def _evaluator(recovery: RecoverySettings | None, pilot: Any) -> Any:
+    """Evaluator of a pilot; none for that of the paper where it does not recover."""
+    if isinstance(pilot, Cascade):
+        return NoEvaluator(0.0)
+    settings = recovery or RecoverySettings()
+    return settings.evaluator() if isinstance(pilot, RecoveryPilot) else settings.rest_evaluator()
 
 
 @traceable
@@ -440,60 +498,3 @@ def _air_of(air: AirSettings, tick: float) -> Atmosphere:
         weather = air.turbulence(tick)
     noise = Draw(GUST_NOISE, 0 if isinstance(weather, NoGusts) else 1)
     return Atmosphere(weather, Vec(*air.wind), noise)
-
-
-#: Tables that only the pilot of the paper reads.
-_PAPERS = ("reference", "control", "estimator", "recovery")
-
-
-def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
-    """Warnings for this scenario, one sentence each.
-
-    Args:
-        scenario: Scenario to be flown.
-        own: True if a pilot of the user's own flies it.
-    """
-    given = scenario.model_fields_set
-    if own:
-        unread = [name for name in _PAPERS if name in given]
-        return _unread(unread, "a pilot of your own flies, which does not read it")
-    if scenario.reference is None or scenario.vehicle.propulsion is None:
-        devices = () if "sensors" in given else ("clock", "seed")  # sensors need no pilot
-        unread = [name for name in (*_PAPERS[1:], *devices) if name in given]
-        return _unread(unread, "no pilot flies without a [reference]")
-    lag = scenario.vehicle.propulsion.time_constant
-    gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
-    return gains + _circle_shortfalls(scenario) + _two_starts(scenario)
-
-
-def _unread(names: list[str], why: str) -> list[str]:
-    return [f"{name} is not used: {why}" for name in names]
-
-
-def _two_starts(scenario: ScenarioTables) -> list[str]:
-    """A run-up that begins far from the vehicle."""
-    run_up, start = scenario.reference, scenario.start
-    apart = math.dist(run_up.start, start.position) if isinstance(run_up, RunUpSettings) else 0.0
-    if apart <= APART:
-        return []
-    return [
-        f"reference.start is {apart:.3g} m from start.position: the vehicle flies there first, "
-        "while the run-up begins; without reference.start it begins at start.position"
-    ]
-
-
-def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
-    """Demands of a circle at full speed beyond the limits.
-
-    The thrust tilts inwards by atan(R ω²/g) and turns about the vertical with ω.
-    """
-    circle = scenario.reference
-    if not isinstance(circle, CircleSettings):
-        return []
-    believed = nominal_vehicle(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
-    limits = limits_of(believed, scenario.control.rate_limit)
-    rate = 2.0 * math.pi / circle.period
-    inwards = circle.radius * rate**2
-    thrust, tilt = math.hypot(inwards, limits.gravity), math.atan2(inwards, limits.gravity)
-    asked = Demands(limits.mass * thrust, limits.mass * thrust, tilt, rate * math.sin(tilt))
-    return shortfalls(asked, limits, "the circle")

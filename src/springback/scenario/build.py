@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -10,10 +10,14 @@ from springback.contact.parameters import Own
 from springback.dynamics.motion import LANDED, rates
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec
+from springback.recovery.detector import NoDetector
 from springback.scenario.avionics import (
     BuiltAvionics,
+    CompiledDetector,
+    CompiledEstimator,
     CompiledPilot,
     MakePilot,
+    UserSensing,
     build_avionics,
     cascade_of,
 )
@@ -27,13 +31,15 @@ from springback.scenario.checks import (
 from springback.scenario.model import flight_model, hover_thrusts, start_state, thrust_table
 from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
-from springback.scenario.user_obstacles import check_own_obstacles, own_obstacles
-from springback.scenario.user_pilots import (
+from springback.scenario.user.obstacles import check_own_obstacles, own_obstacles
+from springback.scenario.user.pilots import (
     AnyPilot,
     PilotContext,
     built_pilot,
     read_pilot,
 )
+from springback.scenario.user.sensing import SensingCode, built_sensing, read_sensing
+from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import problem
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import Relay
@@ -45,7 +51,7 @@ from springback.vehicle.state import State
 def pilot_context(scenario: ScenarioTables, start: State) -> PilotContext:
     """What a pilot of the user's own is built from; ``start`` is the state at time 0."""
     s = scenario
-    return PilotContext(s.vehicle, s.world.gravity, 1.0 / s.clock, start)
+    return PilotContext(s.vehicle, s.world.gravity, 1.0 / s.clock, start, s.sensors)
 
 
 class UserParts(NamedTuple):
@@ -55,8 +61,14 @@ class UserParts(NamedTuple):
     """Obstacles besides the scenario's walls, with their surfaces."""
     pilot: AnyPilot | None = None
     """Pilot in place of the paper's."""
+    estimator: SensingCode | None = None
+    """Estimator of the paper's pilot."""
+    detector: SensingCode | None = None
+    """Detector of the paper's pilot, beside its triggers."""
 
 
+#: Keys that name an estimator and a detector.
+_ESTIMATOR_AT, _DETECTOR_AT = "estimator.code", "recovery.detection.own.code"
 #: No part of the user's own.
 NO_PARTS = UserParts()
 
@@ -72,6 +84,8 @@ class ReadyFlight(NamedTuple):
     """Pilot in plain Python, if such a one flies it; the avionics then have a `Relay`."""
     thrusts: ThrustTable | None = None
     """Thrusts over time, without a pilot."""
+    compiled: tuple[CompiledPilot | CompiledEstimator | CompiledDetector, ...] = ()
+    """Parts of the avionics that are the user's own."""
 
 
 def user_parts(
@@ -93,7 +107,7 @@ def user_parts(
     parts = named_parts(scenario)
     obstacles = (*parts.obstacles, *own)
     check_own_obstacles(obstacles, Vec(*scenario.start.position))
-    return UserParts(obstacles, parts.pilot if pilot is None else pilot)
+    return parts._replace(obstacles=obstacles, pilot=parts.pilot if pilot is None else pilot)
 
 
 def named_parts(scenario: ScenarioTables) -> UserParts:
@@ -102,10 +116,19 @@ def named_parts(scenario: ScenarioTables) -> UserParts:
     Raises:
         InputError: If a file cannot be used, or is in a folder that is not trusted.
     """
-    for path, word in scenario.code:
+    named = dict(scenario.code)
+    for path, word in named.items():
         check_trusted(word, path)
     pilot = None if scenario.pilot is None else read_pilot(scenario.pilot)
-    return UserParts(own_obstacles(scenario.world), pilot)
+    estimator = _named_sensing(named, _ESTIMATOR_AT, CompiledEstimator)
+    detector = _named_sensing(named, _DETECTOR_AT, CompiledDetector)
+    return UserParts(own_obstacles(scenario.world), pilot, estimator, detector)
+
+
+def _named_sensing(
+    named: Mapping[str, str], path: str, kind: type[CompiledEstimator] | type[CompiledDetector]
+) -> SensingCode | None:
+    return read_sensing(path, named[path], kind) if path in named else None
 
 
 def build_flight(
@@ -145,21 +168,83 @@ def build_flight(
     if s.reference is None and not any(model.thrust):
         model = model._replace(thrust=build(hover_thrusts, s.vehicle, s.world.gravity))
     with blaming_the_clock(s):
-        plain: PlainPilot | None = None
-        flown_by: CompiledPilot | MakePilot = partial(cascade_of, advises=advises)
-        if pilot is not None:
-            chosen = built_pilot(pilot, pilot_context(s, start))
-            if isinstance(chosen, CompiledPilot):
-                flown_by = chosen
-            else:
-                plain, flown_by = chosen, CompiledPilot(Relay(0.0), model.thrust)
-        avionics = build_avionics(s, model, start, flown_by, normals, build)
-    return ReadyFlight(s.seed, model, start, avionics, plain)
+        chosen = _chosen_pilot(s, parts, start, model.thrust, advises)
+        avionics = build_avionics(s, model, start, chosen.flown_by, normals, build)
+    return ReadyFlight(s.seed, model, start, avionics, chosen.plain, compiled=chosen.compiled)
+
+
+class _ChosenPilot(NamedTuple):
+    """Pilot of a flight, and the user's own parts in it."""
+
+    flown_by: CompiledPilot | MakePilot
+    plain: PlainPilot | None = None
+    compiled: tuple[CompiledPilot | CompiledEstimator | CompiledDetector, ...] = ()
+
+
+def _chosen_pilot(
+    scenario: ScenarioTables,
+    parts: UserParts,
+    start: State,
+    thrust: tuple[float, ...],
+    advises: bool,
+) -> _ChosenPilot:
+    """The user's own pilot or, with the user's own estimator and detector, the paper's."""
+    s = scenario
+    if parts.pilot is None:
+        own = _user_sensing(s, parts, start)
+        compiled = tuple(part for part in own if part is not None)
+        return _ChosenPilot(partial(cascade_of, advises=advises, own=own), None, compiled)
+    chosen = built_pilot(parts.pilot, pilot_context(s, start))
+    if isinstance(chosen, CompiledPilot):
+        return _ChosenPilot(chosen, None, (chosen,))
+    return _ChosenPilot(CompiledPilot(Relay(0.0), thrust), chosen)
+
+
+def _user_sensing(scenario: ScenarioTables, parts: UserParts, start: State) -> UserSensing:
+    """The user's own estimator and detector, built for the vehicle."""
+    recovery, context = scenario.recovery, pilot_context(scenario, start)
+    detector = None if recovery is None else recovery.detection.own
+    given = {
+        "estimator": (parts.estimator, scenario.estimator.parameters),
+        "detector": (parts.detector, {} if detector is None else detector.parameters),
+    }
+    return UserSensing(**{
+        name: None if code is None else built_sensing(code, context, parameters)
+        for name, (code, parameters) in given.items()
+    })  # fmt: skip
+
+
+# -- stand-ins, for checks that do not run the user's files ---------------------------------------
+
+
+def unread_parts(scenario: ScenarioTables, *, pilot: bool) -> UserParts:
+    """Stand-ins for the user's own parts, which are never flown, but no obstacles.
+
+    Args:
+        scenario: Any.
+        pilot: True if a pilot of the user's own flies.
+    """
+    named = dict(scenario.code)
+    estimator = SensingCode("", "", CompiledEstimator, _no_estimator)
+    detector = SensingCode("", "", CompiledDetector, _no_detector)
+    return UserParts(
+        (), no_pilot if pilot else None,
+        estimator if _ESTIMATOR_AT in named else None,
+        detector if _DETECTOR_AT in named else None,
+    )  # fmt: skip
 
 
 def no_pilot(time: float, measurement: Any, memory: Any) -> Any:
     """Stand-in for a pilot that is not known yet, in checks; it is never called."""
     raise NotImplementedError
+
+
+def _no_estimator(context: PilotContext, **parameters: Any) -> CompiledEstimator:
+    return CompiledEstimator(PerfectState(0.0), PerfectMemory(0.0))
+
+
+def _no_detector(context: PilotContext, **parameters: Any) -> CompiledDetector:
+    return CompiledDetector(NoDetector(), NoDetector())
 
 
 def _check_start_beside(model: Model, start: State) -> None:

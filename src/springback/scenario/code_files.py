@@ -9,36 +9,25 @@ import hashlib
 import importlib.machinery
 import importlib.util
 import os
-import re
 import sys
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Annotated, Any
-
-from pydantic import AfterValidator
+from typing import Any
 
 from springback.errors import InputError, shown_value
-from springback.settings import problem
+from springback.user_code import CODE_FORM
 
 #: Folder of the package: its frames are not the user's.
 PACKAGE = str(Path(__file__).parents[1]) + os.sep
-_FORM = re.compile(r"(?P<file>.+):(?P<name>[^\W\d]\w*)\Z")
 #: Tables and keys of a scenario that name code; a ``*`` is any entry of a list.
-NAMED_AT: tuple[tuple[str, ...], ...] = (("pilot",), ("world", "obstacles", "*", "shape"))
+NAMED_AT: tuple[tuple[str, ...], ...] = (
+    ("pilot",), ("estimator", "code"), ("recovery", "detection", "own", "code"),
+    ("world", "obstacles", "*", "shape"),
+)  # fmt: skip
 #: Where a scenario may name the file of a vehicle, or of thrusts.
 FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
-
-
-def _code_name(value: str) -> str:
-    if not _FORM.match(value) or not value.isprintable():
-        raise problem(f"must be FILE.py:NAME (got {shown_value(value)})")
-    return value
-
-
-#: Name of an object in a Python file, ``FILE.py:NAME``.
-CodeName = Annotated[str, AfterValidator(_code_name)]
 
 
 # -- names in raw tables --------------------------------------------------------------------------
@@ -65,7 +54,7 @@ def _absolute_file(word: Any, folder: Path) -> Any:
 
 
 def _absolute(word: Any, folder: Path) -> Any:
-    found = _FORM.match(word) if isinstance(word, str) else None
+    found = CODE_FORM.match(word) if isinstance(word, str) else None
     if found is None:
         return word
     return f"{os.path.abspath(folder / found['file'])}:{found['name']}"
@@ -114,7 +103,7 @@ def read_object(word: str, what: str, *, anew: bool = False) -> Any:
     Raises:
         InputError: If there is no such file or name, or if the file fails.
     """
-    found = _FORM.match(word)
+    found = CODE_FORM.match(word)
     if found is None:
         raise InputError(f"{shown_value(word)} is not {what}; write file.py:name")
     module = _module(found["file"], anew)
@@ -210,7 +199,7 @@ def code_digests(words: Iterable[str]) -> dict[str, str]:
     """
     files: set[Path] = set()
     for word in words:
-        found = _FORM.match(word)
+        found = CODE_FORM.match(word)
         if found is not None:
             module = _module(found["file"], False)
             files.update(_files_of(module, Path(found["file"]).resolve().parent, set()))

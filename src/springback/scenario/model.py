@@ -51,7 +51,7 @@ FARTHEST = 1e4
 #: A motion that closes in on a plane by less than this share of its way is parallel to it (chosen).
 PARALLEL = 1e-9
 #: Search for the touch of a shape: factor by which distances may be wrong
-#: (`springback.scenario.user_obstacles`), shortest step [m] and largest number of them (chosen).
+#: (`springback.scenario.user.obstacles`), shortest step [m] and largest number of them (chosen).
 INEXACT, SHORTEST_LOOK, MOST_LOOKS = 1.05, 1e-6, 20_000
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]

@@ -16,7 +16,7 @@ from springback.scenario.build import (
     ReadyFlight,
     UserParts,
     build_flight,
-    no_pilot,
+    unread_parts,
     user_parts,
 )
 from springback.scenario.checks import check_sensors, check_start, check_tables
@@ -45,7 +45,7 @@ class Scenario(ScenarioTables):
                 check_start(self, self.flight_model(), self.start_state())
         else:
             advises = (info.context or {}).get("advises", True)
-            self.build(UserParts(pilot=no_pilot if own else None), advises=advises)
+            self.build(unread_parts(self, pilot=bool(own)), advises=advises)
         return self
 
     def _touches_own(self) -> bool:

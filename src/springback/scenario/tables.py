@@ -18,10 +18,10 @@ from springback.kernels.tracing import sqrt  # for batch set-up
 from springback.kernels.vectors import Quat, Vec
 from springback.quantities import Angle, Duration, Quadruple, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
-from springback.scenario.code_files import CodeName
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
+from springback.user_code import Arguments, CodeName
 from springback.vehicle.parameters import Vehicle, check_moments
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of obstacles.
@@ -30,29 +30,13 @@ MOST_OBSTACLES = 64
 UNIT_LENGTH = 1e-4
 
 
-def _arguments(given: Any) -> dict[str, Any]:
-    """Arguments of a user's shape: plain numbers, and triples of them."""
-    if not isinstance(given, dict):
-        raise problem(f"must be a table of numbers (got {shown_value(given)})")
-    read = dict[str, Any]()
-    for key, value in given.items():
-        if not isinstance(key, str) or not key.isidentifier():
-            raise problem(f"{shown_value(key)} cannot be the name of an argument")
-        with naming(key):
-            if isinstance(value, list | tuple) and len(value) == 3:
-                read[key] = tuple(si_number(part, "") for part in value)
-            else:
-                read[key] = si_number(value, "")
-    return read
-
-
 class UserShape(Settings):
     """An obstacle of the user's own: a shape in a Python file, and its surface."""
 
     type: Literal["own"]
     shape: CodeName
     """``FILE.py:NAME`` of a shape, or of its type or a function, called with ``parameters``."""
-    parameters: Annotated[dict[str, Any], PlainValidator(_arguments)] = Field(default_factory=dict)
+    parameters: Arguments = Field(default_factory=dict)
     """Arguments of the type or function, in SI."""
     surface: SurfaceSettings
 
@@ -300,9 +284,15 @@ class ScenarioTables(Settings):
     @property
     def code(self) -> list[tuple[str, str]]:
         """Path and name of each object of the user's own."""
-        found = [] if self.pilot is None else [("pilot", self.pilot)]
-        return found + [
-            (f"world.obstacles[{k}].shape", entry.shape)
+        detector = None if self.recovery is None else self.recovery.detection.own
+        named = {
+            "pilot": self.pilot,
+            "estimator.code": self.estimator.code,
+            "recovery.detection.own.code": None if detector is None else detector.code,
+        }
+        shapes = {
+            f"world.obstacles[{k}].shape": entry.shape
             for k, entry in enumerate(self.world.obstacles)
             if isinstance(entry, UserShape)
-        ]
+        }
+        return [(path, word) for path, word in (named | shapes).items() if word is not None]

@@ -41,7 +41,7 @@ from springback.sensing.measurement import (
     Measurement,
     Pose,
     believe,
-    update,
+    estimator_step,
 )
 from springback.simulation.ticks import Lanes
 
@@ -96,7 +96,7 @@ def complementary_memory(complementary: Complementary, estimate: Estimate) -> Co
     )
 
 
-@update.register(Complementary)
+@estimator_step.register(Complementary)
 @kernel
 def _complementary(
     weights: Complementary, tick: float, seen: Measurement, memory: ComplementaryMemory

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from springback.kernels.vectors import Vec
 from springback.quantities import Duration, Factor, Length, Triple, Unit
@@ -19,6 +19,7 @@ from springback.sensing.kalman.memory import ROUNDING
 from springback.sensing.measurement import Estimate
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import Settings, problem
+from springback.user_code import Arguments, CodeName
 
 #: Standard gravity [m/s²], the g of data sheets (3rd CGPM, 1901).
 STANDARD_GRAVITY = 9.80665
@@ -185,13 +186,25 @@ class ComplementarySettings(Settings):
 class EstimatorSettings(Settings):
     """Estimator of a robot's own motion."""
 
-    type: Literal["kalman", "complementary", "perfect"] = "kalman"
-    """`perfect` uses the exact state, which the sensors must reveal."""
+    type: Literal["kalman", "complementary", "perfect", "own"] = "kalman"
+    """`perfect` uses the exact state, which the sensors must reveal; `own` is one of your own."""
     kalman: KalmanSettings = KalmanSettings()
     complementary: ComplementarySettings = ComplementarySettings()
+    code: CodeName | None = None
+    """``FILE.py:NAME`` of a `CompiledEstimator`, or of a function that returns one."""
+    parameters: Arguments = Field(default_factory=dict)
+    """Arguments of that function, in SI."""
+
+    @model_validator(mode="after")
+    def _has_code(self) -> EstimatorSettings:
+        if self.type == "own" and self.code is None:
+            raise problem("is missing: FILE.py:NAME of your estimator", "code")
+        if self.type != "own" and (self.code is not None or self.parameters):
+            raise problem(f'must be "own" for an estimator of your own (got "{self.type}")', "type")
+        return self
 
     def estimator(self, rhythm: Rhythm, gravity: float) -> Estimator:
-        """Settings of the chosen estimator.
+        """Settings of the chosen estimator, one of springback's.
 
         Args:
             rhythm: Timing of its sensors.

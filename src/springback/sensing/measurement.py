@@ -105,7 +105,7 @@ class EstimatorStep(NamedTuple):
 
 
 @generic
-def update(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
+def estimator_step(estimator: Any, tick: float, seen: Measurement, memory: Any) -> EstimatorStep:
     """Estimate from a measurement.
 
     Args:
@@ -114,7 +114,9 @@ def update(estimator: Any, tick: float, seen: Measurement, memory: Any) -> Estim
         seen: The measurement.
         memory: Memory of the estimator; a new one is returned, it is never changed in place.
     """
-    raise TypeError(f"{type(estimator).__name__} is not an estimator; register update for it")
+    raise TypeError(
+        f"{type(estimator).__name__} is not an estimator; register estimator_step for it"
+    )
 
 
 @generic
@@ -139,6 +141,6 @@ def believe(
     _, g, w, _, _ = lanes
     for i in range(w):
         said, remembered = load(seen, g, w, i), load(memory, g, w, i)
-        known = update(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)
+        known = estimator_step(load(estimator, g, w, i), load(ticks, g, w, i), said, remembered)
         store(known.estimate, estimate, g, w, i)
         store(known.memory, memory, g, w, i)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.sensing.measurement import EstimatorStep, Measurement, update
+from springback.sensing.measurement import EstimatorStep, Measurement, estimator_step
 
 
 class PerfectState(NamedTuple):
@@ -20,7 +20,7 @@ class PerfectMemory(NamedTuple):
     unused: float
 
 
-@update.register(PerfectState)
+@estimator_step.register(PerfectState)
 @kernel
 def _perfect(
     estimator: PerfectState, tick: float, seen: Measurement, memory: PerfectMemory

@@ -45,7 +45,8 @@ def columns_of(like: Any, buffers: Buffer, row: int, width: int, count: int) -> 
     """
     lanes = buffers.reshape(len(buffers), -1, width)
     first = row if row >= 0 else lanes.shape[1] + row
-    block = lanes[:, first : first + rows(like)].transpose(1, 0, 2).reshape(rows(like), -1)
+    here = lanes[:, first : first + rows(like)]
+    block = here.transpose(1, 0, 2).reshape(rows(like), len(buffers) * width)  # perhaps no rows
     return tree_from(like, np.ascontiguousarray(block[:, :count]))
 
 

@@ -25,7 +25,7 @@ class Outcome(Enum):
     NO_CONTACT = "touched nothing"
     RECOVERED = "recovered from every collision"
     NOT_DETECTED = "a collision was not detected"
-    NOT_SETTLED = "did not come to rest at its goal after a collision"
+    NOT_SETTLED = "did not come to rest after a collision, at its goal if it has one"
 
     @property
     def word(self) -> str:

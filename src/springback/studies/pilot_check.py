@@ -21,7 +21,7 @@ from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.avionics import CompiledPilot, propulsion_of
 from springback.scenario.build import pilot_context
 from springback.scenario.scenario import Scenario
-from springback.scenario.user_pilots import built_pilot, chosen_pilot
+from springback.scenario.user.pilots import built_pilot, chosen_pilot
 from springback.sensing.measurement import Measurement, Pose
 from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import pilot_step

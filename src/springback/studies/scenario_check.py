@@ -12,9 +12,9 @@ from springback.contact.parameters import PlaneSettings
 from springback.control.reference_parameters import RunUpSettings
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation
-from springback.scenario.avionics import scenario_warnings
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
+from springback.scenario.warnings import scenario_warnings
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
 

@@ -10,7 +10,7 @@ from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.progress import Progress, silent
-from springback.scenario.user_obstacles import check_shape_from
+from springback.scenario.user.obstacles import check_shape_from
 from springback.studies.pilot_check import Finding
 
 #: Distance of the points of view from the surface [m] (chosen: that of a vehicle before a contact).
@@ -26,7 +26,7 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
 
     From the start the surface is looked for along the gradient of the distance.  Rays from the
     start, and from 14 points around the nearest point of the surface, then sample both functions
-    (`springback.scenario.user_obstacles.check_shape_from`).
+    (`springback.scenario.user.obstacles.check_shape_from`).
 
     Args:
         shape: A NamedTuple with `signed_distance` and `outward_normal`.

@@ -17,11 +17,14 @@ from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.examples import TEMPLATES
+from springback.results.flight import check_user_code
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import user_parts
+from springback.scenario.code_files import read_object
 from springback.scenario.fields import fields_of
-from springback.scenario.user_obstacles import check_own_obstacles
-from springback.scenario.user_pilots import read_pilot
+from springback.scenario.user.obstacles import check_own_obstacles
+from springback.scenario.user.pilots import read_pilot
+from springback.studies.sensing_check import sensing_kind
 from springback.vehicle.parameters import Vehicle
 
 
@@ -89,6 +92,17 @@ def test_an_obstacle_is_a_distance_with_its_gradient() -> None:
     assert signed_distance(names["POLE"], springback.Vec(2.75, 0.0, 7.0)) == -0.05
     [(pole, _)] = user_parts(springback.read_scenario("tree.toml")).obstacles
     assert pole == names["POLE"]
+
+
+@pytest.mark.parametrize(("kind", "name"), [("estimator", "blend"), ("detector", "jolt")])
+def test_an_estimator_and_a_detector_are_built_and_answer(kind: str, name: str) -> None:
+    new(kind, "mine")
+    assert f"own_{kind}" not in Path("mine.py").read_text() + Path("mine.toml").read_text()
+    scenario = springback.read_scenario("mine.toml")
+    assert [word for _, word in scenario.code] == [f"{Path.cwd() / 'mine.py'}:{name}"]
+    [law] = check_user_code(scenario.build())
+    assert law.home[0] == str(Path.cwd() / "mine.py")
+    assert sensing_kind(read_object(scenario.code[0][1], kind), {}) is not None
 
 
 def test_a_campaign_is_laid_out_with_the_scenario_beside_it() -> None:

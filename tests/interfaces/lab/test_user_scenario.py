@@ -192,6 +192,9 @@ def test_of_a_run_up_an_impact_takes_speed_and_pitch_at_the_wall(tmp_path: Path)
 OWN_CODE = """
 vehicle = {preset = "frame.toml", body = {mass = "1.3 kg"}, propulsion = {max_thrust = 8}}
 pilot = "pilots.py:mine"
+estimator = {type = "own", code = "sensing.py:estimator"}
+[recovery.detection.own]
+code = "sensing.py:detector"
 [[world.obstacles]]
 type = "own"
 shape = "shapes.py:pole"
@@ -215,6 +218,10 @@ def test_code_and_a_vehicle_file_of_ones_own_are_found_beside_the_scenario(tmp_p
     assert table.user.target is table.user.scenario.world.obstacles[1]
     as_file = lab_scenario(setting(table, mode="file", length=230, surface="wall"), "mine")
     assert as_file.pilot == f"{tmp_path / 'pilots.py'}:mine"
+    assert as_file.estimator.code == f"{tmp_path / 'sensing.py'}:estimator"
+    assert as_file.recovery is not None
+    assert as_file.recovery.detection.own is not None
+    assert as_file.recovery.detection.own.code == f"{tmp_path / 'sensing.py'}:detector"
     assert as_file.vehicle.arms.length == 0.23
     own, wall = as_file.world.obstacles
     assert own.shape == f"{tmp_path / 'shapes.py'}:pole"  # type: ignore[union-attr]

@@ -45,7 +45,7 @@ from springback.scenario.presets import vehicle_table
 from springback.scenario.scenario import Scenario, merge, preset, scenario_from
 from springback.scenario.trust import check_trusted
 from springback.settings import Settings
-from springback.simulation.measures import FAILURES
+from springback.simulation.measures import FAILURES, Outcome
 from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
@@ -128,7 +128,8 @@ class Design:
             return given
         if self.bases[0].get("recovery") is not None:
             return "outcome = 'recovered'"
-        failures = ", ".join(f"'{outcome.word}'" for outcome in FAILURES)
+        judged = () if self.bases[0].get("pilot") is None else (Outcome.NOT_SETTLED,)
+        failures = ", ".join(f"'{outcome.word}'" for outcome in (*FAILURES, *judged))
         return f"outcome NOT IN ({failures})"
 
     @property

@@ -187,7 +187,8 @@ class Plan(Settings):
     success: Annotated[str | tuple[str, ...] | None, BeforeValidator(_conditions)] = None
     """Condition of success on the columns of a row: a text is SQL; a list has conditions in words,
     such as ``arm_stroke < 20 mm``, which must all hold.  By default that the robot recovered or,
-    without recovery, neither touched the ground, nor used up a stroke, nor diverged."""
+    without recovery, neither touched the ground, nor used up a stroke, nor diverged; nor, with a
+    pilot of your own, failed to come to rest after a collision."""
     keep: Keep | None = None
 
     @model_validator(mode="after")

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 )
 @terminal_options("as_json", "quiet")
 def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
-    """Check a scenario, a plan, a pilot or an obstacle of your own, before it is flown for long.
+    """Check a scenario, a plan, or code of your own, before it is flown for long.
 
     A scenario or a plan is refused for all that a flight would refuse it for. Numbers that follow
     from it are printed: mass, share of the thrust in hover, natural frequency and damping ratio of
@@ -39,11 +39,16 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     1 m a metre or is no number, a normal that is not 1 long or not the gradient. NAME is a shape,
     or its type with KEY=VALUE for its fields.
 
+    An estimator or a detector flies the SCENARIO within springback's pilot: by default quad hovers
+    by the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
+    detector must notice. KEY=VALUE are arguments of a function that returns one.
+
     \b
     springback check scenario.toml vehicle.arms.stiffness="2 N/mm"
     springback check plan.toml
     springback check my_pilot.py:hover
     springback check my_obstacle.py:Pole x=2.75 y=0 radius=0.05
+    springback check my_detector.py:jolt threshold=25
     """
     from springback.scenario.source_text import source_text, toml_tables
 
@@ -61,11 +66,11 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
-    from springback.scenario.build import user_parts
+    from springback.results.flight import ready_flight
     from springback.scenario.files import read_scenario
 
     scenario = read_scenario(path, overrides)
-    user_parts(scenario)  # code of the user's own that cannot be used is refused
+    ready_flight(scenario)  # code of the user's own that cannot be used is refused
     numbers, warnings = _findings(scenario)
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
@@ -151,18 +156,26 @@ def _law_text(one: Dimension) -> str:
 
 
 def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
-    """Check a pilot or a shape, and exit with 1 if a property fails."""
+    """Check code of the user's own, and exit with 1 if a property fails."""
     from springback.errors import InputError
     from springback.scenario.avionics import CompiledPilot
     from springback.scenario.code_files import read_object
+    from springback.scenario.files import read_scenario
+    from springback.scenario.overrides import apply_overrides
     from springback.studies.pilot_check import check_pilot
+    from springback.studies.sensing_check import check_sensing, sensing_kind
 
     scenarios = [Path(word) for word in more if "=" not in word]
     if len(scenarios) > 1:
         raise InputError(f"{str(scenarios[1])!r}: it is checked with one scenario")
-    thing = read_object(name, "a pilot or a shape")
+    thing = read_object(name, "code of your own")
     is_type = isinstance(thing, type) and issubclass(thing, tuple)
-    if is_type or (isinstance(thing, tuple) and not isinstance(thing, CompiledPilot)):
+    given = apply_overrides({}, [word for word in more if "=" in word])
+    if (kind := sensing_kind(thing, given)) is not None:
+        scenario = read_scenario(scenarios[0]) if scenarios else None
+        with terminal.spinner("flying with it"):
+            findings = check_sensing(kind, name, given, scenario)
+    elif is_type or (isinstance(thing, tuple) and not isinstance(thing, CompiledPilot)):
         findings = _shape_findings(name, more, scenarios, terminal)
     elif len(more) > len(scenarios):
         raise InputError("a pilot is checked without KEY=VALUE; change its scenario")
@@ -189,7 +202,7 @@ def _shape_findings(
     from springback.scenario.files import read_scenario
     from springback.scenario.overrides import apply_overrides
     from springback.scenario.tables import Start, UserShape, WorldSettings
-    from springback.scenario.user_obstacles import own_obstacles
+    from springback.scenario.user.obstacles import own_obstacles
     from springback.studies.shape_check import check_shape
 
     given = apply_overrides({}, [word for word in more if "=" in word])

@@ -97,6 +97,24 @@ TEMPLATES = {
             "python {stem}.py",
         ),
     ),
+    "estimator": TemplateFiles(
+        {".py": "own_estimator.py", ".toml": "own_estimator.toml"},
+        (
+            "springback check {stem}.py:blend",
+            "springback trust {folder}",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "python {stem}.py",
+        ),
+    ),
+    "detector": TemplateFiles(
+        {".py": "own_detector.py", ".toml": "own_detector.toml"},
+        (
+            "springback check {stem}.py:jolt",
+            "springback trust {folder}",
+            "springback fly {stem}.toml --out {stem}-flight",
+            "python {stem}.py",
+        ),
+    ),
     "campaign": TemplateFiles(
         {".toml": "own_campaign.toml", "_vehicle.toml": "own_vehicle.toml"},
         (
@@ -122,11 +140,13 @@ def new(
     """Write a commented file that works at once, to start from: a vehicle, a pilot, ...
 
     \b
-    vehicle   a scenario with a [vehicle] of four compliant arms: each number with unit and range,
-              and where to get it
-    pilot     a pilot in plain Python, or --compiled, and a scenario for it
-    obstacle  a shape in Python, and a scenario that flies into it
-    campaign  a plan, here a design study, and a scenario with a vehicle for it
+    vehicle    a scenario with a [vehicle] of four compliant arms: each number with unit and range,
+               and where to get it
+    pilot      a pilot in plain Python, or --compiled, and a scenario for it
+    estimator  an estimator for springback's pilot, and a scenario that hovers by it
+    detector   a detector of collisions for it, and a scenario that flies into a wall
+    obstacle   a shape in Python, and a scenario that flies into it
+    campaign   a plan, here a design study, and a scenario with a vehicle for it
 
     \b
     springback new vehicle hexa

@@ -33,9 +33,9 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     from springback.interfaces.output.folders import SUMMARY
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
-    from springback.scenario.avionics import scenario_warnings
     from springback.scenario.files import read_scenario
-    from springback.scenario.user_pilots import read_pilot
+    from springback.scenario.user.pilots import read_pilot
+    from springback.scenario.warnings import scenario_warnings
 
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)

@@ -44,7 +44,13 @@ from springback.sensing.kalman.memory import (
     exposed_before,
     kalman_memory,
 )
-from springback.sensing.measurement import Estimate, EstimatorStep, Inertial, Measurement, update
+from springback.sensing.measurement import (
+    Estimate,
+    EstimatorStep,
+    Inertial,
+    Measurement,
+    estimator_step,
+)
 
 __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 
@@ -53,7 +59,7 @@ __all__ = ["Deviations", "Kalman", "KalmanMemory", "kalman_memory"]
 AT_RANGE = 0.9
 
 
-@update.register(Kalman)
+@estimator_step.register(Kalman)
 @kernel
 def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> EstimatorStep:
     track = memory.track

@@ -5,18 +5,17 @@ from __future__ import annotations
 import functools
 import inspect
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
-from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.errors import InputError
-from springback.kernels.compiler import CompilerError
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.scenario.avionics import CompiledPilot
-from springback.scenario.code_files import PACKAGE, error_place, error_words, read_object
+from springback.scenario.code_files import error_place, error_words, read_object
+from springback.scenario.user.laws import Law, home_of, law_of, source_text
+from springback.sensing.parameters import SensorSettings
 from springback.simulation.guided import Command, PlainPilot
 from springback.simulation.onboard import PilotOutput, pilot_step
 from springback.vehicle.parameters import Vehicle
@@ -35,6 +34,7 @@ class PilotContext(NamedTuple):
     gravity: float  # g along −Z [m/s²]
     period: float  # of the on-board clock [s]
     start: State  # at time 0
+    sensors: SensorSettings  # rates, delays and ranges, as in data sheets
 
 
 #: Builds a pilot for a vehicle; written as a function of one argument.
@@ -113,7 +113,7 @@ def built_pilot(pilot: AnyPilot, context: PilotContext) -> PlainPilot | Compiled
     made: Any = pilot
     if not is_builder(pilot):
         return made  # type: ignore[no-any-return]  # a plain pilot, or a compiled one
-    file, line = _home(pilot)
+    file, line = home_of(pilot)
     try:
         made = traceable(made)(context)
     except (Exception, SystemExit) as error:
@@ -126,14 +126,6 @@ def built_pilot(pilot: AnyPilot, context: PilotContext) -> PlainPilot | Compiled
     return made
 
 
-def _home(pilot: Any) -> tuple[str, int]:
-    """File and line of a pilot."""
-    function = inspect.unwrap(getattr(pilot, "py_func", pilot))
-    method = getattr(type(function), "__call__")  # noqa: B004, B009
-    code = getattr(function, "__code__", None) or getattr(method, "__code__", None)
-    return (code.co_filename, code.co_firstlineno) if code else (f"pilot {pilot!r}", 0)
-
-
 # -- in plain Python ------------------------------------------------------------------------------
 
 
@@ -144,7 +136,7 @@ def guarded_pilot(pilot: PlainPilot, rotors: int) -> PlainPilot:
         pilot: ``(time, measurement, memory) -> (thrusts, memory)``.
         rotors: Number of thrusts that it must return.
     """
-    file, line = _home(pilot)
+    file, line = home_of(pilot)
 
     @functools.wraps(pilot)
     def asked(time: float, measurement: Any, memory: Any) -> tuple[Command, Any]:
@@ -184,90 +176,23 @@ def wrong(said: Any, rotors: int) -> str:
     return ""
 
 
-def source_text(value: Any) -> str:
-    """A value as Python source, on one line and not too long, for messages."""
-    try:
-        text = " ".join(repr(value).split())
-    except Exception:  # in the user's own class
-        text = f"a {type(value).__name__}"
-    return text if len(text) <= 60 else f"{text[:57]}..."
-
-
 # -- compiled -------------------------------------------------------------------------------------
 
 
-def validate(pilot: CompiledPilot, measurement: Any, rotors: int) -> None:
-    """Call a pilot that is to be compiled once, as plain Python.
+def check_compiled_pilot(pilot: CompiledPilot, measurement: Any, rotors: int) -> Law:
+    """Call a pilot that is to be compiled once, as plain Python; returns its law.
 
     Its result must have the layout that the flight stores: compiled code does not check again.
 
     Raises:
         InputError: The error, with file and line if known.
     """
-    _check_floats(pilot.settings, "settings")
-    _check_floats(pilot.memory, "memory")
-    law: Callable[..., Any] = pilot_step.dispatch(type(pilot.settings))
-    file, line = _home(law)
-    if file.startswith(PACKAGE) and not type(pilot.settings).__module__.startswith("springback."):
-        raise InputError(
-            f"{type(pilot.settings).__name__} is not a pilot yet: register pilot_step for it"
-        )
-    try:
-        said = law(pilot.settings, 0.0, measurement, pilot.memory)
-    except (Exception, SystemExit) as error:
-        raise InputError(
-            f"{error_place(error, file, line)}: {error_words(error)}, at 0 s"
-        ) from error
-    where = f"{file}:{line}: the pilot"
+    law = law_of(pilot_step, pilot, "a pilot")
+    said = law.call(pilot.settings, 0.0, measurement, pilot.memory)
     if not isinstance(said, PilotOutput):
-        raise InputError(
-            f"{where} must return PilotOutput(thrusts, memory) (got {source_text(said)})"
-        )
+        law.refuse(f"must return PilotOutput(thrusts, memory) (got {source_text(said)})")
     if problem := wrong(said, rotors):
-        raise InputError(f"{where} {problem}")
-    _check_floats(said.thrust, f"{where}: thrusts")
-    _check_floats(said.memory, f"{where}: memory")
-    before, after = _layout(pilot.memory), _layout(said.memory)
-    if before != after:
-        raise InputError(f"{where} must return a memory like the first, {before} (got {after})")
-
-
-def _check_floats(tree: Any, stem: str) -> None:
-    """Reject anything but a tree of floats, and name the leaf."""
-    if isinstance(tree, tuple):
-        fields = getattr(tree, "_fields", [str(k) for k in range(1, len(tree) + 1)])
-        for field, branch in zip(fields, tree, strict=True):
-            _check_floats(branch, f"{stem}.{field}")
-    elif not isinstance(tree, float):
-        kind = type(tree).__name__
-        hint = f"; write {float(tree)!r}" if isinstance(tree, int) else ""
-        raise InputError(
-            f"{stem} must be a float, or a NamedTuple or tuple of floats, to be compiled "
-            f"(got {source_text(tree)}, {kind}){hint}"
-        )
-
-
-def _layout(tree: Any) -> str:
-    """Types of a tree in words, such as ``Memory(float, Vec(float, float, float))``."""
-    if not isinstance(tree, tuple):
-        return "float"
-    kind = type(tree).__name__ if hasattr(tree, "_fields") else ""
-    return f"{kind}({', '.join(_layout(branch) for branch in tree)})"
-
-
-@contextmanager
-def in_words(pilot: CompiledPilot | None) -> Iterator[None]:
-    """Report errors of the compiler in one line, with the place in the user's file."""
-    try:
-        yield
-    except CompilerError as error:
-        if pilot is None:
-            raise
-        text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
-        file, line = _home(pilot_step.dispatch(type(pilot.settings)))
-        # The compiler reports the innermost place and reason first.
-        places = re.findall(rf"at {re.escape(file)} \((\d+)\)", text)
-        messages = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()
-        reasons = [reason for reason in messages if not reason.startswith("Failed in ")] or messages
-        at = places[0] if places else line
-        raise InputError(f"{file}:{at}: cannot be compiled: {reasons[0].strip()}") from error
+        law.refuse(problem)
+    law.check_output(said.thrust, "thrusts")
+    law.check_memory(pilot.memory, said.memory)
+    return law

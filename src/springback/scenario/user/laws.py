@@ -1,0 +1,133 @@
+"""Laws of the user's own that are compiled: tried once in plain Python, errors in one line."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, NamedTuple, NoReturn
+
+from springback.errors import InputError
+from springback.kernels.compiler import CompilerError, Generic
+from springback.scenario.code_files import PACKAGE, error_place, error_words
+
+
+def home_of(thing: Any) -> tuple[str, int]:
+    """File and line of a function, or of the method by which an object is called."""
+    function = inspect.unwrap(getattr(thing, "py_func", thing))
+    method = getattr(type(function), "__call__")  # noqa: B004, B009
+    code = getattr(function, "__code__", None) or getattr(method, "__code__", None)
+    return (code.co_filename, code.co_firstlineno) if code else (f"{thing!r}", 0)
+
+
+def source_text(value: Any) -> str:
+    """A value as Python source, on one line and not too long, for messages."""
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # in the user's own class
+        text = f"a {type(value).__name__}"
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+class Law(NamedTuple):
+    """Function of the user's own that is registered for a type of settings."""
+
+    name: str
+    """Of the law and its type, for errors."""
+    function: Callable[..., Any]
+
+    @property
+    def home(self) -> tuple[str, int]:
+        """Its file and line."""
+        return home_of(self.function)
+
+    def refuse(self, why: str) -> NoReturn:
+        """Raise an InputError, given what is wrong: a sentence without its subject."""
+        file, line = self.home
+        raise InputError(f"{file}:{line}: {self.name} {why}")
+
+    def call(self, *given: Any) -> Any:
+        """Its result for the first tick, in plain Python.
+
+        Raises:
+            InputError: If it fails, with file and line.
+        """
+        try:
+            return self.function(*given)
+        except (Exception, SystemExit) as error:
+            place = error_place(error, *self.home)
+            raise InputError(f"{place}: {self.name}: {error_words(error)}, at 0 s") from error
+
+    def check_output(self, tree: Any, stem: str) -> None:
+        """Reject an output that is no tree of floats."""
+        file, line = self.home
+        check_floats(tree, f"{file}:{line}: {self.name}: {stem}")
+
+    def check_memory(self, before: Any, after: Any) -> None:
+        """Reject a memory that is no tree of floats, or of another layout than the first."""
+        self.check_output(after, "memory")
+        first, last = layout_text(before), layout_text(after)
+        if first != last:
+            self.refuse(f"must return a memory like the first, {first} (got {last})")
+
+
+def law_of(step: Generic[..., Any], part: Any, what: str) -> Law:
+    """Law of a compiled part, whose settings and memory must be trees of floats.
+
+    Args:
+        step: Generic function with which its type must be registered.
+        part: With settings and memory.
+        what: What it should be, for errors, such as ``a pilot``.
+
+    Raises:
+        InputError: If they are not, or if the type is not registered.
+    """
+    check_floats(part.settings, "settings")
+    check_floats(part.memory, "memory")
+    kind = type(part.settings)
+    law, name = step.dispatch(kind), getattr(step, "__name__", "")
+    if home_of(law)[0].startswith(PACKAGE) and not kind.__module__.startswith("springback."):
+        raise InputError(f"{kind.__name__} is not {what} yet: register {name} for it")
+    return Law(f"{name} of {kind.__name__}", law)
+
+
+def check_floats(tree: Any, stem: str) -> None:
+    """Reject anything but a tree of floats, and name the leaf."""
+    if isinstance(tree, tuple):
+        fields = getattr(tree, "_fields", [str(k) for k in range(1, len(tree) + 1)])
+        for field, branch in zip(fields, tree, strict=True):
+            check_floats(branch, f"{stem}.{field}")
+    elif not isinstance(tree, float):
+        kind = type(tree).__name__
+        hint = f"; write {float(tree)!r}" if isinstance(tree, int) else ""
+        raise InputError(
+            f"{stem} must be a float, or a NamedTuple or tuple of floats, to be compiled "
+            f"(got {source_text(tree)}, {kind}){hint}"
+        )
+
+
+def layout_text(tree: Any) -> str:
+    """Types of a tree in words, such as ``Memory(float, Vec(float, float, float))``."""
+    if not isinstance(tree, tuple):
+        return "float"
+    kind = type(tree).__name__ if hasattr(tree, "_fields") else ""
+    return f"{kind}({', '.join(layout_text(branch) for branch in tree)})"
+
+
+@contextmanager
+def in_words(laws: Sequence[Law]) -> Iterator[None]:
+    """Report errors of the compiler in one line, with the place in the user's file."""
+    try:
+        yield
+    except CompilerError as error:
+        if not laws:
+            raise
+        text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
+        # The compiler reports the innermost place and reason first.
+        homes = [law.home for law in laws]
+        found = [(file, re.findall(rf"at {re.escape(file)} \((\d+)\)", text)) for file, _ in homes]
+        file, at = next(((file, lines[0]) for file, lines in found if lines), homes[0])
+        messages = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()
+        reasons = [reason for reason in messages if not reason.startswith("Failed in ")] or messages
+        raise InputError(f"{file}:{at}: cannot be compiled: {reasons[0].strip()}") from error

@@ -1,0 +1,72 @@
+"""Warnings of a scenario that can be flown and is seldom meant."""
+
+from __future__ import annotations
+
+import math
+
+from springback.control.demands import Demands, shortfalls
+from springback.control.linear import warnings_for
+from springback.control.reference_parameters import CircleSettings, RunUpSettings
+from springback.scenario.avionics import limits_of, nominal_vehicle, propulsion_of
+from springback.scenario.tables import ScenarioTables
+
+#: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
+#: five standard deviations of the trials' positions).
+APART = 0.2
+#: Tables that only the pilot of the paper reads.
+_PAPERS = ("reference", "control", "estimator", "recovery")
+
+
+def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
+    """Warnings for this scenario, one sentence each.
+
+    Args:
+        scenario: Scenario to be flown.
+        own: True if a pilot of the user's own flies it.
+    """
+    given = scenario.model_fields_set
+    if own:
+        recovery = scenario.recovery
+        judges = recovery is not None and recovery.model_fields_set == {"settling"}
+        unread = [name for name in _PAPERS if name in given and not (judges and name == "recovery")]
+        return _unread(unread, "a pilot of your own flies, which does not read it")
+    if scenario.reference is None or scenario.vehicle.propulsion is None:
+        devices = () if "sensors" in given else ("clock", "seed")  # sensors need no pilot
+        unread = [name for name in (*_PAPERS[1:], *devices) if name in given]
+        return _unread(unread, "no pilot flies without a [reference]")
+    lag = scenario.vehicle.propulsion.time_constant
+    gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
+    return gains + _circle_shortfalls(scenario) + _two_starts(scenario)
+
+
+def _unread(names: list[str], why: str) -> list[str]:
+    return [f"{name} is not used: {why}" for name in names]
+
+
+def _two_starts(scenario: ScenarioTables) -> list[str]:
+    """A run-up that begins far from the vehicle."""
+    run_up, start = scenario.reference, scenario.start
+    apart = math.dist(run_up.start, start.position) if isinstance(run_up, RunUpSettings) else 0.0
+    if apart <= APART:
+        return []
+    return [
+        f"reference.start is {apart:.3g} m from start.position: the vehicle flies there first, "
+        "while the run-up begins; without reference.start it begins at start.position"
+    ]
+
+
+def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
+    """Demands of a circle at full speed beyond the limits.
+
+    The thrust tilts inwards by atan(R ω²/g) and turns about the vertical with ω.
+    """
+    circle = scenario.reference
+    if not isinstance(circle, CircleSettings):
+        return []
+    believed = nominal_vehicle(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
+    limits = limits_of(believed, scenario.control.rate_limit)
+    rate = 2.0 * math.pi / circle.period
+    inwards = circle.radius * rate**2
+    thrust, tilt = math.hypot(inwards, limits.gravity), math.atan2(inwards, limits.gravity)
+    asked = Demands(limits.mass * thrust, limits.mass * thrust, tilt, rate * math.sin(tilt))
+    return shortfalls(asked, limits, "the circle")
