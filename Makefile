@@ -50,8 +50,8 @@ fuzz:
 
 docs:
 	@tools/environment docs
-	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
-	@echo "open docs/_build/index.html"
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	@echo "open docs/_build/html/index.html"
 
 bench:
 	@tools/environment dev
