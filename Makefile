@@ -73,4 +73,4 @@ web:
 	cd web && npm ci --ignore-scripts --no-audit --no-fund && node build.mjs
 
 clean:
-	rm -rf .venv $(OUT) docs/_build
+	rm -rf .venv $(OUT) docs/_build docs/api/modules/generated

@@ -17,6 +17,7 @@ version = release = springback.__version__
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",  # a page for each module
     "sphinx.ext.napoleon",
     "mathml",  # these and the next are in docs/extensions
     "docstrings",
@@ -27,8 +28,11 @@ extensions = [
     "measure_tables",
     "commands",
 ]
-exclude_patterns = ["_build", "extensions", "figures"]
-source_suffix = {".md": "myst-nb"}
+exclude_patterns = ["_build", "_templates", "extensions", "figures"]
+source_suffix = {".rst": "restructuredtext", ".md": "myst-nb"}
+templates_path = ["_templates"]
+MODULES = ROOT / "docs" / "api" / "modules"
+autosummary_generate = [f"api/modules/{page.name}" for page in MODULES.glob("*.md")]
 default_role = "py:obj"
 
 myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "substitution", "attrs_inline"]
@@ -42,7 +46,7 @@ nb_execution_show_tb = True
 nb_output_stderr = "remove"  # bars of progress
 nb_merge_streams = True
 nb_render_image_options = {"width": "520px"}
-os.environ["JUPYTER_PATH"] = str(ROOT / "docs" / "extensions" / "jupyter")  # a kernel that is silent
+os.environ["JUPYTER_PATH"] = str(ROOT / "docs" / "extensions" / "jupyter")  # its kernel is silent
 suppress_warnings = ["myst.xref_missing_text"]
 
 highlight_language = "none"
